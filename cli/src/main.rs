@@ -1,0 +1,2 @@
+//! `flexair`, the command line of flexible-aircraft.
+fn main() {}

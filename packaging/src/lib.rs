@@ -1,0 +1,1 @@
+//! Builds the `.fmu` archive of a flexible aircraft.

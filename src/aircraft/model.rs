@@ -1,0 +1,166 @@
+//! The expanded aircraft: plain data in body axes, SI units.
+
+use nalgebra::{Matrix3, Vector3};
+use serde::{Deserialize, Serialize};
+
+/// Whether the airframe flies or is held at O.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Support {
+    /// Free flight: six rigid-body degrees of freedom.
+    Free,
+    /// Held at O in a wind tunnel: no rigid-body motion, the air moves.
+    Clamped,
+}
+
+/// Which natural modes span the deformation (physics.md §1, third trap).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ModeBasis {
+    /// Modes of the axially rigid structure: bending and torsion only.
+    BendingTorsion,
+    /// Modes of the structure as it is, axial ones included.
+    Full,
+}
+
+/// A whole aircraft, expanded. Built by [`Aircraft::read`](super::Aircraft) from an aircraft file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Aircraft {
+    /// Name for people.
+    pub name: String,
+    /// Gravitational acceleration, m/s², down.
+    pub gravity: f64,
+    /// Free flight or wind tunnel.
+    pub support: Support,
+    /// Which modes span the deformation.
+    pub mode_basis: ModeBasis,
+    /// Default number of Peters inflow states per strip, 0…8.
+    pub inflow_states: usize,
+    /// Node positions, m; node 0 is O and clamped.
+    pub nodes: Vec<Vector3<f64>>,
+    /// Beam elements: a tree rooted at node 0, each element leading from a known node to a new one.
+    pub beams: Vec<Beam>,
+    /// Lumped masses.
+    pub bays: Vec<MassBay>,
+    /// Aerodynamic strips.
+    pub strips: Vec<Strip>,
+    /// Engines.
+    pub engines: Vec<Engine>,
+    /// Named points of interest, whose deflections are outputs.
+    pub stations: Vec<Station>,
+}
+
+/// A straight Euler–Bernoulli beam element with constant section.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Beam {
+    /// The component it belongs to.
+    pub component: String,
+    /// First and second node; local x points from the first to the second.
+    pub nodes: [usize; 2],
+    /// Local y axis (chordwise), a unit vector perpendicular to local x.
+    pub y_axis: Vector3<f64>,
+    /// EA, N.
+    pub axial_stiffness: f64,
+    /// GJ, N·m².
+    pub torsional_stiffness: f64,
+    /// EI_y, N·m²: resists w″ (= ∫E z² dA).
+    pub bending_stiffness_y: f64,
+    /// EI_z, N·m²: resists v″.
+    pub bending_stiffness_z: f64,
+}
+
+/// A place on the elastic axis: a fraction of an element's length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attachment {
+    /// Index of the element in [`Aircraft::beams`].
+    pub beam: usize,
+    /// Fraction of the element's length, 0…1.
+    pub fraction: f64,
+}
+
+/// A rigid lump of mass carried by an element's section.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MassBay {
+    /// Where the carrying section sits.
+    pub attachment: Attachment,
+    /// kg.
+    pub mass: f64,
+    /// From the elastic axis to the centre of mass, body axes, m.
+    pub offset: Vector3<f64>,
+    /// About the centre of mass, body axes, kg·m².
+    pub inertia: Matrix3<f64>,
+}
+
+/// An aerodynamic strip: a rigid aerofoil section of some width, carried by the elastic axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Strip {
+    /// Where the carrying section sits.
+    pub attachment: Attachment,
+    /// Unit vector f along the chord, towards the leading edge.
+    pub forward: Vector3<f64>,
+    /// Unit vector s, perpendicular to f; a positive rotation about it is nose-up. n = f × s.
+    pub span: Vector3<f64>,
+    /// b, m.
+    pub semichord: f64,
+    /// d, m: distance of the elastic axis behind mid-chord (negative when ahead).
+    pub elastic_axis_aft_of_midchord: f64,
+    /// Δy, m.
+    pub width: f64,
+    /// CLα, 1/rad.
+    pub lift_slope: f64,
+    /// α0, rad: angle of the zero-lift line against f, nose-up positive.
+    pub zero_lift_offset: f64,
+    /// CD0.
+    pub profile_drag: f64,
+    /// η: share of the two-dimensional leading-edge suction that is recovered.
+    pub leading_edge_suction: f64,
+    /// The trailing-edge flap, when there is one.
+    pub flap: Option<Flap>,
+}
+
+/// A plain trailing-edge flap.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Flap {
+    /// CLδ, 1/rad.
+    pub lift_slope: f64,
+    /// Hinge position as a fraction of the chord from the leading edge, 0…1 exclusive.
+    pub hinge: f64,
+    /// How pilot inputs move it.
+    pub gains: ControlGains,
+}
+
+/// Flap angle per unit of each input; positive flap angle is trailing edge towards +n ("down").
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ControlGains {
+    /// Per elevator angle.
+    pub elevator: f64,
+    /// Per aileron angle.
+    pub aileron: f64,
+    /// Per rudder angle.
+    pub rudder: f64,
+}
+
+/// An engine: a thrust along an axis fixed to its section.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Engine {
+    /// Its input is `thrust_<name>`.
+    pub name: String,
+    /// Where the carrying section sits.
+    pub attachment: Attachment,
+    /// From the elastic axis to the point where the thrust acts, body axes, m.
+    pub offset: Vector3<f64>,
+    /// Unit vector of positive thrust, body axes.
+    pub direction: Vector3<f64>,
+}
+
+/// A named point of the elastic axis whose deflection is an output.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Station {
+    /// Its outputs are `deflection.<name>.*`.
+    pub name: String,
+    /// Where it sits.
+    pub attachment: Attachment,
+    /// Unit vector about which the twist counts: the span axis of the strip on the same element (so that
+    /// positive is nose-up on both wings), the beam's axis where there is none.
+    pub twist_axis: Vector3<f64>,
+}

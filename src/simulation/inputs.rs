@@ -1,0 +1,26 @@
+//! What a pilot, a control law and the atmosphere do to the aircraft.
+
+use nalgebra::Vector3;
+
+/// Inputs at one instant, or their rates of change (the same quantities per second).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inputs {
+    /// rad, positive trailing edge down (nose-down moment).
+    pub elevator: f64,
+    /// rad, positive rolls right.
+    pub aileron: f64,
+    /// rad, positive yaws right.
+    pub rudder: f64,
+    /// N, one per engine in the order of [`ReducedModel::engines`](crate::structure::ReducedModel).
+    pub thrust: Vec<f64>,
+    /// Velocity of the air mass, north-east-down, m/s.
+    pub wind: Vector3<f64>,
+}
+
+impl Inputs {
+    /// Everything zero: under [`InputReference::Trim`](super::InputReference::Trim), trimmed flight in
+    /// still air.
+    pub fn zero(engine_count: usize) -> Self {
+        Inputs { elevator: 0.0, aileron: 0.0, rudder: 0.0, thrust: vec![0.0; engine_count], wind: Vector3::zeros() }
+    }
+}
