@@ -17,6 +17,8 @@
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
 //! | `fmi2` | everything above | the C ABI (feature `fmi`) |
 
+pub mod aerodynamics;
 pub mod aircraft;
+pub mod dynamics;
 pub mod simulation;
 pub mod structure;
