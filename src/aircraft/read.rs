@@ -255,7 +255,9 @@ fn read_masses(table: &Table) -> Option<Located<Vec<f64>>> {
     let shares = shares.numbers(&POSITIVE)?;
     let whole = number_or(table, "shares_of", &POSITIVE, shares.iter().sum());
     let total = total?;
-    Some(Located { value: shares.iter().map(|share| total * share / whole).collect(), place })
+    let masses: Vec<f64> = shares.iter().map(|share| total * (share / whole)).collect();
+    let allowed = masses.iter().all(|mass| POSITIVE.check(*mass, &place, table.report));
+    allowed.then_some(Located { value: masses, place })
 }
 
 /// Radii of gyration or moments; a mass without either is a point.

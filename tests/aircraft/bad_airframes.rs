@@ -260,3 +260,60 @@ fn all_mistakes_of_an_aircraft_are_told_at_once() {
         ],
     );
 }
+
+#[test]
+fn chord_that_becomes_negative_is_told_once() {
+    assert_messages(
+        &[("chord_m = 1.5", "chord_m = { polynomial = [1, -2] }")],
+        &[
+            "small.toml:16:11: component.wing_right.chord_m.element[3]: found -0.25; a length in metres greater than 0, at most 1000, is allowed",
+        ],
+    );
+}
+
+#[test]
+fn shares_of_almost_nothing() {
+    assert_messages(
+        &[("mass_kg = [300, 80]", "total_kg = 300\nshares = [1, 1]\nshares_of = 1e-320")],
+        &[
+            "small.toml:50:10: component.fuselage.point_masses[1].shares: found inf; a number greater than 0 is allowed",
+        ],
+    );
+}
+
+#[test]
+fn mirrored_component_on_a_parent_off_the_plane() {
+    assert_messages(
+        &[
+            ("[[0, 0, 0], [-6, 0, 0]]", "[[0, 0, 0], [-6, 1, 0]]"),
+            ("name = \"fin\"", "name = \"fin\"\nmirror = \"fin_left\""),
+        ],
+        &[
+            "small.toml:55:29: component.fin.attached_to.component: found \"fuselage\", which is off the plane y = 0 and has no mirror image; a mirrored component is allowed on a parent in the plane or one that is mirrored too",
+        ],
+    );
+}
+
+#[test]
+fn surface_along_the_body_needs_a_span_axis() {
+    let surface = "\n[[component.surface]]\nelastic_axis = 0.5\nlift_slope_per_rad = 1\nprofile_drag = 0\nchord_m = 1\n";
+    let edit = format!("inertia_kg_m2 = [40, 50, 60]\n{surface}");
+    assert_messages(
+        &[("inertia_kg_m2 = [40, 50, 60]\n", &edit)],
+        &[
+            "small.toml:52:1: component.fuselage.surface[1].span_axis: found a span axis along the body's x axis; a span_axis across the body's x axis is allowed, for example [0, 1, 0]",
+        ],
+    );
+}
+
+#[test]
+fn surface_across_the_beam_needs_a_width() {
+    let surface = "\n[[component.surface]]\nelastic_axis = 0.5\nlift_slope_per_rad = 1\nprofile_drag = 0\nchord_m = 1\nspan_axis = [0, 1, 0]\n";
+    let edit = format!("inertia_kg_m2 = [40, 50, 60]\n{surface}");
+    assert_messages(
+        &[("inertia_kg_m2 = [40, 50, 60]\n", &edit)],
+        &[
+            "small.toml:52:1: component.fuselage.surface[1].width_m: found an element across the span axis and no width_m; it is needed where the beam does not run along the span; a law is allowed",
+        ],
+    );
+}
