@@ -111,6 +111,10 @@ impl<'r, 't> Value<'r, 't> {
         matches!(self.value, DeValue::Integer(_) | DeValue::Float(_))
     }
 
+    pub(super) fn is_empty_list(&self) -> bool {
+        matches!(self.value, DeValue::Array(list) if list.is_empty())
+    }
+
     pub(super) fn has_field(&self, field: &str) -> bool {
         matches!(self.value, DeValue::Table(table) if table.contains_key(field))
     }

@@ -266,6 +266,16 @@ fn all_mistakes_of_a_file_are_told_at_once() {
 }
 
 #[test]
+fn distributed_mass_without_parts() {
+    assert_messages(
+        &[("[{ total_kg = 100, chord_power = 2 }]", "[]")],
+        &[
+            "small.toml:23:9: component.wing_right.distributed_mass[1].parts: found a list of 0; a list of at least one table is allowed",
+        ],
+    );
+}
+
+#[test]
 fn length_in_millimetres() {
     assert_messages(
         &[("[[0, 0, 0], [-6, 0, 0]]", "[[0, 0, 0], [-6000, 0, 0]]")],
