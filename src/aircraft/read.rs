@@ -204,7 +204,7 @@ fn one_per_segment(segments: usize) -> String {
 fn read_distributed_mass(table: &Table) -> Option<DistributedMassSpec> {
     table
         .required("parts")
-        .filter(|v| v.is_empty_list())
+        .filter(Value::is_empty_list)
         .and_then(|v| v.wrong::<()>("a list of at least one table"));
     let parts = table.tables("parts", &["total_kg", "chord_power", "from", "to"]);
     let parts: Vec<_> = parts.iter().map(read_mass_part).collect();
