@@ -20,5 +20,6 @@
 pub mod aerodynamics;
 pub mod aircraft;
 pub mod dynamics;
+mod lanes;
 pub mod simulation;
 pub mod structure;
