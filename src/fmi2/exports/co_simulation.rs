@@ -142,4 +142,3 @@ pub unsafe extern "C" fn fmi2GetStringStatus(
     // SAFETY: components as the module says.
     unsafe { on(component, Function::GetStringStatus, |_| no_such_status(kind)) }
 }
-

@@ -163,4 +163,3 @@ pub unsafe extern "C" fn fmi2Reset(component: Component) -> Status {
     // SAFETY: components as the module says.
     unsafe { on(component, Function::Reset, body) }
 }
-

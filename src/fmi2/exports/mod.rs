@@ -99,4 +99,3 @@ unsafe fn write<T>(place: *mut T, value: T, name: &str) -> Outcome {
     unsafe { place.write(value) };
     Ok(())
 }
-

@@ -123,4 +123,3 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     // SAFETY: components as the module says.
     unsafe { on(component, Function::DeSerializeFMUstate, body) }
 }
-

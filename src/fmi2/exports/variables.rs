@@ -155,4 +155,3 @@ pub unsafe extern "C" fn fmi2SetString(
     // SAFETY: as the module says.
     unsafe { none_of_type(component, Function::SetString, references, count, "a String") }
 }
-
