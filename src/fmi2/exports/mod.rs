@@ -7,8 +7,6 @@
 //! `fmi2GetFMUstate` or `fmi2DeSerializeFMUstate` of the same component and has not been freed. NULL where an
 //! array, a string or a result belongs is refused.
 
-#![expect(non_snake_case, reason = "the names are the standard's")]
-
 mod co_simulation;
 mod common;
 mod model_exchange;
