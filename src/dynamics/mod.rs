@@ -1,5 +1,6 @@
 //! The equations of motion of the flexible aircraft at five fidelity levels, and its trim [2; physics.md §2–6].
 
+mod apparent_mass;
 mod attitude;
 mod controls;
 mod equations;
@@ -20,5 +21,6 @@ pub use equations::{Configuration, EquationsOfMotion};
 pub use fidelity::{Fidelity, Terms};
 pub use layout::StateLayout;
 pub use mechanics::Mechanics;
+pub(crate) use propulsion::combine;
 pub use trim::{Trim, TrimCondition, TrimError};
 pub use workspace::Workspace;
