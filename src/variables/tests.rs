@@ -80,10 +80,10 @@ fn every_parameter_reads_back_what_was_set() {
     let mut settings = Settings::default();
     for (_, variable) in table().iter() {
         let Slot::Parameter(slot) = variable.slot else { continue };
-        let max = variable.max.unwrap_or(0.5);
         let value = match variable.kind {
-            Type::Real => Value::Real(max),
-            Type::Integer | Type::Enumeration(_) => Value::Integer(max as i32),
+            Type::Real => Value::Real(0.03),
+            Type::Integer => Value::Integer(3),
+            Type::Enumeration(enumeration) => Value::Integer(enumeration.items().len() as i32),
         };
         assert_ne!(
             slot.get(&settings),

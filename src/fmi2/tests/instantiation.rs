@@ -44,8 +44,16 @@ fn damaged_resources_are_refused_with_the_path() {
     let unpacked = Unpacked::new("jet");
     let path = unpacked.0.join("jet/resources").join(RESOURCE_FILE);
     std::fs::write(&path, b"no model").unwrap();
-    let uri = unpacked.uri("jet");
-    let text = refusal(|request| request.uri = Some(&uri)).format;
+    let (guid, uri) = (guid(jet()), unpacked.uri("jet"));
+    let fmu = Fmu::request(&Request {
+        name: Some("jet"),
+        kind: 1,
+        guid: Some(&guid),
+        uri: Some(&uri),
+        logging_on: false,
+    });
+    assert!(fmu.component.is_null());
+    let text = fmu.last_message().format;
     assert!(text.contains(path.to_str().unwrap()), "{text}");
 }
 

@@ -89,3 +89,96 @@ fn reset_forgets_experiment_and_values() {
     assert_eq!(fmu.enter(), Status::Ok);
     assert_eq!((fmu.get("elevator"), fmu.get("airspeed")), (0.0, 127.0));
 }
+
+/// In a state.
+fn fmu_in(state: State) -> Fmu {
+    match state {
+        State::Instantiated => Fmu::new(),
+        State::InitializationMode => Fmu::initialising(),
+        State::StepComplete => Fmu::flying(),
+        State::Terminated => {
+            let fmu = Fmu::flying();
+            assert_eq!(fmu.terminate(), Status::Ok);
+            fmu
+        }
+        State::Fatal => {
+            let fmu = Fmu::new();
+            // SAFETY: a component is an `Instance`, and no other reference to it is alive.
+            let instance = unsafe { &mut *fmu.component.cast::<Instance>() };
+            assert_eq!(instance.call(Function::Reset, |_| panic!("for the test")), Status::Fatal);
+            fmu
+        }
+    }
+}
+
+/// Calls a function with arguments that ask for as little as possible.
+fn call(function: Function, c: Component) -> Status {
+    use Function as F;
+    let (v, r, i, s, b) = (null(), null_mut(), null_mut(), null_mut(), null_mut());
+    // SAFETY: the component is alive, empty arrays may be NULL, and results at NULL are refused.
+    unsafe {
+        match function {
+            F::SetDebugLogging => fmi2SetDebugLogging(c, 0, 0, null()),
+            F::SetupExperiment => fmi2SetupExperiment(c, 0, 0.0, 0.0, 0, 0.0),
+            F::EnterInitializationMode => fmi2EnterInitializationMode(c),
+            F::ExitInitializationMode => fmi2ExitInitializationMode(c),
+            F::Terminate => fmi2Terminate(c),
+            F::Reset => fmi2Reset(c),
+            F::GetReal => fmi2GetReal(c, v, 0, r),
+            F::GetInteger => fmi2GetInteger(c, v, 0, i),
+            F::GetBoolean => fmi2GetBoolean(c, v, 0, b),
+            F::GetString => fmi2GetString(c, v, 0, s),
+            F::SetReal => fmi2SetReal(c, v, 0, null()),
+            F::SetInteger => fmi2SetInteger(c, v, 0, null()),
+            F::SetBoolean => fmi2SetBoolean(c, v, 0, null()),
+            F::SetString => fmi2SetString(c, v, 0, null()),
+            F::GetFMUstate => fmi2GetFMUstate(c, null_mut()),
+            F::SetFMUstate => fmi2SetFMUstate(c, null_mut()),
+            F::FreeFMUstate => fmi2FreeFMUstate(c, null_mut()),
+            F::SerializedFMUstateSize => fmi2SerializedFMUstateSize(c, null_mut(), null_mut()),
+            F::SerializeFMUstate => fmi2SerializeFMUstate(c, null_mut(), null_mut(), 0),
+            F::DeSerializeFMUstate => fmi2DeSerializeFMUstate(c, null(), 0, null_mut()),
+            F::GetDirectionalDerivative => fmi2GetDirectionalDerivative(c, v, 0, v, 0, null(), r),
+            F::SetRealInputDerivatives => fmi2SetRealInputDerivatives(c, v, 0, null(), null()),
+            F::GetRealOutputDerivatives => fmi2GetRealOutputDerivatives(c, v, 0, null(), r),
+            F::DoStep => fmi2DoStep(c, 0.0, 0.0, 1),
+            F::CancelStep => fmi2CancelStep(c),
+            F::GetStatus => fmi2GetStatus(c, 0, null_mut()),
+            F::GetRealStatus => fmi2GetRealStatus(c, 0, r),
+            F::GetIntegerStatus => fmi2GetIntegerStatus(c, 0, i),
+            F::GetBooleanStatus => fmi2GetBooleanStatus(c, 0, b),
+            F::GetStringStatus => fmi2GetStringStatus(c, 0, s),
+            F::EnterEventMode => fmi2EnterEventMode(c),
+            F::NewDiscreteStates => fmi2NewDiscreteStates(c, null_mut()),
+            F::EnterContinuousTimeMode => fmi2EnterContinuousTimeMode(c),
+            F::CompletedIntegratorStep => fmi2CompletedIntegratorStep(c, 0, b, b),
+            F::SetTime => fmi2SetTime(c, 0.0),
+            F::SetContinuousStates => fmi2SetContinuousStates(c, null(), 0),
+            F::GetDerivatives => fmi2GetDerivatives(c, r, 0),
+            F::GetEventIndicators => fmi2GetEventIndicators(c, r, 0),
+            F::GetContinuousStates => fmi2GetContinuousStates(c, r, 0),
+            F::GetNominalsOfContinuousStates => fmi2GetNominalsOfContinuousStates(c, r, 0),
+        }
+    }
+}
+
+#[test]
+fn every_function_obeys_the_table_in_every_state() {
+    for before in State::ALL {
+        for function in Function::all() {
+            let fmu = fmu_in(before);
+            let status = call(function, fmu.component);
+            match function.objection(before) {
+                Some(objection) => {
+                    assert_eq!((status, state(&fmu)), (Status::Error, before), "{function:?} in {before:?}");
+                    fmu.assert_refused(&[&objection]);
+                }
+                None => {
+                    let log = fmu.log.borrow();
+                    let refused = log.iter().any(|message| message.format.contains("not allowed in state"));
+                    assert!(!refused, "{function:?} in {before:?}: {log:?}");
+                }
+            }
+        }
+    }
+}

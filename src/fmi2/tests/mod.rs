@@ -1,5 +1,6 @@
 //! The C ABI driven as an importer drives it, through the exported functions.
 
+mod allocation;
 mod flight;
 mod identity;
 mod instantiation;
