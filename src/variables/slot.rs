@@ -276,7 +276,7 @@ impl OutputSlot {
                 let deflection = &outputs.deflections[station];
                 match component {
                     DeflectionComponent::Along(axis) => deflection.displacement[axis.index()],
-                    DeflectionComponent::Up => -deflection.displacement.z,
+                    DeflectionComponent::Up => 0.0 - deflection.displacement.z,
                     DeflectionComponent::Twist => deflection.twist,
                 }
             }
