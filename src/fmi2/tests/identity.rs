@@ -1,0 +1,52 @@
+use super::*;
+use crate::fmi2::model_description;
+
+#[test]
+fn the_guid_follows_the_content() {
+    let first = guid(jet());
+    assert_eq!(first, guid(&jet().clone()));
+    let mut renamed = jet().clone();
+    renamed.stations[0].name = "elsewhere".into();
+    assert_ne!(first, guid(&renamed));
+    assert_eq!(first.len(), 38);
+    assert!(first.starts_with('{') && first.ends_with('}'), "{first}");
+}
+
+#[test]
+fn the_model_description_is_reproducible_and_carries_the_guid() {
+    let xml = model_description::write(jet());
+    assert_eq!(xml, model_description::write(jet()));
+    assert!(xml.contains(&format!("guid=\"{}\"", guid(jet()))));
+    assert!(!xml.contains("generationDateAndTime"));
+}
+
+#[test]
+fn every_variable_and_every_output_is_in_the_model_description() {
+    let xml = model_description::write(jet());
+    let table = VariableTable::new(jet());
+    assert_eq!(xml.matches("<ScalarVariable ").count(), table.iter().count());
+    let outputs = table.iter().filter(|(_, v)| matches!(v.slot, crate::variables::Slot::Output(_))).count();
+    assert_eq!(xml.matches("<Unknown ").count(), 2 * outputs);
+}
+
+#[test]
+fn names_of_people_are_escaped_in_the_xml() {
+    let mut model = jet().clone();
+    model.name = "A<B & \"C\"".into();
+    assert!(model_description::write(&model).contains("A&lt;B &amp; &quot;C&quot;"));
+}
+
+/// Rewritten with `UPDATE_GOLDEN=1 cargo test model_description`.
+#[test]
+fn the_checked_in_model_description_of_the_jet_is_current() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/modelDescription/modelDescription.xml");
+    let current = model_description::write(jet());
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        std::fs::write(path, &current).unwrap();
+    }
+    let checked_in = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(
+        checked_in == current,
+        "{path} is stale: rewrite it with UPDATE_GOLDEN=1 cargo test model_description"
+    );
+}
