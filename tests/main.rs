@@ -2,3 +2,7 @@
 
 #[cfg(test)]
 mod aircraft;
+#[cfg(test)]
+mod support;
+#[cfg(test)]
+mod verification;

@@ -1,0 +1,76 @@
+//! The jet and its flights, shared by the tests.
+
+use std::path::Path;
+use std::sync::{Arc, OnceLock};
+
+use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::simulation::{Inputs, ModeSelection, Outputs, Settings, Simulation};
+use flexible_aircraft::structure::ReducedModel;
+
+/// The generic business jet with as many modes as the packaged FMU has.
+pub fn jet() -> Arc<ReducedModel> {
+    static JET: OnceLock<Arc<ReducedModel>> = OnceLock::new();
+    Arc::clone(JET.get_or_init(|| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/generic-business-jet.toml");
+        Arc::new(ReducedModel::new(&Aircraft::read(&path).unwrap(), 26).unwrap())
+    }))
+}
+
+/// The jet's stations, in the order of its file.
+pub fn station(name: &str) -> usize {
+    jet().stations.iter().position(|station| station.name == name).unwrap()
+}
+
+/// Upward deflection of a station, m.
+pub fn up(outputs: &Outputs, name: &str) -> f64 {
+    -outputs.deflections[station(name)].displacement.z
+}
+
+/// Longitudinal cases use the eight lowest symmetric modes (physics.md §1, fourth trap).
+pub fn eight_symmetric() -> Settings {
+    Settings { mode_selection: ModeSelection::Symmetric, mode_count: 8, ..Settings::default() }
+}
+
+/// The 2-3-1-1 of physics.md §7 at a time, before its filter: 0.05 rad, unit 0.7 s, from 1 s, nose-up first.
+pub fn two_three_one_one(time: f64) -> f64 {
+    const STEPS: [(f64, f64); 4] = [(2.0, -0.05), (5.0, 0.05), (6.0, -0.05), (7.0, 0.05)];
+    let units = (time - 1.0) / 0.7;
+    if units < 0.0 {
+        return 0.0;
+    }
+    STEPS.iter().find(|(end, _)| units < *end).map_or(0.0, |(_, angle)| *angle)
+}
+
+/// The rudder doublet of physics.md §7 at a time, before its filter: 0.05 rad, 2 s each way, from 1 s.
+pub fn doublet(time: f64) -> f64 {
+    match time {
+        1.0..3.0 => 0.05,
+        3.0..5.0 => -0.05,
+        _ => 0.0,
+    }
+}
+
+/// Flies `seconds` in steps of 10 ms under inputs made from the command through the filter 1/(0.05 s + 1);
+/// returns the outputs at every step.
+pub fn fly(
+    settings: &Settings,
+    seconds: f64,
+    command: impl Fn(f64) -> f64,
+    apply: impl Fn(&mut Inputs, f64),
+) -> Vec<Outputs> {
+    const STEP: f64 = 0.01;
+    let mut simulation = Simulation::new(jet(), settings, 0.0).unwrap();
+    let (mut inputs, rates) = (Inputs::zero(2), Inputs::zero(2));
+    let mut filtered = 0.0;
+    let mut history = vec![simulation.outputs().clone()];
+    for step in 0..(seconds / STEP).round() as usize {
+        let time = step as f64 * STEP;
+        apply(&mut inputs, filtered);
+        simulation.set_inputs(&inputs, &rates);
+        simulation.advance_to(time + STEP).unwrap();
+        history.push(simulation.outputs().clone());
+        let target = command(time);
+        filtered = target + (filtered - target) * libm::exp(-STEP / 0.05);
+    }
+    history
+}

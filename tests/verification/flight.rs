@@ -1,0 +1,200 @@
+//! Flights of the whole jet: symmetry, steadiness, determinism, wind.
+
+use flexible_aircraft::simulation::{Fidelity, InputReference, Inputs, Outputs, Settings, Simulation};
+use nalgebra::Vector3;
+
+use crate::support::{doublet, fly, jet, two_three_one_one, up};
+
+#[test]
+fn a_mirrored_rudder_gives_the_mirrored_flight() {
+    let flight = |sign: f64| {
+        let settings = Settings { stiffness_scale: 0.1, ..Settings::default() };
+        fly(&settings, 8.0, doublet, |inputs, angle| inputs.rudder = sign * angle)
+    };
+    for (right, left) in flight(1.0).iter().zip(flight(-1.0)) {
+        let polar = |v: Vector3<f64>| Vector3::new(v.x, -v.y, v.z);
+        let axial = |v: Vector3<f64>| Vector3::new(-v.x, v.y, -v.z);
+        assert!((right.velocity - polar(left.velocity)).norm() < 1e-9 * 127.0);
+        assert!((right.rate - axial(left.rate)).norm() < 1e-9);
+        assert!((right.attitude - axial(left.attitude)).norm() < 1e-9);
+        assert!((up(right, "wing_tip_right") - up(&left, "wing_tip_left")).abs() < 1e-9);
+        assert!((right.position - polar(left.position)).norm() < 1e-9 * 1000.0);
+    }
+}
+
+#[test]
+fn a_rudder_to_the_right_yaws_and_an_aileron_to_the_right_rolls_right() {
+    let settings = Settings::default();
+    let yawed = fly(&settings, 2.0, |_| 0.02, |inputs, angle| inputs.rudder = angle);
+    assert!(yawed[199].attitude.z > 1e-3, "{:?}", yawed[199].attitude);
+    let rolled = fly(&settings, 2.0, |_| 0.02, |inputs, angle| inputs.aileron = angle);
+    assert!(rolled[199].attitude.x > 1e-3, "{:?}", rolled[199].attitude);
+    let pitched = fly(&settings, 2.0, |_| 0.02, |inputs, angle| inputs.elevator = angle);
+    assert!(pitched[199].attitude.y < pitched[0].attitude.y - 1e-3, "{:?}", pitched[199].attitude);
+}
+
+#[test]
+fn without_input_every_level_stays_trimmed_for_a_minute() {
+    for fidelity in Fidelity::ALL {
+        let settings = Settings { fidelity, ..Settings::default() };
+        let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
+        let pitch = flight.trim().pitch;
+        flight.advance_to(60.0).unwrap();
+        let outputs = flight.outputs();
+        assert!((outputs.attitude.y - pitch).abs() < 1e-6, "{fidelity:?}");
+        assert!(
+            (outputs.load_factor.z - libm::cos(pitch)).abs() < 1e-6,
+            "{fidelity:?}: {}",
+            outputs.load_factor
+        );
+        assert!((outputs.position.x - 60.0 * 127.0).abs() < 1e-3, "{fidelity:?}: {}", outputs.position);
+    }
+}
+
+#[test]
+fn absolute_inputs_at_the_trim_values_are_the_trimmed_flight() {
+    let settings = Settings { input_reference: InputReference::Absolute, ..Settings::default() };
+    let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
+    let trim = *flight.trim();
+    let mut inputs = Inputs::zero(2);
+    inputs.elevator = trim.elevator;
+    inputs.thrust.fill(trim.thrust);
+    flight.set_inputs(&inputs, &Inputs::zero(2));
+    flight.advance_to(10.0).unwrap();
+    assert!((flight.outputs().attitude.y - trim.pitch).abs() < 1e-9);
+}
+
+#[test]
+fn the_heading_only_turns_the_flight() {
+    let north = fly(&Settings::default(), 4.0, two_three_one_one, |inputs, angle| inputs.elevator = angle);
+    let settings = Settings { heading: 2.0, ..Settings::default() };
+    let turned = fly(&settings, 4.0, two_three_one_one, |inputs, angle| inputs.elevator = angle);
+    let (sin, cos) = libm::sincos(2.0);
+    for (north, turned) in north.iter().zip(&turned) {
+        let back = Vector3::new(
+            cos * turned.position.x + sin * turned.position.y,
+            cos * turned.position.y - sin * turned.position.x,
+            turned.position.z,
+        );
+        assert!((back - north.position).norm() < 1e-7, "{back} {}", north.position);
+        assert!((turned.velocity - north.velocity).norm() < 1e-9);
+    }
+}
+
+#[test]
+fn one_long_step_and_many_short_ones_give_the_same_bits() {
+    let flight = |steps_per_centisecond: u32| {
+        let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+        let (mut inputs, rates) = (Inputs::zero(2), Inputs::zero(2));
+        for centisecond in 0..300 {
+            let time = f64::from(centisecond) * 0.01;
+            inputs.elevator = two_three_one_one(time);
+            for step in 1..=steps_per_centisecond {
+                flight.set_inputs(&inputs, &rates);
+                flight.advance_to(time + 0.01 * f64::from(step) / f64::from(steps_per_centisecond)).unwrap();
+            }
+        }
+        flight.outputs().clone()
+    };
+    let reference = flight(1);
+    assert_eq!(flight(10), reference);
+    assert_eq!(flight(3), reference);
+}
+
+#[test]
+fn a_restored_snapshot_continues_with_the_same_bits_and_damage_is_refused() {
+    let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+    let mut inputs = Inputs::zero(2);
+    inputs.rudder = 0.02;
+    inputs.wind = Vector3::new(1.0, 2.0, -3.0);
+    flight.set_inputs(&inputs, &Inputs { rudder: 0.001, ..Inputs::zero(2) });
+    flight.advance_to(1.2345).unwrap();
+    let mut bytes = Vec::new();
+    flight.snapshot(&mut bytes);
+    assert_eq!(bytes.len(), flight.snapshot_size());
+
+    let mut other = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+    other.restore(&bytes).unwrap();
+    for flight in [&mut flight, &mut other] {
+        flight.advance_to(2.5).unwrap();
+    }
+    assert_eq!(flight.outputs(), other.outputs());
+
+    let before = other.outputs().clone();
+    for place in [3, 20, 26, 100, bytes.len() - 1] {
+        let mut damaged = bytes.clone();
+        damaged[place] ^= 1;
+        assert!(other.restore(&damaged).is_err(), "byte {place}");
+    }
+    assert!(other.restore(&bytes[..bytes.len() - 1]).is_err());
+    let mut stiffer =
+        Simulation::new(jet(), &Settings { stiffness_scale: 2.0, ..Settings::default() }, 0.0).unwrap();
+    assert!(stiffer.restore(&bytes).unwrap_err().to_string().contains("other parameters"));
+    assert_eq!(*other.outputs(), before);
+}
+
+#[test]
+fn a_steady_wind_carries_the_trimmed_flight_along() {
+    // The wind builds up so slowly that the aircraft follows it.
+    let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+    let mut inputs = Inputs::zero(2);
+    inputs.wind.z = -5.0;
+    flight.set_inputs(&inputs, &Inputs::zero(2));
+    let hit = flight.outputs().clone();
+    assert!((hit.air.angle_of_attack - hit.attitude.y - libm::atan(5.0 / 127.0)).abs() < 1e-3);
+    flight.advance_to(0.3).unwrap();
+    // An updraught lifts: more load, wings bent further up.
+    let lifted = flight.outputs().clone();
+    assert!(
+        lifted.load_factor.z > hit.load_factor.z && lifted.load_factor.z > 1.05,
+        "{}",
+        lifted.load_factor
+    );
+    assert!(up(&lifted, "wing_tip_right") > up(&hit, "wing_tip_right"));
+}
+
+#[test]
+fn leaving_the_models_validity_is_an_error_and_leaves_the_flight_as_it_was() {
+    let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+    let mut inputs = Inputs::zero(2);
+    flight.advance_to(0.5).unwrap();
+    inputs.wind.x = 300.0;
+    flight.set_inputs(&inputs, &Inputs::zero(2));
+    let before: Outputs = flight.outputs().clone();
+    let message = flight.advance_to(1.0).unwrap_err().to_string();
+    assert!(message.contains("from behind"), "{message}");
+    assert_eq!(flight.time(), 0.5);
+    assert_eq!(*flight.outputs(), before);
+    flight.set_inputs(&Inputs::zero(2), &Inputs::zero(2));
+    flight.advance_to(1.0).unwrap();
+}
+
+#[test]
+fn every_number_of_inflow_states_flies_and_they_converge() {
+    let flight = |inflow_states| {
+        let settings = Settings { inflow_states, ..Settings::default() };
+        let history = fly(&settings, 4.0, two_three_one_one, |inputs, angle| inputs.elevator = angle);
+        history.iter().map(|outputs| outputs.load_factor.z).fold(0.0, f64::max)
+    };
+    let peaks: Vec<f64> = (0..=8).map(flight).collect();
+    println!("{peaks:?}");
+    let spread = |range: std::ops::Range<usize>| {
+        let range = &peaks[range];
+        range.iter().copied().fold(0.0, f64::max) - range.iter().copied().fold(f64::INFINITY, f64::min)
+    };
+    assert!(spread(0..9) > 1e-4, "unsteadiness changes nothing: {peaks:?}");
+    assert!(spread(5..9) < spread(0..9) / 2.0, "{peaks:?}");
+}
+
+#[test]
+fn a_tighter_tolerance_does_not_change_the_flight() {
+    let flight = |tolerance| {
+        let settings = Settings { tolerance, ..Settings::default() };
+        fly(&settings, 5.0, two_three_one_one, |inputs, angle| inputs.elevator = angle)
+    };
+    for (loose, tight) in flight(1e-5).iter().zip(flight(1e-9)) {
+        assert!((loose.attitude.y - tight.attitude.y).abs() < 1e-6);
+        assert!((up(loose, "wing_tip_right") - up(&tight, "wing_tip_right")).abs() < 1e-5);
+        assert!((loose.load_factor.z - tight.load_factor.z).abs() < 1e-4);
+    }
+}

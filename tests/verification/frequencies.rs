@@ -1,0 +1,47 @@
+//! The clamped modes and the mass of the jet are those of physics.md §8.
+
+use flexible_aircraft::structure::ModeFamily::{self, Antisymmetric, Symmetric};
+
+use crate::support::jet;
+
+/// physics.md §8: nominal clamped frequencies, Hz.
+const FREQUENCIES: [(f64, ModeFamily); 12] = [
+    (2.166, Symmetric),
+    (2.166, Antisymmetric),
+    (3.968, Symmetric),
+    (3.968, Antisymmetric),
+    (4.542, Antisymmetric),
+    (4.733, Symmetric),
+    (6.262, Antisymmetric),
+    (7.647, Symmetric),
+    (7.647, Antisymmetric),
+    (8.662, Symmetric),
+    (8.756, Symmetric),
+    (8.798, Antisymmetric),
+];
+
+#[test]
+fn the_twelve_lowest_clamped_frequencies_are_the_published_ones_to_a_thousandth() {
+    for (mode, (frequency, family)) in jet().modes.iter().zip(FREQUENCIES) {
+        let found = mode.angular_frequency / std::f64::consts::TAU;
+        assert!((found / frequency - 1.0).abs() < 1e-3, "{found} Hz, published {frequency} Hz");
+        assert_eq!(mode.family, family, "{frequency} Hz");
+    }
+}
+
+#[test]
+fn the_mass_is_29_224_kg() {
+    assert!((jet().integrals.mass - 29_224.0).abs() < 0.5);
+}
+
+#[test]
+fn modes_are_mass_normalised_and_uncoupled_in_mass() {
+    let jet = jet();
+    let n = jet.modes.len();
+    for a in 0..n {
+        for b in 0..n {
+            let expected = f64::from(a == b);
+            assert!((jet.integrals.mass_matrix[a * n + b] - expected).abs() < 1e-9, "{a} {b}");
+        }
+    }
+}
