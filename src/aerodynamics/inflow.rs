@@ -5,7 +5,8 @@
 //!
 //!     η̃' = −(U/b) μ (η̃ + w₃),      λ₀ = Σ weight · (η̃ + w₃).
 //!
-//! The state is η̃: no acceleration on the right-hand side, and a jump of the flow makes no impulse.
+//! The state is η̃: no acceleration on the right-hand side, and a jump of the flow makes no impulse. Where the
+//! wake is forced by less than the true rate of w₃, η̃' loses the difference.
 //! Complex eigenvalues come in pairs; the real and the imaginary part of one of them are stored.
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
@@ -93,17 +94,19 @@ impl PetersInflow {
         induced
     }
 
-    /// Rates of the states of four strips, m/s²; `passing` is U/b, 1/s.
+    /// Rates of the states of four strips, m/s²; `passing` is U/b, 1/s, and `unforced` the part of dw₃/dt that
+    /// does not force the wake, m/s².
     pub fn rates(
         &self,
         states: &InflowStates<&[f64]>,
         w3: Lanes,
         passing: Lanes,
+        unforced: Lanes,
         rates: &mut InflowStates<&mut [f64]>,
     ) {
         let real = states.real.chunks_exact(LANES).zip(rates.real.chunks_exact_mut(LANES));
         for (lag, (state, rate)) in self.lags.iter().zip(real) {
-            let slope = -passing * Lanes::splat(lag.rate) * (load(state) + w3);
+            let slope = -passing * Lanes::splat(lag.rate) * (load(state) + w3) - unforced;
             rate.copy_from_slice(&slope.to_array());
         }
         let complex = states.re.chunks_exact(LANES).zip(states.im.chunks_exact(LANES));
@@ -111,7 +114,7 @@ impl PetersInflow {
         for ((pair, (re, im)), (re_rate, im_rate)) in self.pairs.iter().zip(complex).zip(complex_rates) {
             let (re, im) = (load(re) + w3, load(im));
             let (decay, frequency) = (Lanes::splat(pair.decay), Lanes::splat(pair.frequency));
-            re_rate.copy_from_slice(&(-passing * (decay * re - frequency * im)).to_array());
+            re_rate.copy_from_slice(&(-passing * (decay * re - frequency * im) - unforced).to_array());
             im_rate.copy_from_slice(&(-passing * (frequency * re + decay * im)).to_array());
         }
     }
@@ -263,7 +266,7 @@ mod tests {
             re: &mut re_rates[..LANES],
             im: &mut im_rates[..LANES],
         };
-        inflow.rates(&states, w3, passing, &mut slopes);
+        inflow.rates(&states, w3, passing, Lanes::splat(0.0), &mut slopes);
         assert_eq!(inflow.induced_velocity(&states, w3).to_array(), [0.0; LANES]);
         assert!(slopes.real.iter().chain(&*slopes.re).chain(&*slopes.im).all(|&rate| rate == 0.0));
     }

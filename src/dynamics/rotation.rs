@@ -15,6 +15,10 @@ const SINE: [f64; 8] =
 const VERSINE: [f64; 8] =
     [1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0, 1.0 / 132.0, 1.0 / 182.0, 1.0 / 240.0, 1.0 / 306.0];
 
+/// 1/(k(k+1)) for k = 4, 6, … 18: the ratios of successive terms of 6(1 − sin φ/φ)/φ² in φ².
+const SINE_DEFICIT: [f64; 8] =
+    [1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0, 1.0 / 156.0, 1.0 / 210.0, 1.0 / 272.0, 1.0 / 342.0];
+
 /// exp(φ×) = 1 + (sin φ/φ) φ× + ((1 − cos φ)/φ²) φ×φ×, ready to be applied.
 #[derive(Clone, Copy, Debug)]
 pub struct Rotation {
@@ -23,6 +27,8 @@ pub struct Rotation {
     sine: Lanes,
     /// (1 − cos φ)/φ².
     versine: Lanes,
+    /// (1 − sin φ/φ)/φ².
+    sine_deficit: Lanes,
 }
 
 impl Rotation {
@@ -31,17 +37,21 @@ impl Rotation {
         let square = vector.dot(&vector);
         let mut sine = alternating_series(square, &SINE);
         let mut versine = alternating_series(square, &VERSINE) * Lanes::splat(0.5);
+        let mut sine_deficit = alternating_series(square, &SINE_DEFICIT) * Lanes::splat(1.0 / 6.0);
         let squares = square.to_array();
         if squares.iter().any(|&square| square >= SERIES_LIMIT) {
             let (mut sines, mut versines) = (sine.to_array(), versine.to_array());
+            let mut deficits = sine_deficit.to_array();
             for lane in (0..LANES).filter(|&lane| squares[lane] >= SERIES_LIMIT) {
                 let angle = libm::sqrt(squares[lane]);
                 let (sin, cos) = libm::sincos(angle);
                 (sines[lane], versines[lane]) = (sin / angle, (1.0 - cos) / squares[lane]);
+                deficits[lane] = (1.0 - sines[lane]) / squares[lane];
             }
             (sine, versine) = (Lanes::new(sines), Lanes::new(versines));
+            sine_deficit = Lanes::new(deficits);
         }
-        Rotation { vector, sine, versine }
+        Rotation { vector, sine, versine, sine_deficit }
     }
 
     /// The turned vectors.
@@ -49,6 +59,14 @@ impl Rotation {
         let once = self.vector.cross(vectors);
         let twice = self.vector.cross(&once);
         *vectors + once * self.sine + twice * self.versine
+    }
+
+    /// How far the spin of the turning section exceeds the rate of its rotation vector, rad/s: the left
+    /// Jacobian of the exponential less one, times φ̇.
+    pub fn excess_spin(&self, vector_rate: &LaneVector) -> LaneVector {
+        let once = self.vector.cross(vector_rate);
+        let twice = self.vector.cross(&once);
+        once * self.versine + twice * self.sine_deficit
     }
 }
 
@@ -75,6 +93,20 @@ mod tests {
             let vector = Vector3::new(0.6, -0.48, 0.64) * length;
             let reference = nalgebra::Rotation3::new(vector) * arm;
             assert!((turned(&vector, &arm) - reference).norm() < 1e-15 * 4.0, "{length}");
+        }
+    }
+
+    #[test]
+    fn spin_is_the_rate_of_turned_vectors() {
+        let (arm, rate) = (Vector3::new(0.3, -1.0, 0.7), Vector3::new(-0.4, 0.9, 0.2));
+        for vector in [Vector3::new(0.1, 0.2, -0.1), Vector3::new(0.7, -1.0, 0.5)] {
+            let step = 1e-5;
+            let [ahead, behind] = [step, -step].map(|step| turned(&(vector + rate * step), &arm));
+            let excess = Rotation::new(LaneVector::splat(&vector)).excess_spin(&LaneVector::splat(&rate));
+            let first = |lanes: Lanes| lanes.to_array()[0];
+            let spin = rate + Vector3::new(first(excess.x), first(excess.y), first(excess.z));
+            let error = (ahead - behind) / (2.0 * step) - spin.cross(&turned(&vector, &arm));
+            assert!(error.norm() < 1e-9, "{error}");
         }
     }
 

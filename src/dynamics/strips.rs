@@ -3,6 +3,10 @@
 //! Symbols: f, s, n the deformed triad, R = r + Ψᵘq, V the velocity relative to the air, m = n + α0 f, and
 //! the rows G_w = nᵀ[1, −R×, Ψᵘ], G_Ω = sᵀ[0, 1, Ψᵠ] on ν = [v; ω; q̇]. Strips are computed four at a time;
 //! the last group is filled up with strips of no size.
+//!
+//! **Caveat.** physics.md §4 turns the triad by the finite rotation exp((Ψᵠq)×) but lets it spin at Ψᵠq̇ in ẇ
+//! and Ω̇, which is the true spin only for small rotations. The inflow is forced by that ẇ, so its states,
+//! which count from the true w₃, take the difference (`unforced`) off again.
 
 use nalgebra::Vector3;
 
@@ -68,6 +72,8 @@ struct MovingGroup {
     /// R.
     place: LaneVector,
     flow: LocalFlow,
+    /// The part of dw₃/dt that does not force the inflow, m/s².
+    unforced: Lanes,
 }
 
 impl Strips {
@@ -108,7 +114,7 @@ impl Strips {
             let w3 = group.section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
             flow.induced = around.inflow.induced_velocity(&states, w3);
             let passing = flow.chordwise / group.section.semichord;
-            around.inflow.rates(&states, w3, passing, &mut place.write(rates));
+            around.inflow.rates(&states, w3, passing, moving.unforced, &mut place.write(rates));
             group.distribute(index, around, &moving, sums);
         }
     }
@@ -213,7 +219,12 @@ impl Group {
                 + self.gains[1] * Lanes::splat(aileron)
                 + self.gains[2] * Lanes::splat(rudder),
         };
-        MovingGroup { forward, span, normal, place, flow }
+        let excess = turn.excess_spin(&elastic_rate);
+        let unforced = self.section.three_quarter_chord_upwash(
+            excess.cross(&zero_lift_normal).dot(&air_velocity),
+            excess.cross(&span).dot(&spin),
+        );
+        MovingGroup { forward, span, normal, place, flow, unforced }
     }
 
     /// Ψᵘ and Ψᵠ times generalised coordinates or their rates.
@@ -237,7 +248,7 @@ impl Group {
 
     /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
     fn distribute(&self, index: usize, around: &Surroundings, moving: &MovingGroup, sums: &mut StripSums) {
-        let MovingGroup { forward, span, normal, place, flow } = moving;
+        let MovingGroup { forward, span, normal, place, flow, .. } = moving;
         let arm = if around.deformed_arms { place } else { &self.position };
         let loads = self.section.loads(flow);
         let (along, across) = (loads.forward * self.width, loads.down * self.width);

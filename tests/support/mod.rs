@@ -1,5 +1,7 @@
 //! The jet and its flights, shared by the tests.
 
+pub mod linearised;
+
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
