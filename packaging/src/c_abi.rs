@@ -216,8 +216,8 @@ impl Fmu {
     /// # Errors
     /// When there is no such variable.
     pub fn variable(&self, name: &str) -> Result<ValueReference, FmuError> {
-        let reference = self.description.value_references.get(name).copied();
-        reference.ok_or_else(|| FmuError::UnknownVariable(name.to_owned()))
+        let variable = self.description.variable(name).map(|variable| variable.value_reference);
+        variable.ok_or_else(|| FmuError::UnknownVariable(name.to_owned()))
     }
 
     /// The value references of several variables, in the given order.
@@ -228,9 +228,9 @@ impl Fmu {
         names.iter().map(|name| self.variable(name.as_ref())).collect()
     }
 
-    /// The names of all variables, in alphabetical order.
+    /// The names of all variables, in the order of the model description.
     pub fn variable_names(&self) -> impl Iterator<Item = &str> {
-        self.description.value_references.keys().map(String::as_str)
+        self.description.variables.iter().map(|variable| variable.name.as_str())
     }
 
     /// A new instance for co-simulation, with logging on.

@@ -31,14 +31,9 @@ pub enum PackageError {
         /// What is wrong with its structure.
         source: StructureError,
     },
-    /// No library, or two of the same platform.
-    #[error("an FMU needs one shared library per platform: found {found} for {platform}")]
-    Binaries {
-        /// How many were given.
-        found: usize,
-        /// For which platform.
-        platform: Platform,
-    },
+    /// Two libraries for one platform.
+    #[error("found two shared libraries for {0}; an FMU has one per platform")]
+    TwoBinaries(Platform),
     /// Nothing to run on.
     #[error("an FMU needs a shared library of at least one platform: found none")]
     NoBinary,
@@ -48,6 +43,9 @@ pub enum PackageError {
         /// What happened instead.
         reason: String,
     },
+    /// The library wrote a model description that this crate does not understand.
+    #[error("modelDescription.xml: {0}")]
+    ModelDescription(String),
     /// The archive could not be put together.
     #[error("cannot build the archive: {0}")]
     Archive(#[from] zip::result::ZipError),

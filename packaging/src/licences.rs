@@ -11,7 +11,7 @@ use std::process::Command;
 use serde::Deserialize;
 
 use crate::archive::Entry;
-use crate::{PackageError, Platform};
+use crate::{PackageError, Platform, read};
 
 /// What `cargo metadata` prints, as far as it matters here.
 #[derive(Deserialize)]
@@ -140,10 +140,6 @@ fn licence_files(package: &LinkedPackage) -> Result<Vec<PathBuf>, PackageError> 
     }
     files.sort();
     Ok(files)
-}
-
-fn read(path: &Path) -> Result<Vec<u8>, PackageError> {
-    std::fs::read(path).map_err(|source| PackageError::File { action: "read", path: path.to_owned(), source })
 }
 
 #[cfg(test)]

@@ -1,0 +1,27 @@
+//! Mistakes in an aircraft file, shown with the lines they are in and carets under them.
+
+use std::io::IsTerminal;
+
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use flexible_aircraft::aircraft::AircraftFileError;
+
+/// The report for people: one block per mistake, coloured on a terminal.
+pub fn render(error: &AircraftFileError) -> String {
+    let coloured = std::io::stderr().is_terminal();
+    render_with(error, if coloured { Renderer::styled() } else { Renderer::plain() })
+}
+
+fn render_with(error: &AircraftFileError, renderer: Renderer) -> String {
+    match error {
+        AircraftFileError::Unreadable { .. } => format!("error: {error}"),
+        AircraftFileError::Rejected { file_name, text, diagnostics } => {
+            let blocks = diagnostics.iter().map(|diagnostic| {
+                let title = format!("{}: {}", diagnostic.field, diagnostic.found);
+                let place = AnnotationKind::Primary.span(diagnostic.span.clone()).label(&diagnostic.allowed);
+                let snippet = Snippet::source(text.as_str()).path(file_name.as_str()).annotation(place);
+                renderer.render(&[Level::ERROR.primary_title(title).element(snippet)])
+            });
+            blocks.collect::<Vec<_>>().join("\n\n")
+        }
+    }
+}
