@@ -18,5 +18,8 @@
 //! | `fmi2` | everything above | the C ABI (feature `fmi`) |
 
 pub mod aircraft;
+#[cfg(feature = "fmi")]
+pub mod fmi2;
 pub mod simulation;
 pub mod structure;
+pub mod variables;

@@ -21,6 +21,12 @@ impl Inputs {
     /// Everything zero: under [`InputReference::Trim`](super::InputReference::Trim), trimmed flight in
     /// still air.
     pub fn zero(engine_count: usize) -> Self {
-        Inputs { elevator: 0.0, aileron: 0.0, rudder: 0.0, thrust: vec![0.0; engine_count], wind: Vector3::zeros() }
+        Inputs {
+            elevator: 0.0,
+            aileron: 0.0,
+            rudder: 0.0,
+            thrust: vec![0.0; engine_count],
+            wind: Vector3::zeros(),
+        }
     }
 }

@@ -1,10 +1,12 @@
 //! The reduced model: everything that the flight needs of an aircraft, and nothing else.
 
+use nalgebra::{DMatrix, Vector3};
 use serde::{Deserialize, Serialize};
 
 use crate::aircraft::{Aircraft, Flap, Support};
 
-use super::StructureError;
+use super::assembly::Structure;
+use super::{ModalBasis, ModalIntegrals, StrainEnergy, StructureError};
 
 /// How a mode behaves under reflection in the plane y = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -48,10 +50,47 @@ pub struct ReducedModel {
     pub inflow_states: usize,
     /// Lowest frequency first.
     pub modes: Vec<Mode>,
+    /// Integrals over the mass.
+    pub integrals: ModalIntegrals,
+    /// Strain energy at nominal stiffness.
+    pub strain_energy: StrainEnergy,
+    /// Aerodynamic strips.
+    pub strips: Vec<ReducedStrip>,
     /// Engines, in the order of the inputs.
     pub engines: Vec<ReducedEngine>,
     /// Named points.
     pub stations: Vec<ReducedStation>,
+}
+
+/// A strip with the mode shapes at its attachment.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReducedStrip {
+    /// The component it belongs to, for messages.
+    pub component: String,
+    /// Undeformed attachment, body axes, m.
+    pub position: Vector3<f64>,
+    /// f, unit vector towards the leading edge.
+    pub forward: Vector3<f64>,
+    /// s, unit vector; positive rotation about it is nose-up.
+    pub span: Vector3<f64>,
+    /// b, m.
+    pub semichord: f64,
+    /// d, m.
+    pub elastic_axis_aft_of_midchord: f64,
+    /// Δy, m.
+    pub width: f64,
+    /// CLα, 1/rad.
+    pub lift_slope: f64,
+    /// α0, rad.
+    pub zero_lift_offset: f64,
+    /// CD0.
+    pub profile_drag: f64,
+    /// η.
+    pub leading_edge_suction: f64,
+    /// The flap, when there is one.
+    pub flap: Option<Flap>,
+    /// On the elastic axis.
+    pub shapes: ModeShapes,
 }
 
 /// An engine with the mode shapes at the point where its thrust acts.
@@ -60,9 +99,9 @@ pub struct ReducedEngine {
     /// Its input is `thrust_<name>`.
     pub name: String,
     /// Undeformed point of action, body axes, m.
-    pub position: [f64; 3],
+    pub position: Vector3<f64>,
     /// Unit vector of positive thrust.
-    pub direction: [f64; 3],
+    pub direction: Vector3<f64>,
     /// At the point of action.
     pub shapes: ModeShapes,
 }
@@ -73,37 +112,107 @@ pub struct ReducedStation {
     /// Its outputs are `deflection.<name>.*`.
     pub name: String,
     /// Undeformed position, body axes, m.
-    pub position: [f64; 3],
+    pub position: Vector3<f64>,
     /// Axis about which the twist counts.
-    pub twist_axis: [f64; 3],
+    pub twist_axis: Vector3<f64>,
     /// On the elastic axis.
     pub shapes: ModeShapes,
 }
 
 impl ReducedModel {
-    /// Reduces an aircraft to its `mode_count` lowest modes.
+    /// Reduces an aircraft to its `mode_count` lowest modes of all families together.
     ///
     /// # Errors
     /// When the structure has no such modes.
     pub fn new(aircraft: &Aircraft, mode_count: usize) -> Result<Self, StructureError> {
-        todo!()
+        let structure = Structure::new(aircraft)?;
+        let basis = ModalBasis::new(&structure, mode_count)?;
+        Ok(ReducedModel {
+            name: aircraft.name.clone(),
+            gravity: aircraft.gravity,
+            support: aircraft.support,
+            inflow_states: aircraft.inflow_states,
+            integrals: ModalIntegrals::new(&structure, &basis.shapes),
+            strain_energy: StrainEnergy::new(&structure, &basis.shapes),
+            strips: reduced_strips(&structure, &basis.shapes),
+            engines: reduced_engines(&structure, &basis.shapes),
+            stations: reduced_stations(&structure, &basis.shapes),
+            modes: basis.modes,
+        })
     }
 
-    /// The bytes that go into the FMU's `resources/`.
-    pub fn to_bytes(&self) -> Vec<u8> {
-        todo!()
+    /// The model with a choice of modes (ascending indices), all others held at rest.
+    pub fn select(&self, chosen: &[usize]) -> Self {
+        let n = self.modes.len();
+        let mut model = self.clone();
+        model.modes = chosen.iter().map(|&mode| self.modes[mode]).collect();
+        model.integrals = self.integrals.select(chosen);
+        model.strain_energy = self.strain_energy.select(chosen);
+        let engines = model.engines.iter_mut().map(|engine| &mut engine.shapes);
+        let stations = model.stations.iter_mut().map(|station| &mut station.shapes);
+        for shapes in model.strips.iter_mut().map(|strip| &mut strip.shapes).chain(engines).chain(stations) {
+            *shapes = shapes.select(chosen, n);
+        }
+        model
     }
+}
 
-    /// Reads what [`to_bytes`](Self::to_bytes) wrote.
-    ///
-    /// # Errors
-    /// When the bytes are damaged, foreign or of another version.
-    pub fn from_bytes(bytes: &[u8]) -> Result<Self, StructureError> {
-        todo!()
+impl ModeShapes {
+    fn select(&self, chosen: &[usize], n: usize) -> Self {
+        let rows = |matrix: &[f64]| {
+            (0..3)
+                .flat_map(|axis| chosen.iter().map(move |&mode| axis * n + mode))
+                .map(|i| matrix[i])
+                .collect()
+        };
+        ModeShapes { translation: rows(&self.translation), rotation: rows(&self.rotation) }
     }
+}
 
-    /// 128-bit content hash of the model: equal models, equal hashes.
-    pub fn content_hash(&self) -> u128 {
-        todo!()
-    }
+fn reduced_strips(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedStrip> {
+    let reduce = |strip: &crate::aircraft::Strip| ReducedStrip {
+        component: structure.aircraft.beams[strip.attachment.beam].component.clone(),
+        position: structure.geometry[strip.attachment.beam].position(strip.attachment.fraction),
+        forward: strip.forward,
+        span: strip.span,
+        semichord: strip.semichord,
+        elastic_axis_aft_of_midchord: strip.elastic_axis_aft_of_midchord,
+        width: strip.width,
+        lift_slope: strip.lift_slope,
+        zero_lift_offset: strip.zero_lift_offset,
+        profile_drag: strip.profile_drag,
+        leading_edge_suction: strip.leading_edge_suction,
+        flap: strip.flap,
+        shapes: structure.shapes_at(strip.attachment, shapes),
+    };
+    structure.aircraft.strips.iter().map(reduce).collect()
+}
+
+fn reduced_engines(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedEngine> {
+    let reduce = |engine: &crate::aircraft::Engine| {
+        let beam = engine.attachment.beam;
+        let geometry = &structure.geometry[beam];
+        let (translation, rotation) = geometry.section(engine.attachment.fraction);
+        let displacement = translation - engine.offset.cross_matrix() * rotation;
+        ReducedEngine {
+            name: engine.name.clone(),
+            position: geometry.position(engine.attachment.fraction) + engine.offset,
+            direction: engine.direction,
+            shapes: ModeShapes {
+                translation: structure.apply_map(beam, &displacement, shapes),
+                rotation: structure.apply_map(beam, &rotation, shapes),
+            },
+        }
+    };
+    structure.aircraft.engines.iter().map(reduce).collect()
+}
+
+fn reduced_stations(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedStation> {
+    let reduce = |station: &crate::aircraft::Station| ReducedStation {
+        name: station.name.clone(),
+        position: structure.geometry[station.attachment.beam].position(station.attachment.fraction),
+        twist_axis: station.twist_axis,
+        shapes: structure.shapes_at(station.attachment, shapes),
+    };
+    structure.aircraft.stations.iter().map(reduce).collect()
 }

@@ -1,0 +1,119 @@
+//! The assembled structure: stiffness and mass matrices clamped at node 0 [3.1; physics.md §1].
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+use crate::aircraft::{Aircraft, Attachment};
+
+use super::beam::{BeamGeometry, NodalMap, NodalRow};
+use super::particles::{Particle, particles};
+use super::{ModeShapes, StructureError};
+
+/// EA of axially rigid elements, N (physics.md §1, third trap).
+const RIGID_AXIAL_STIFFNESS: f64 = 1e12;
+
+/// An aircraft's structure: beams with their geometry, particles, and the numbering of unknowns.
+#[derive(Debug)]
+pub struct Structure<'a> {
+    /// Where it comes from.
+    pub aircraft: &'a Aircraft,
+    /// One per element.
+    pub geometry: Vec<BeamGeometry>,
+    /// All mass.
+    pub particles: Vec<Particle>,
+}
+
+impl<'a> Structure<'a> {
+    /// Prepares the geometry and the particles of an aircraft.
+    ///
+    /// # Errors
+    /// When a bay's inertia is unphysical.
+    pub fn new(aircraft: &'a Aircraft) -> Result<Self, StructureError> {
+        let geometry = aircraft.beams.iter().map(|beam| BeamGeometry::new(aircraft, beam)).collect();
+        Ok(Structure { aircraft, geometry, particles: particles(aircraft)? })
+    }
+
+    /// Number of unknowns: six at each node but the clamped one.
+    pub fn unknowns(&self) -> usize {
+        6 * (self.aircraft.nodes.len() - 1)
+    }
+
+    /// Stiffness matrix; with `axially_rigid` every EA is raised until axial strain is negligible.
+    pub fn stiffness(&self, axially_rigid: bool) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(self.unknowns(), self.unknowns());
+        for (index, beam) in self.aircraft.beams.iter().enumerate() {
+            let axial = if axially_rigid {
+                beam.axial_stiffness.max(RIGID_AXIAL_STIFFNESS)
+            } else {
+                beam.axial_stiffness
+            };
+            self.add_element(&mut matrix, index, &self.geometry[index].stiffness(beam, axial));
+        }
+        matrix
+    }
+
+    /// Mass matrix (singular: lumps are fewer than unknowns).
+    pub fn mass(&self) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(self.unknowns(), self.unknowns());
+        for particle in &self.particles {
+            let beam = particle.attachment.beam;
+            let displacement = particle.displacement(&self.geometry[beam]);
+            self.add_element(&mut matrix, beam, &(displacement.transpose() * displacement * particle.mass));
+        }
+        matrix
+    }
+
+    /// A linear form on an element's nodal unknowns, applied to each column of global `shapes`.
+    pub fn apply_row(&self, beam: usize, row: &NodalRow, shapes: &DMatrix<f64>) -> DVector<f64> {
+        DVector::from_fn(shapes.ncols(), |mode, _| row.dot(&self.element_values(beam, shapes, mode)))
+    }
+
+    /// Vector-valued map of an element's nodal unknowns, applied to each column of global `shapes`:
+    /// row-major 3 × n.
+    pub fn apply_map(&self, beam: usize, map: &NodalMap, shapes: &DMatrix<f64>) -> Vec<f64> {
+        let mut rows = vec![0.0; 3 * shapes.ncols()];
+        for mode in 0..shapes.ncols() {
+            let value = map * self.element_values(beam, shapes, mode);
+            for axis in 0..3 {
+                rows[axis * shapes.ncols() + mode] = value[axis];
+            }
+        }
+        rows
+    }
+
+    /// Mode shapes on the elastic axis.
+    pub fn shapes_at(&self, attachment: Attachment, shapes: &DMatrix<f64>) -> ModeShapes {
+        let (translation, rotation) = self.geometry[attachment.beam].section(attachment.fraction);
+        ModeShapes {
+            translation: self.apply_map(attachment.beam, &translation, shapes),
+            rotation: self.apply_map(attachment.beam, &rotation, shapes),
+        }
+    }
+
+    /// The 12 nodal values of an element in column `mode`; the clamped node has none.
+    fn element_values(&self, beam: usize, shapes: &DMatrix<f64>, mode: usize) -> SVector<f64, 12> {
+        let mut values = SVector::zeros();
+        for (end, &node) in self.aircraft.beams[beam].nodes.iter().enumerate() {
+            if node > 0 {
+                let first = 6 * (node - 1);
+                for i in 0..6 {
+                    values[6 * end + i] = shapes[(first + i, mode)];
+                }
+            }
+        }
+        values
+    }
+
+    fn add_element(&self, matrix: &mut DMatrix<f64>, beam: usize, element: &nalgebra::SMatrix<f64, 12, 12>) {
+        let unknown = |local: usize| {
+            let node = self.aircraft.beams[beam].nodes[local / 6];
+            (node > 0).then(|| 6 * (node - 1) + local % 6)
+        };
+        for row in 0..12 {
+            for column in 0..12 {
+                if let (Some(i), Some(j)) = (unknown(row), unknown(column)) {
+                    matrix[(i, j)] += element[(row, column)];
+                }
+            }
+        }
+    }
+}

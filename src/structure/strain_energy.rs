@@ -1,0 +1,351 @@
+//! Strain energy as a quartic polynomial of the generalised coordinates [3.2; physics.md §3].
+//!
+//! Green's axial strain ε = e + ½[e² + (v′ − zφ′)² + (w′ + yφ′)²] with e = u′ − y v″ − z w″ at the four
+//! booms of each section, and ½ GJ φ′² for torsion. The polynomial's coefficients are computed once:
+//! U = ½ qᵀK₀q + U₃(q) + U₄(q), each distinct monomial stored once.
+
+use nalgebra::{DMatrix, DVector};
+use serde::{Deserialize, Serialize};
+
+use crate::aircraft::Beam;
+
+use super::assembly::Structure;
+use super::beam::{GAUSS_5, Gradients};
+
+/// Coefficients of the strain energy of n modes at nominal stiffness.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StrainEnergy {
+    /// Number of modes.
+    modes: usize,
+    /// K₀, n × n.
+    linear_stiffness: Vec<f64>,
+    /// Coefficients of q_a q_b q_c in U₃, a ≤ b ≤ c in lexicographic order.
+    cubic: Vec<f64>,
+    /// Coefficients of q_a q_b q_c q_d in U₄, a ≤ b ≤ c ≤ d in lexicographic order.
+    quartic: Vec<f64>,
+}
+
+impl StrainEnergy {
+    /// Integrates over all elements for the given mode shapes, with the real EA.
+    pub fn new(structure: &Structure, shapes: &DMatrix<f64>) -> Self {
+        let mut energy = StrainEnergy::zero(shapes.ncols());
+        let monomials = Monomials::new(shapes.ncols());
+        for (index, beam) in structure.aircraft.beams.iter().enumerate() {
+            let geometry = &structure.geometry[index];
+            for (fraction, weight) in GAUSS_5 {
+                let section = SectionGradients::new(structure, index, &geometry.gradients(fraction), shapes);
+                energy.add_section(&monomials, beam, &section, weight * geometry.length);
+            }
+        }
+        energy
+    }
+
+    /// No stiffness at all.
+    pub fn zero(modes: usize) -> Self {
+        StrainEnergy {
+            modes,
+            linear_stiffness: vec![0.0; modes * modes],
+            cubic: vec![0.0; monomials(modes, 3)],
+            quartic: vec![0.0; monomials(modes, 4)],
+        }
+    }
+
+    /// Number of modes.
+    pub fn modes(&self) -> usize {
+        self.modes
+    }
+
+    /// K₀, n × n.
+    pub fn linear_stiffness(&self) -> &[f64] {
+        &self.linear_stiffness
+    }
+
+    /// Whether all arrays have the lengths that `modes` asks for.
+    pub fn is_consistent(&self, modes: usize) -> bool {
+        self.modes == modes
+            && self.linear_stiffness.len() == modes * modes
+            && self.cubic.len() == monomials(modes, 3)
+            && self.quartic.len() == monomials(modes, 4)
+    }
+
+    /// The energy of a choice of modes (ascending), all others held at zero.
+    pub fn select(&self, chosen: &[usize]) -> Self {
+        let n = self.modes;
+        let monomials = Monomials::new(n);
+        let kept = |old: &[usize]| old.iter().all(|mode| chosen.contains(mode));
+        StrainEnergy {
+            modes: chosen.len(),
+            linear_stiffness: chosen
+                .iter()
+                .flat_map(|&a| chosen.iter().map(move |&b| self.linear_stiffness[a * n + b]))
+                .collect(),
+            cubic: kept_coefficients(&monomials.cubic, &self.cubic, kept),
+            quartic: kept_coefficients(&monomials.quartic, &self.quartic, kept),
+        }
+    }
+
+    /// U₂ = ½ qᵀK₀q, with K₀ q added to `gradient`.
+    pub fn add_quadratic(&self, q: &[f64], gradient: &mut [f64]) -> f64 {
+        let mut value = 0.0;
+        for (a, row) in self.linear_stiffness.chunks_exact(self.modes.max(1)).enumerate() {
+            let force: f64 = row.iter().zip(q).map(|(k, q)| k * q).sum();
+            gradient[a] += force;
+            value += 0.5 * q[a] * force;
+        }
+        value
+    }
+
+    /// U₃, with its gradient (½K₁q) added to `gradient`.
+    pub fn add_cubic(&self, q: &[f64], gradient: &mut [f64]) -> f64 {
+        let mut rest = self.cubic.as_slice();
+        let mut value = 0.0;
+        for a in 0..self.modes {
+            let mut slope_a = 0.0;
+            for b in a..self.modes {
+                let (row, tail) = rest.split_at(self.modes - b);
+                rest = tail;
+                let sum = sweep(row, q[a] * q[b], &q[b..], &mut gradient[b..]);
+                gradient[b] += q[a] * sum;
+                slope_a += q[b] * sum;
+            }
+            gradient[a] += slope_a;
+            value += q[a] * slope_a;
+        }
+        value
+    }
+
+    /// U₄, with its gradient (⅓K₂q) added to `gradient`.
+    pub fn add_quartic(&self, q: &[f64], gradient: &mut [f64]) -> f64 {
+        let mut rest = self.quartic.as_slice();
+        let mut value = 0.0;
+        for a in 0..self.modes {
+            let mut slope_a = 0.0;
+            for b in a..self.modes {
+                let mut slope_b = 0.0;
+                for c in b..self.modes {
+                    let (row, tail) = rest.split_at(self.modes - c);
+                    rest = tail;
+                    let sum = sweep(row, q[a] * q[b] * q[c], &q[c..], &mut gradient[c..]);
+                    gradient[c] += q[a] * q[b] * sum;
+                    slope_b += q[c] * sum;
+                }
+                gradient[b] += q[a] * slope_b;
+                slope_a += q[b] * slope_b;
+            }
+            gradient[a] += slope_a;
+            value += q[a] * slope_a;
+        }
+        value
+    }
+
+    /// Adds the energy of one integration section that stands for `length` metres of the beam.
+    fn add_section(&mut self, monomials: &Monomials, beam: &Beam, section: &SectionGradients, length: f64) {
+        let torsion = &section.twist * section.twist.transpose() * (beam.torsional_stiffness * length);
+        self.add_linear_stiffness(&torsion);
+        let half_height_y = (beam.bending_stiffness_z / beam.axial_stiffness).sqrt();
+        let half_height_z = (beam.bending_stiffness_y / beam.axial_stiffness).sqrt();
+        for (y, z) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+            let rigidity = 0.25 * beam.axial_stiffness * length;
+            self.add_boom(monomials, section, [y * half_height_y, z * half_height_z], rigidity);
+        }
+    }
+
+    /// Adds ½ EA ε² of a boom at (y, z): ε = e·q + ½ qᵀQq.
+    fn add_boom(
+        &mut self,
+        monomials: &Monomials,
+        section: &SectionGradients,
+        [y, z]: [f64; 2],
+        rigidity: f64,
+    ) {
+        let e = &section.stretch - &section.curvature_v * y - &section.curvature_w * z;
+        let v = &section.slope_v - &section.twist * z;
+        let w = &section.slope_w + &section.twist * y;
+        let quadratic = &e * e.transpose() + &v * v.transpose() + &w * w.transpose();
+        self.add_linear_stiffness(&(&e * e.transpose() * rigidity));
+
+        for (tuple, coefficient) in monomials.cubic.iter().zip(&mut self.cubic) {
+            let &[a, b, c] = tuple;
+            let symmetric = e[a] * quadratic[(b, c)] + e[b] * quadratic[(a, c)] + e[c] * quadratic[(a, b)];
+            *coefficient += 0.5 * rigidity * permutations(tuple) * symmetric / 3.0;
+        }
+        for (tuple, coefficient) in monomials.quartic.iter().zip(&mut self.quartic) {
+            let &[a, b, c, d] = tuple;
+            let symmetric = quadratic[(a, b)] * quadratic[(c, d)]
+                + quadratic[(a, c)] * quadratic[(b, d)]
+                + quadratic[(a, d)] * quadratic[(b, c)];
+            *coefficient += 0.125 * rigidity * permutations(tuple) * symmetric / 3.0;
+        }
+    }
+
+    fn add_linear_stiffness(&mut self, matrix: &DMatrix<f64>) {
+        for (sum, term) in self.linear_stiffness.iter_mut().zip(matrix.iter()) {
+            *sum += term;
+        }
+    }
+}
+
+/// The index tuples of all monomials, in the order of the coefficients.
+struct Monomials {
+    cubic: Vec<[usize; 3]>,
+    quartic: Vec<[usize; 4]>,
+}
+
+impl Monomials {
+    fn new(modes: usize) -> Self {
+        Monomials { cubic: ascending_tuples(modes), quartic: ascending_tuples(modes) }
+    }
+}
+
+/// Displacement gradients at one section as linear forms on the generalised coordinates.
+struct SectionGradients {
+    stretch: DVector<f64>,
+    slope_v: DVector<f64>,
+    slope_w: DVector<f64>,
+    twist: DVector<f64>,
+    curvature_v: DVector<f64>,
+    curvature_w: DVector<f64>,
+}
+
+impl SectionGradients {
+    fn new(structure: &Structure, beam: usize, gradients: &Gradients, shapes: &DMatrix<f64>) -> Self {
+        let modal = |row| structure.apply_row(beam, row, shapes);
+        SectionGradients {
+            stretch: modal(&gradients.stretch),
+            slope_v: modal(&gradients.slope_v),
+            slope_w: modal(&gradients.slope_w),
+            twist: modal(&gradients.twist),
+            curvature_v: modal(&gradients.curvature_v),
+            curvature_w: modal(&gradients.curvature_w),
+        }
+    }
+}
+
+/// One row of packed coefficients: adds `factor`·row to the gradient and returns row·q.
+fn sweep(row: &[f64], factor: f64, q: &[f64], gradient: &mut [f64]) -> f64 {
+    let mut sum = 0.0;
+    for ((coefficient, q), gradient) in row.iter().zip(q).zip(gradient) {
+        sum += coefficient * q;
+        *gradient += factor * coefficient;
+    }
+    sum
+}
+
+/// The coefficients of those monomials whose modes are all kept.
+fn kept_coefficients<const DEGREE: usize>(
+    monomials: &[[usize; DEGREE]],
+    coefficients: &[f64],
+    kept: impl Fn(&[usize]) -> bool,
+) -> Vec<f64> {
+    monomials.iter().zip(coefficients).filter(|(modes, _)| kept(*modes)).map(|(_, &c)| c).collect()
+}
+
+/// Number of distinct monomials of a degree in n variables.
+fn monomials(n: usize, degree: usize) -> usize {
+    (0..degree).fold(1, |product, k| product * (n + k) / (k + 1))
+}
+
+/// All ascending index tuples a ≤ b ≤ … < n, in lexicographic order.
+fn ascending_tuples<const DEGREE: usize>(n: usize) -> Vec<[usize; DEGREE]> {
+    let mut tuples = Vec::with_capacity(monomials(n, DEGREE));
+    let mut tuple = [0; DEGREE];
+    while n > 0 {
+        tuples.push(tuple);
+        let Some(place) = (0..DEGREE).rev().find(|&place| tuple[place] + 1 < n) else { break };
+        let following = tuple[place] + 1;
+        tuple[place..].fill(following);
+    }
+    tuples
+}
+
+/// Number of distinct orders of the indices of an ascending tuple.
+fn permutations(tuple: &[usize]) -> f64 {
+    let mut orders = 1.0;
+    let mut run = 0.0;
+    for (place, index) in tuple.iter().enumerate() {
+        run = if place > 0 && tuple[place - 1] == *index { run + 1.0 } else { 1.0 };
+        orders *= (place + 1) as f64 / run;
+    }
+    orders
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Values of a quartic polynomial with arbitrary coefficients, to test the sweeps against.
+    fn sample() -> StrainEnergy {
+        let mut energy = StrainEnergy::zero(4);
+        let coefficient = |k: usize| libm::sin(1.0 + 3.7 * k as f64);
+        for (k, c) in energy.cubic.iter_mut().enumerate() {
+            *c = coefficient(k);
+        }
+        for (k, c) in energy.quartic.iter_mut().enumerate() {
+            *c = coefficient(k + 100);
+        }
+        for a in 0..4 {
+            for b in 0..4 {
+                energy.linear_stiffness[4 * a + b] = coefficient(200 + a + b);
+            }
+        }
+        energy
+    }
+
+    fn value(energy: &StrainEnergy, q: &[f64]) -> f64 {
+        let unused = &mut [0.0; 4];
+        energy.add_quadratic(q, unused) + energy.add_cubic(q, unused) + energy.add_quartic(q, unused)
+    }
+
+    #[test]
+    fn the_sweep_evaluates_each_monomial_once() {
+        let energy = sample();
+        let q = [0.3, -1.2, 0.7, 2.0];
+        let product = |tuple: &[usize]| tuple.iter().map(|&i| q[i]).product::<f64>();
+        let Monomials { cubic, quartic } = Monomials::new(4);
+        let cubic: f64 = cubic.iter().zip(&energy.cubic).map(|(tuple, c)| c * product(tuple)).sum();
+        let quartic: f64 = quartic.iter().zip(&energy.quartic).map(|(tuple, c)| c * product(tuple)).sum();
+        assert!((energy.add_cubic(&q, &mut [0.0; 4]) - cubic).abs() < 1e-13);
+        assert!((energy.add_quartic(&q, &mut [0.0; 4]) - quartic).abs() < 1e-13);
+    }
+
+    #[test]
+    fn the_gradient_is_the_derivative_of_the_energy() {
+        let energy = sample();
+        let q = [0.3, -1.2, 0.7, 2.0];
+        let mut gradient = [0.0; 4];
+        energy.add_quadratic(&q, &mut gradient);
+        energy.add_cubic(&q, &mut gradient);
+        energy.add_quartic(&q, &mut gradient);
+        for mode in 0..4 {
+            let step = 1e-5;
+            let shifted = |sign: f64| {
+                let mut moved = q;
+                moved[mode] += sign * step;
+                value(&energy, &moved)
+            };
+            let difference = (shifted(1.0) - shifted(-1.0)) / (2.0 * step);
+            assert!((difference - gradient[mode]).abs() < 1e-8, "{difference} {}", gradient[mode]);
+        }
+    }
+
+    #[test]
+    fn a_choice_of_modes_has_the_energy_with_the_others_at_rest() {
+        let energy = sample();
+        let chosen = energy.select(&[1, 3]);
+        assert!(chosen.is_consistent(2));
+        let unused = &mut [0.0; 2];
+        let q = [0.6, -0.9];
+        let part =
+            chosen.add_quadratic(&q, unused) + chosen.add_cubic(&q, unused) + chosen.add_quartic(&q, unused);
+        assert!((part - value(&energy, &[0.0, q[0], 0.0, q[1]])).abs() < 1e-14);
+    }
+
+    #[test]
+    fn distinct_orders_are_counted() {
+        assert_eq!(permutations(&[0, 1, 2]), 6.0);
+        assert_eq!(permutations(&[0, 0, 2]), 3.0);
+        assert_eq!(permutations(&[1, 1, 2, 2]), 6.0);
+        assert_eq!(permutations(&[0, 1, 2, 3]), 24.0);
+        assert_eq!(permutations(&[3, 3, 3, 3]), 1.0);
+    }
+}

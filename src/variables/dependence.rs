@@ -1,0 +1,51 @@
+//! What an output depends on, as the model description's `ModelStructure` tells it to importers, which
+//! order calls and look for algebraic loops by it.
+
+use super::{AirQuantity, Axis, InputSlot, OutputSlot, ParameterSlot};
+
+/// Whether an input acts on an output at the same instant: accelerations feel every force, the flow feels
+/// the wind; positions, velocities and deformations are states and follow only by integration.
+pub(super) fn direct(output: OutputSlot, input: InputSlot) -> bool {
+    match output {
+        OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) => true,
+        OutputSlot::Air(AirQuantity::Density) => false,
+        OutputSlot::Air(_) => matches!(input, InputSlot::Wind(_)),
+        OutputSlot::Elevator => input == InputSlot::Elevator,
+        OutputSlot::Aileron => input == InputSlot::Aileron,
+        OutputSlot::Rudder => input == InputSlot::Rudder,
+        OutputSlot::Thrust(engine) => input == InputSlot::Thrust(engine),
+        _ => false,
+    }
+}
+
+/// Whether a parameter acts on the value of an output at initialisation, in trimmed level flight.
+pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot) -> bool {
+    use ParameterSlot::{Altitude, Heading, InputReference, StructuralDamping, Tolerance};
+    match output {
+        OutputSlot::Position(Axis::Z) => parameter == Altitude,
+        OutputSlot::Attitude(Axis::Z) => parameter == Heading,
+        OutputSlot::Position(_) | OutputSlot::Attitude(Axis::X) | OutputSlot::Rate(_) | OutputSlot::ModalRate(_) => {
+            false
+        }
+        OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) => {
+            !matches!(parameter, StructuralDamping | Tolerance)
+        }
+        OutputSlot::Air(AirQuantity::Density) => parameter == Altitude,
+        OutputSlot::Air(_) => parameter == Heading || trims(parameter),
+        OutputSlot::Elevator | OutputSlot::Thrust(_) => parameter == InputReference || trims(parameter),
+        OutputSlot::Aileron | OutputSlot::Rudder => false,
+        OutputSlot::Attitude(Axis::Y)
+        | OutputSlot::Velocity(_)
+        | OutputSlot::Deflection { .. }
+        | OutputSlot::ModalCoordinate(_)
+        | OutputSlot::TrimPitch
+        | OutputSlot::TrimElevator
+        | OutputSlot::TrimThrust => trims(parameter),
+    }
+}
+
+/// The parameters that the trim depends on; inflow and damping vanish in steady flight.
+fn trims(parameter: ParameterSlot) -> bool {
+    use ParameterSlot::{Airspeed, Altitude, ModeCount, ModeFamily, Model, StiffnessScale};
+    matches!(parameter, Model | Airspeed | Altitude | StiffnessScale | ModeFamily | ModeCount)
+}

@@ -1,0 +1,290 @@
+//! Where the value of a variable lives: a typed place in the inputs, the settings or the outputs.
+
+use crate::simulation::{Fidelity, InputReference, Inputs, ModeSelection, Outputs, Settings, TrimPoint};
+
+/// The value of a variable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// Of a Real.
+    Real(f64),
+    /// Of an Integer, or of an Enumeration (from 1).
+    Integer(i32),
+}
+
+/// The enumerations of the parameters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EnumerationType {
+    /// [`Fidelity`].
+    Model,
+    /// [`InputReference`].
+    InputReference,
+    /// [`ModeSelection`].
+    ModeFamily,
+}
+
+impl EnumerationType {
+    /// All enumerations, in the order of the model description.
+    pub const ALL: [EnumerationType; 3] =
+        [EnumerationType::Model, EnumerationType::InputReference, EnumerationType::ModeFamily];
+
+    /// Name of the type.
+    pub fn name(self) -> &'static str {
+        match self {
+            EnumerationType::Model => "Model",
+            EnumerationType::InputReference => "InputReference",
+            EnumerationType::ModeFamily => "ModeFamily",
+        }
+    }
+
+    /// What the type is for.
+    pub fn description(self) -> &'static str {
+        match self {
+            EnumerationType::Model => "Fidelity level of the equations of motion",
+            EnumerationType::InputReference => "Meaning of the surface and thrust inputs",
+            EnumerationType::ModeFamily => "Families of natural modes",
+        }
+    }
+
+    /// Names and descriptions of the items; the value of the first is 1.
+    pub fn items(self) -> &'static [(&'static str, &'static str)] {
+        match self {
+            EnumerationType::Model => &[
+                ("exact", "All inertial and geometric nonlinearities"),
+                ("consistently_linearised", "Undeformed mass matrix, strain energy to third order"),
+                ("inconsistent", "Exact inertia with linear elasticity"),
+                ("ruthlessly_linearised", "Undeformed inertia and moment arms, linear elasticity"),
+                ("rigid", "No deformation"),
+            ],
+            EnumerationType::InputReference => {
+                &[("trim", "Inputs add to the trim values"), ("absolute", "Inputs replace the trim values")]
+            }
+            EnumerationType::ModeFamily => {
+                &[("all", "Symmetric and antisymmetric modes"), ("symmetric", "Symmetric modes only")]
+            }
+        }
+    }
+}
+
+/// A coordinate: x, y, z; north, east, down; or roll, pitch, yaw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// x, north, roll.
+    X,
+    /// y, east, pitch.
+    Y,
+    /// z, down, yaw.
+    Z,
+}
+
+impl Axis {
+    /// All three.
+    pub const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+
+    fn index(self) -> usize {
+        self as usize
+    }
+}
+
+/// A quantity of the flow at O.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the quantities are documented in AirData")]
+pub enum AirQuantity {
+    Speed,
+    AngleOfAttack,
+    Sideslip,
+    Mach,
+    Density,
+    DynamicPressure,
+}
+
+/// A component of a station's deflection.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DeflectionComponent {
+    /// Displacement along a body axis, m.
+    Along(Axis),
+    /// Displacement along −z, m.
+    Up,
+    /// rad.
+    Twist,
+}
+
+/// An input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the quantities are documented in Inputs")]
+pub enum InputSlot {
+    Elevator,
+    Aileron,
+    Rudder,
+    /// Of the engine with this index.
+    Thrust(usize),
+    Wind(Axis),
+}
+
+/// A parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the quantities are documented in Settings")]
+pub enum ParameterSlot {
+    InputReference,
+    Model,
+    Airspeed,
+    Altitude,
+    Heading,
+    StiffnessScale,
+    StructuralDamping,
+    ModeFamily,
+    ModeCount,
+    InflowStates,
+    Tolerance,
+}
+
+/// An output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the quantities are documented in Outputs and TrimPoint")]
+pub enum OutputSlot {
+    Position(Axis),
+    Attitude(Axis),
+    Velocity(Axis),
+    Rate(Axis),
+    Acceleration(Axis),
+    LoadFactor(Axis),
+    Air(AirQuantity),
+    Deflection {
+        /// Index of the station.
+        station: usize,
+        component: DeflectionComponent,
+    },
+    /// Of the mode with this index.
+    ModalCoordinate(usize),
+    /// Of the mode with this index.
+    ModalRate(usize),
+    Elevator,
+    Aileron,
+    Rudder,
+    /// Of the engine with this index.
+    Thrust(usize),
+    TrimPitch,
+    TrimElevator,
+    TrimThrust,
+}
+
+/// Where the value of a variable lives. It implies the FMI causality.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum Slot {
+    Input(InputSlot),
+    Parameter(ParameterSlot),
+    Output(OutputSlot),
+}
+
+impl InputSlot {
+    /// The place in the inputs. `inputs` has the engines of the model that the slot was made for.
+    pub fn of(self, inputs: &mut Inputs) -> &mut f64 {
+        match self {
+            InputSlot::Elevator => &mut inputs.elevator,
+            InputSlot::Aileron => &mut inputs.aileron,
+            InputSlot::Rudder => &mut inputs.rudder,
+            InputSlot::Thrust(engine) => &mut inputs.thrust[engine],
+            InputSlot::Wind(axis) => &mut inputs.wind[axis.index()],
+        }
+    }
+
+    /// The value in the inputs.
+    pub fn get(self, inputs: &Inputs) -> f64 {
+        match self {
+            InputSlot::Elevator => inputs.elevator,
+            InputSlot::Aileron => inputs.aileron,
+            InputSlot::Rudder => inputs.rudder,
+            InputSlot::Thrust(engine) => inputs.thrust[engine],
+            InputSlot::Wind(axis) => inputs.wind[axis.index()],
+        }
+    }
+}
+
+impl ParameterSlot {
+    /// The value in the settings.
+    pub fn get(self, settings: &Settings) -> Value {
+        match self {
+            ParameterSlot::InputReference => Value::Integer(settings.input_reference as i32 + 1),
+            ParameterSlot::Model => Value::Integer(settings.fidelity as i32 + 1),
+            ParameterSlot::Airspeed => Value::Real(settings.airspeed),
+            ParameterSlot::Altitude => Value::Real(settings.altitude),
+            ParameterSlot::Heading => Value::Real(settings.heading),
+            ParameterSlot::StiffnessScale => Value::Real(settings.stiffness_scale),
+            ParameterSlot::StructuralDamping => Value::Real(settings.structural_damping),
+            ParameterSlot::ModeFamily => Value::Integer(settings.mode_selection as i32 + 1),
+            ParameterSlot::ModeCount => Value::Integer(saturating(settings.mode_count)),
+            ParameterSlot::InflowStates => Value::Integer(saturating(settings.inflow_states)),
+            ParameterSlot::Tolerance => Value::Real(settings.tolerance),
+        }
+    }
+
+    /// Changes the setting; a value of the wrong type or outside an enumeration changes nothing.
+    pub fn set(self, settings: &mut Settings, value: Value) {
+        match (self, value) {
+            (ParameterSlot::InputReference, Value::Integer(1)) => settings.input_reference = InputReference::Trim,
+            (ParameterSlot::InputReference, Value::Integer(2)) => {
+                settings.input_reference = InputReference::Absolute;
+            }
+            (ParameterSlot::Model, Value::Integer(i)) => {
+                let level = usize::try_from(i).ok().and_then(|i| Fidelity::ALL.get(i.checked_sub(1)?));
+                settings.fidelity = level.copied().unwrap_or(settings.fidelity);
+            }
+            (ParameterSlot::ModeFamily, Value::Integer(1)) => settings.mode_selection = ModeSelection::All,
+            (ParameterSlot::ModeFamily, Value::Integer(2)) => settings.mode_selection = ModeSelection::Symmetric,
+            (ParameterSlot::ModeCount, Value::Integer(i)) => {
+                settings.mode_count = usize::try_from(i).unwrap_or(settings.mode_count);
+            }
+            (ParameterSlot::InflowStates, Value::Integer(i)) => {
+                settings.inflow_states = usize::try_from(i).unwrap_or(settings.inflow_states);
+            }
+            (ParameterSlot::Airspeed, Value::Real(x)) => settings.airspeed = x,
+            (ParameterSlot::Altitude, Value::Real(x)) => settings.altitude = x,
+            (ParameterSlot::Heading, Value::Real(x)) => settings.heading = x,
+            (ParameterSlot::StiffnessScale, Value::Real(x)) => settings.stiffness_scale = x,
+            (ParameterSlot::StructuralDamping, Value::Real(x)) => settings.structural_damping = x,
+            (ParameterSlot::Tolerance, Value::Real(x)) => settings.tolerance = x,
+            _ => {}
+        }
+    }
+}
+
+fn saturating(count: usize) -> i32 {
+    i32::try_from(count).unwrap_or(i32::MAX)
+}
+
+impl OutputSlot {
+    /// The value in the outputs of the model that the slot was made for.
+    pub fn get(self, outputs: &Outputs, trim: &TrimPoint) -> f64 {
+        match self {
+            OutputSlot::Position(axis) => outputs.position[axis.index()],
+            OutputSlot::Attitude(axis) => outputs.attitude[axis.index()],
+            OutputSlot::Velocity(axis) => outputs.velocity[axis.index()],
+            OutputSlot::Rate(axis) => outputs.rate[axis.index()],
+            OutputSlot::Acceleration(axis) => outputs.acceleration[axis.index()],
+            OutputSlot::LoadFactor(axis) => outputs.load_factor[axis.index()],
+            OutputSlot::Air(AirQuantity::Speed) => outputs.air.speed,
+            OutputSlot::Air(AirQuantity::AngleOfAttack) => outputs.air.angle_of_attack,
+            OutputSlot::Air(AirQuantity::Sideslip) => outputs.air.sideslip,
+            OutputSlot::Air(AirQuantity::Mach) => outputs.air.mach,
+            OutputSlot::Air(AirQuantity::Density) => outputs.air.density,
+            OutputSlot::Air(AirQuantity::DynamicPressure) => outputs.air.dynamic_pressure,
+            OutputSlot::Deflection { station, component } => {
+                let deflection = &outputs.deflections[station];
+                match component {
+                    DeflectionComponent::Along(axis) => deflection.displacement[axis.index()],
+                    DeflectionComponent::Up => -deflection.displacement.z,
+                    DeflectionComponent::Twist => deflection.twist,
+                }
+            }
+            OutputSlot::ModalCoordinate(mode) => outputs.modal_q[mode],
+            OutputSlot::ModalRate(mode) => outputs.modal_q_dot[mode],
+            OutputSlot::Elevator => outputs.elevator,
+            OutputSlot::Aileron => outputs.aileron,
+            OutputSlot::Rudder => outputs.rudder,
+            OutputSlot::Thrust(engine) => outputs.thrust[engine],
+            OutputSlot::TrimPitch => trim.pitch,
+            OutputSlot::TrimElevator => trim.elevator,
+            OutputSlot::TrimThrust => trim.thrust,
+        }
+    }
+}

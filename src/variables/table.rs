@@ -1,0 +1,252 @@
+//! The rows of the table.
+
+use super::{
+    AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot, Type, Unit,
+    Value, Variability, Variable,
+};
+use crate::simulation::Settings;
+use crate::structure::ReducedModel;
+
+/// All rows for an aircraft, inputs first.
+pub(super) fn rows(model: &ReducedModel) -> Vec<Variable> {
+    let mut rows = inputs(model);
+    rows.extend(parameters(model));
+    rows.extend(motion());
+    rows.extend(flow());
+    rows.extend(deflections(model));
+    rows.extend(modal_coordinates(model));
+    rows.extend(controls_and_trim(model));
+    rows
+}
+
+fn inputs(model: &ReducedModel) -> Vec<Variable> {
+    let surfaces = [
+        ("elevator", InputSlot::Elevator, "Elevator deflection, positive nose-down"),
+        ("aileron", InputSlot::Aileron, "Aileron deflection, positive rolls right"),
+        ("rudder", InputSlot::Rudder, "Rudder deflection, positive nose right"),
+    ];
+    let mut rows: Vec<_> =
+        surfaces.into_iter().map(|(name, slot, text)| input(name, Unit::Radian, slot, text)).collect();
+    for (i, engine) in model.engines.iter().enumerate() {
+        let text = format!("Thrust of engine {}, positive forward", engine.name);
+        let name = format!("thrust_{}", engine.name);
+        rows.push(input(&name, Unit::Newton, InputSlot::Thrust(i), &text).nominal(10_000.0));
+    }
+    for (axis, direction) in Axis::ALL.into_iter().zip(NORTH_EAST_DOWN) {
+        let text = format!("Velocity of the air mass towards {direction}");
+        rows.push(input(&format!("wind_{direction}"), Unit::MetrePerSecond, InputSlot::Wind(axis), &text));
+    }
+    rows
+}
+
+fn parameters(model: &ReducedModel) -> Vec<Variable> {
+    use ParameterSlot as P;
+    let start = start_settings(model);
+    let choice = |name, slot, kind: EnumerationType, text| {
+        Variable { kind: Type::Enumeration(kind), ..parameter(name, slot, &start, text) }
+            .between(1.0, kind.items().len() as f64)
+    };
+    let count = |name, slot, max: usize, text| {
+        Variable { kind: Type::Integer, ..parameter(name, slot, &start, text) }.between(0.0, max as f64)
+    };
+    let real = |name, slot, unit, text| Variable { unit: Some(unit), ..parameter(name, slot, &start, text) };
+    vec![
+        choice(
+            "input_reference",
+            P::InputReference,
+            EnumerationType::InputReference,
+            "Whether surface and thrust inputs add to the trim values or replace them",
+        ),
+        choice("model", P::Model, EnumerationType::Model, "Fidelity level"),
+        real("airspeed", P::Airspeed, Unit::MetrePerSecond, "True airspeed of the trimmed flight at the start")
+            .between(1.0, 400.0),
+        real("altitude", P::Altitude, Unit::Metre, "Altitude of the trimmed flight at the start")
+            .between(-1000.0, 20_000.0)
+            .nominal(10_000.0),
+        real("heading", P::Heading, Unit::Radian, "Initial yaw angle"),
+        real("stiffness_scale", P::StiffnessScale, Unit::One, "Factor on all elastic properties").at_least(1e-6),
+        real("structural_damping", P::StructuralDamping, Unit::One, "Modal damping ratio of every mode")
+            .at_least(0.0),
+        choice("mode_family", P::ModeFamily, EnumerationType::ModeFamily, "Families of modes that take part"),
+        count("mode_count", P::ModeCount, model.modes.len(), "Number of modes that take part, lowest first"),
+        count("inflow_states", P::InflowStates, 8, "Peters inflow states per strip; 0 is steady aerodynamics"),
+        real("tolerance", P::Tolerance, Unit::One, "Relative tolerance of the internal integrator")
+            .between(1e-12, 0.1),
+    ]
+}
+
+/// The settings before any parameter is set.
+pub(crate) fn start_settings(model: &ReducedModel) -> Settings {
+    let settings = Settings::default();
+    Settings {
+        mode_count: settings.mode_count.min(model.modes.len()),
+        inflow_states: model.inflow_states,
+        ..settings
+    }
+}
+
+fn motion() -> Vec<Variable> {
+    type Triple = (&'static str, [&'static str; 3], Unit, fn(Axis) -> OutputSlot, &'static str);
+    const XYZ: [&str; 3] = ["x", "y", "z"];
+    let triples: [Triple; 6] = [
+        ("position", NORTH_EAST_DOWN, Unit::Metre, OutputSlot::Position, "Position of O"),
+        ("attitude", ["roll", "pitch", "yaw"], Unit::Radian, OutputSlot::Attitude, "3-2-1 Euler angle"),
+        ("velocity", XYZ, Unit::MetrePerSecond, OutputSlot::Velocity, "Inertial velocity of O, body axis"),
+        ("rate", XYZ, Unit::RadianPerSecond, OutputSlot::Rate, "Angular velocity, body axis"),
+        (
+            "acceleration",
+            XYZ,
+            Unit::MetrePerSecondSquared,
+            OutputSlot::Acceleration,
+            "Rate of change of the velocity component along body axis",
+        ),
+        (
+            "load_factor",
+            XYZ,
+            Unit::One,
+            OutputSlot::LoadFactor,
+            "(Inertial acceleration - gravity)/g at O, z counted upwards: component",
+        ),
+    ];
+    let mut rows = Vec::new();
+    for (group, components, unit, slot, text) in triples {
+        for (axis, component) in Axis::ALL.into_iter().zip(components) {
+            rows.push(output(format!("{group}.{component}"), unit, slot(axis), format!("{text} {component}")));
+        }
+    }
+    rows
+}
+
+fn flow() -> Vec<Variable> {
+    let quantities = [
+        ("speed", Unit::MetrePerSecond, AirQuantity::Speed, "True airspeed at O"),
+        ("alpha", Unit::Radian, AirQuantity::AngleOfAttack, "Angle of attack of the body x axis at O"),
+        ("beta", Unit::Radian, AirQuantity::Sideslip, "Sideslip angle at O, positive with the wind from the right"),
+        ("mach", Unit::One, AirQuantity::Mach, "Mach number at O"),
+        ("density", Unit::KilogramPerCubicMetre, AirQuantity::Density, "Air density at O"),
+        ("dynamic_pressure", Unit::Pascal, AirQuantity::DynamicPressure, "Dynamic pressure at O"),
+    ];
+    let rows = quantities.into_iter().map(|(name, unit, quantity, text)| {
+        let row = output(format!("air.{name}"), unit, OutputSlot::Air(quantity), text.to_owned());
+        if unit == Unit::Radian { row } else { row.at_least(0.0) }
+    });
+    rows.collect()
+}
+
+fn deflections(model: &ReducedModel) -> Vec<Variable> {
+    use DeflectionComponent::{Along, Twist, Up};
+    let components = [
+        ("x", Unit::Metre, Along(Axis::X), "Elastic displacement along body x"),
+        ("y", Unit::Metre, Along(Axis::Y), "Elastic displacement along body y"),
+        ("z", Unit::Metre, Along(Axis::Z), "Elastic displacement along body z"),
+        ("up", Unit::Metre, Up, "Elastic displacement upwards (-z)"),
+        ("twist", Unit::Radian, Twist, "Elastic twist, nose-up positive,"),
+    ];
+    let mut rows = Vec::new();
+    for (station, point) in model.stations.iter().enumerate() {
+        for (suffix, unit, component, text) in components {
+            let slot = OutputSlot::Deflection { station, component };
+            rows.push(output(
+                format!("deflection.{}.{suffix}", point.name),
+                unit,
+                slot,
+                format!("{text} at {}", point.name),
+            ));
+        }
+    }
+    rows
+}
+
+fn modal_coordinates(model: &ReducedModel) -> Vec<Variable> {
+    let mut rows = Vec::new();
+    for mode in 0..model.modes.len() {
+        let number = mode + 1;
+        let text = format!("Generalised coordinate of mode {number}, 0 when not in use");
+        let slot = OutputSlot::ModalCoordinate(mode);
+        rows.push(output(format!("modal.q[{number}]"), Unit::RootKilogramMetre, slot, text));
+    }
+    for mode in 0..model.modes.len() {
+        let number = mode + 1;
+        let text = format!("Rate of the generalised coordinate of mode {number}");
+        let slot = OutputSlot::ModalRate(mode);
+        rows.push(output(format!("modal.q_dot[{number}]"), Unit::RootKilogramMetrePerSecond, slot, text));
+    }
+    rows
+}
+
+fn controls_and_trim(model: &ReducedModel) -> Vec<Variable> {
+    let surfaces =
+        [("elevator", OutputSlot::Elevator), ("aileron", OutputSlot::Aileron), ("rudder", OutputSlot::Rudder)];
+    let mut rows = Vec::new();
+    for (name, slot) in surfaces {
+        let text = format!("Acting {name} deflection, trim included");
+        rows.push(output(format!("surface.{name}"), Unit::Radian, slot, text));
+    }
+    for (i, engine) in model.engines.iter().enumerate() {
+        let text = format!("Acting thrust of engine {}, trim included", engine.name);
+        let name = format!("engine.{}.thrust", engine.name);
+        rows.push(output(name, Unit::Newton, OutputSlot::Thrust(i), text).nominal(10_000.0));
+    }
+    let trim = [
+        ("pitch", Unit::Radian, OutputSlot::TrimPitch, "Pitch angle"),
+        ("elevator", Unit::Radian, OutputSlot::TrimElevator, "Elevator deflection"),
+        ("thrust", Unit::Newton, OutputSlot::TrimThrust, "Thrust per engine"),
+    ];
+    for (name, unit, slot, text) in trim {
+        let text = format!("{text} of the trim found at initialisation");
+        let row = output(format!("trim.{name}"), unit, slot, text);
+        rows.push(Variable { variability: Variability::Discrete, ..row });
+    }
+    rows
+}
+
+const NORTH_EAST_DOWN: [&str; 3] = ["north", "east", "down"];
+
+fn input(name: &str, unit: Unit, slot: InputSlot, description: &str) -> Variable {
+    Variable {
+        start: Some(Value::Real(0.0)),
+        ..real(name.to_owned(), Some(unit), Slot::Input(slot), description.to_owned())
+    }
+}
+
+/// A parameter; type and unit are for the caller to add.
+fn parameter(name: &str, slot: ParameterSlot, start: &Settings, description: &str) -> Variable {
+    Variable {
+        variability: Variability::Fixed,
+        start: Some(slot.get(start)),
+        ..real(name.to_owned(), None, Slot::Parameter(slot), description.to_owned())
+    }
+}
+
+fn output(name: String, unit: Unit, slot: OutputSlot, description: String) -> Variable {
+    real(name, Some(unit), Slot::Output(slot), description)
+}
+
+fn real(name: String, unit: Option<Unit>, slot: Slot, description: String) -> Variable {
+    Variable {
+        name,
+        description,
+        kind: Type::Real,
+        variability: Variability::Continuous,
+        unit,
+        start: None,
+        min: None,
+        max: None,
+        nominal: None,
+        slot,
+    }
+}
+
+impl Variable {
+    fn at_least(self, min: f64) -> Self {
+        Variable { min: Some(min), ..self }
+    }
+
+    fn between(self, min: f64, max: f64) -> Self {
+        Variable { min: Some(min), max: Some(max), ..self }
+    }
+
+    fn nominal(self, nominal: f64) -> Self {
+        Variable { nominal: Some(nominal), ..self }
+    }
+}

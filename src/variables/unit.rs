@@ -1,0 +1,112 @@
+//! Units of the variables, and how they are made of SI base units.
+
+/// Unit of a variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// 1
+    One,
+    /// m
+    Metre,
+    /// m/s
+    MetrePerSecond,
+    /// m/s²
+    MetrePerSecondSquared,
+    /// rad, shown in degrees
+    Radian,
+    /// rad/s, shown in degrees per second
+    RadianPerSecond,
+    /// N
+    Newton,
+    /// Pa
+    Pascal,
+    /// kg/m³
+    KilogramPerCubicMetre,
+    /// √kg m: coordinates of mass-normalised modes
+    RootKilogramMetre,
+    /// √kg m/s: their rates
+    RootKilogramMetrePerSecond,
+}
+
+/// Integer exponents of the SI base units in a unit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BaseUnit {
+    /// Of kg.
+    pub kilogram: i32,
+    /// Of m.
+    pub metre: i32,
+    /// Of s.
+    pub second: i32,
+    /// Of rad.
+    pub radian: i32,
+}
+
+/// A unit for showing: its name and the factor from the unit to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DisplayUnit {
+    /// Name.
+    pub name: &'static str,
+    /// Shown value = factor × value.
+    pub factor: f64,
+}
+
+const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
+
+impl Unit {
+    /// All units, in the order of the model description.
+    pub const ALL: [Unit; 11] = [
+        Unit::One,
+        Unit::Metre,
+        Unit::MetrePerSecond,
+        Unit::MetrePerSecondSquared,
+        Unit::Radian,
+        Unit::RadianPerSecond,
+        Unit::Newton,
+        Unit::Pascal,
+        Unit::KilogramPerCubicMetre,
+        Unit::RootKilogramMetre,
+        Unit::RootKilogramMetrePerSecond,
+    ];
+
+    /// As written in the model description.
+    pub fn name(self) -> &'static str {
+        match self {
+            Unit::One => "1",
+            Unit::Metre => "m",
+            Unit::MetrePerSecond => "m/s",
+            Unit::MetrePerSecondSquared => "m/s2",
+            Unit::Radian => "rad",
+            Unit::RadianPerSecond => "rad/s",
+            Unit::Newton => "N",
+            Unit::Pascal => "Pa",
+            Unit::KilogramPerCubicMetre => "kg/m3",
+            Unit::RootKilogramMetre => "kg(1/2).m",
+            Unit::RootKilogramMetrePerSecond => "kg(1/2).m/s",
+        }
+    }
+
+    /// None where FMI cannot say it: its exponents are integers.
+    pub fn base(self) -> Option<BaseUnit> {
+        let one = BaseUnit::default();
+        Some(match self {
+            Unit::One => one,
+            Unit::Metre => BaseUnit { metre: 1, ..one },
+            Unit::MetrePerSecond => BaseUnit { metre: 1, second: -1, ..one },
+            Unit::MetrePerSecondSquared => BaseUnit { metre: 1, second: -2, ..one },
+            Unit::Radian => BaseUnit { radian: 1, ..one },
+            Unit::RadianPerSecond => BaseUnit { radian: 1, second: -1, ..one },
+            Unit::Newton => BaseUnit { kilogram: 1, metre: 1, second: -2, ..one },
+            Unit::Pascal => BaseUnit { kilogram: 1, metre: -1, second: -2, ..one },
+            Unit::KilogramPerCubicMetre => BaseUnit { kilogram: 1, metre: -3, ..one },
+            Unit::RootKilogramMetre | Unit::RootKilogramMetrePerSecond => return None,
+        })
+    }
+
+    /// The unit that people prefer to see, if another one.
+    pub fn display(self) -> Option<DisplayUnit> {
+        match self {
+            Unit::Radian => Some(DisplayUnit { name: "deg", factor: DEGREES_PER_RADIAN }),
+            Unit::RadianPerSecond => Some(DisplayUnit { name: "deg/s", factor: DEGREES_PER_RADIAN }),
+            _ => None,
+        }
+    }
+}
