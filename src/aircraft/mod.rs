@@ -1,10 +1,66 @@
 //! The aircraft as engineers describe it, expanded to elements, bays, strips and engines [3.1, 4.1].
-//!
-//! [`Aircraft`] is what the rest of the program sees. Body axes, origin O at node 0, which is clamped in
-//! the body frame. Nothing here knows of modes or of flight.
 
+mod check;
+mod document;
+mod error;
+mod expand;
+mod geometry;
+mod law;
+mod masses;
 mod model;
+mod read;
+mod schema;
+mod surfaces;
 
+use std::path::Path;
+
+use toml::de::DeTable;
+
+use error::{Place, Report};
+
+pub use error::{AircraftFileError, Diagnostic, Problem};
 pub use model::{
     Aircraft, Attachment, Beam, ControlGains, Engine, Flap, MassBay, ModeBasis, Station, Strip, Support,
 };
+
+impl Aircraft {
+    /// Reads and expands an aircraft file.
+    ///
+    /// # Errors
+    /// When the file cannot be read, or for everything [`Aircraft::parse`] complains about.
+    pub fn read(path: &Path) -> Result<Aircraft, AircraftFileError> {
+        let file_name = path.display().to_string();
+        match std::fs::read_to_string(path) {
+            Ok(text) => Aircraft::parse(&text, &file_name),
+            Err(source) => Err(AircraftFileError::Unreadable { file_name, source }),
+        }
+    }
+
+    /// Expands the text of an aircraft file; `file_name` is what messages call it.
+    ///
+    /// # Errors
+    /// [`AircraftFileError::Rejected`] with every mistake that can be told without guessing: first all that
+    /// are in the reading of fields, then all that are in the aircraft which they describe.
+    pub fn parse(text: &str, file_name: &str) -> Result<Aircraft, AircraftFileError> {
+        let report = Report::new(text);
+        let document = DeTable::parse(text).map_err(|error| syntax(&report, &error)).ok();
+        let document = report.conclude(document, file_name)?;
+        let file = read::read_file(document.get_ref(), &report);
+        if let Some(file) = &file {
+            check::names(file, &report);
+            check::propulsion(file, &report);
+        }
+        let file = report.conclude(file, file_name)?;
+        let assembly = report.conclude(expand::expand(&file, &report), file_name)?;
+        check::mass(&assembly.aircraft, &report);
+        if let Some(asked) = &file.symmetric {
+            check::symmetry(&assembly, asked, &report);
+        }
+        report.conclude(Some(assembly.aircraft), file_name)
+    }
+}
+
+fn syntax(report: &Report, error: &toml::de::Error) {
+    let place = Place { span: error.span().unwrap_or_default(), field: "syntax".to_owned() };
+    report.add(Problem::Syntax, &place, error.message(), "TOML 1.0 is allowed");
+}

@@ -1,0 +1,297 @@
+//! A TOML document as values that know their place and complain by themselves.
+//!
+//! Reading the parsed document directly, rather than through serde's derive, lets one pass collect every
+//! mistake of a file and keeps the place of every value until it is used.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::error::{Place, Problem, Report, join};
+
+/// The numbers that a quantity can take.
+pub(super) struct Allowed {
+    contains: fn(f64) -> bool,
+    text: &'static str,
+}
+
+pub(super) const ANY: Allowed = Allowed { contains: |_| true, text: "a finite number is allowed" };
+pub(super) const POSITIVE: Allowed =
+    Allowed { contains: |x| x > 0.0, text: "a number greater than 0 is allowed" };
+pub(super) const NOT_NEGATIVE: Allowed =
+    Allowed { contains: |x| x >= 0.0, text: "0 or a greater number is allowed" };
+pub(super) const FRACTION: Allowed =
+    Allowed { contains: |x| (0.0..=1.0).contains(&x), text: "a fraction from 0 to 1 is allowed" };
+pub(super) const INSIDE_THE_CHORD: Allowed = Allowed {
+    contains: |x| x > 0.0 && x < 1.0,
+    text: "a fraction of the chord behind the leading edge is allowed, greater than 0 and less than 1",
+};
+pub(super) const NEAR_THE_CHORD: Allowed = Allowed {
+    contains: |x| (-1.0..=2.0).contains(&x),
+    text: "a fraction of the chord behind the leading edge is allowed, from -1 to 2",
+};
+pub(super) const ANGLE_DEG: Allowed = Allowed {
+    contains: |x| (-90.0..=90.0).contains(&x),
+    text: "an angle in degrees from -90 to 90 is allowed",
+};
+
+impl Allowed {
+    /// Complains about a number that is not finite or not allowed; true when it is in order.
+    pub(super) fn check(&self, number: f64, place: &Place, report: &Report) -> bool {
+        if !number.is_finite() {
+            report.add(Problem::NotFinite, place, format!("found {number}"), self.text);
+        } else if !(self.contains)(number) {
+            report.add(Problem::OutOfRange, place, format!("found {number}"), self.text);
+        } else {
+            return true;
+        }
+        false
+    }
+}
+
+/// A value that was read, with its place for later complaints.
+#[derive(Clone, Debug)]
+pub(super) struct Located<T> {
+    pub(super) value: T,
+    pub(super) place: Place,
+}
+
+/// A TOML value.
+pub(super) struct Value<'r, 't> {
+    value: &'r DeValue<'t>,
+    pub(super) place: Place,
+    pub(super) report: &'r Report<'t>,
+}
+
+impl<'r, 't> Value<'r, 't> {
+    fn new(value: &'r Spanned<DeValue<'t>>, field: String, report: &'r Report<'t>) -> Self {
+        Value { value: value.get_ref(), place: Place { span: value.span(), field }, report }
+    }
+
+    /// Complains that the value is of the wrong kind; `what` is allowed.
+    pub(super) fn wrong<T>(&self, what: &str) -> Option<T> {
+        let found = match self.value {
+            DeValue::String(text) => format!("found the text \"{text}\""),
+            DeValue::Integer(number) => format!("found {number}"),
+            DeValue::Float(number) => format!("found {number}"),
+            DeValue::Boolean(flag) => format!("found {flag}"),
+            DeValue::Datetime(date) => format!("found the date {date}"),
+            DeValue::Array(list) => format!("found a list of {}", list.len()),
+            DeValue::Table(_) => "found a table".to_owned(),
+        };
+        self.report.add(Problem::WrongType, &self.place, found, format!("{what} is allowed"));
+        None
+    }
+
+    pub(super) fn located<T>(&self, read: impl FnOnce(&Self) -> Option<T>) -> Option<Located<T>> {
+        read(self).map(|value| Located { value, place: self.place.clone() })
+    }
+
+    fn as_number(&self) -> Option<f64> {
+        match self.value {
+            DeValue::Integer(number) => {
+                i64::from_str_radix(number.as_str(), number.radix()).ok().map(|n| n as f64)
+            }
+            DeValue::Float(number) => number.as_str().parse().ok(),
+            _ => None,
+        }
+    }
+
+    pub(super) fn is_number(&self) -> bool {
+        matches!(self.value, DeValue::Integer(_) | DeValue::Float(_))
+    }
+
+    pub(super) fn has_field(&self, field: &str) -> bool {
+        matches!(self.value, DeValue::Table(table) if table.contains_key(field))
+    }
+
+    pub(super) fn number(&self, allowed: &Allowed) -> Option<f64> {
+        match self.as_number() {
+            Some(number) => allowed.check(number, &self.place, self.report).then_some(number),
+            None => self.wrong("a number"),
+        }
+    }
+
+    /// A whole number in the range.
+    pub(super) fn integer(&self, allowed: Range<usize>) -> Option<usize> {
+        let text = format!("a whole number from {} to {}", allowed.start, allowed.end - 1);
+        let DeValue::Integer(number) = self.value else { return self.wrong(&text) };
+        match usize::from_str_radix(number.as_str(), number.radix()) {
+            Ok(number) if allowed.contains(&number) => Some(number),
+            _ => {
+                let (found, allowed) = (format!("found {number}"), format!("{text} is allowed"));
+                self.report.add(Problem::OutOfRange, &self.place, found, allowed);
+                None
+            }
+        }
+    }
+
+    pub(super) fn flag(&self) -> Option<bool> {
+        match self.value {
+            DeValue::Boolean(flag) => Some(*flag),
+            _ => self.wrong("true or false"),
+        }
+    }
+
+    pub(super) fn text(&self) -> Option<String> {
+        match self.value {
+            DeValue::String(text) => Some(text.to_string()),
+            _ => self.wrong("a text"),
+        }
+    }
+
+    /// A name that can be part of an FMI variable name: letters, digits and underscores.
+    pub(super) fn name(&self) -> Option<String> {
+        let name = self.text()?;
+        let starts_well = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
+        if starts_well && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
+            return Some(name);
+        }
+        self.wrong("a name of letters, digits and underscores that does not begin with a digit")
+    }
+
+    /// One of a few words.
+    pub(super) fn one_of<T: Copy>(&self, words: &[(&str, T)]) -> Option<T> {
+        let chosen = match self.value {
+            DeValue::String(text) => words.iter().find(|(word, _)| word == text),
+            _ => None,
+        };
+        let list = || words.iter().map(|(word, _)| format!("\"{word}\"")).collect::<Vec<_>>().join(" or ");
+        chosen.map(|(_, meaning)| *meaning).or_else(|| self.wrong(&list()))
+    }
+
+    pub(super) fn list(&self, what: &str) -> Option<Vec<Value<'r, 't>>> {
+        let DeValue::Array(list) = self.value else { return self.wrong(what) };
+        let entry = |(i, value)| Value::new(value, format!("{}[{}]", self.place.field, i + 1), self.report);
+        Some(list.iter().enumerate().map(entry).collect())
+    }
+
+    /// At least one number.
+    pub(super) fn numbers(&self, allowed: &Allowed) -> Option<Vec<f64>> {
+        let list = self.list("a list of numbers")?;
+        if list.is_empty() {
+            return self.wrong("a list of at least one number");
+        }
+        let numbers: Vec<Option<f64>> = list.iter().map(|value| value.number(allowed)).collect();
+        numbers.into_iter().collect()
+    }
+
+    /// A number or a list of numbers, each with its own place.
+    pub(super) fn one_or_more_numbers(&self, allowed: &Allowed) -> Option<Vec<Located<f64>>> {
+        if self.is_number() {
+            return Some(vec![self.located(|value| value.number(allowed))?]);
+        }
+        let list = self.list("a number or a list of numbers")?;
+        if list.is_empty() {
+            return self.wrong("a number or a list of at least one number");
+        }
+        let read = |value: &Value| value.located(|value| value.number(allowed));
+        let numbers: Vec<_> = list.iter().map(read).collect();
+        numbers.into_iter().collect()
+    }
+
+    /// Three numbers.
+    pub(super) fn vector(&self, allowed: &Allowed) -> Option<Vector3<f64>> {
+        match self.list("a list of three numbers")?.as_slice() {
+            [x, y, z] => {
+                let (x, y, z) = (x.number(allowed), y.number(allowed), z.number(allowed));
+                Some(Vector3::new(x?, y?, z?))
+            }
+            _ => self.wrong("a list of three numbers"),
+        }
+    }
+
+    /// Three numbers of which at least one is not 0, scaled to length 1.
+    pub(super) fn direction(&self) -> Option<Vector3<f64>> {
+        let vector = self.vector(&ANY)?;
+        vector.try_normalize(1e-9).or_else(|| {
+            let allowed = "a vector with a direction is allowed";
+            self.report.add(Problem::NoDirection, &self.place, "found a vector of length 0", allowed);
+            None
+        })
+    }
+
+    /// A table of the given fields.
+    pub(super) fn table(&self, fields: &'static [&'static str]) -> Option<Table<'r, 't>> {
+        let DeValue::Table(table) = self.value else { return self.wrong("a table") };
+        Some(Table::new(table, self.place.clone(), fields, self.report))
+    }
+}
+
+/// A TOML table of known fields.
+pub(super) struct Table<'r, 't> {
+    table: &'r DeTable<'t>,
+    pub(super) place: Place,
+    fields: &'static [&'static str],
+    pub(super) report: &'r Report<'t>,
+}
+
+impl<'r, 't> Table<'r, 't> {
+    /// Takes a table and complains about every field that is not among the `fields` of the format.
+    pub(super) fn new(
+        table: &'r DeTable<'t>,
+        place: Place,
+        fields: &'static [&'static str],
+        report: &'r Report<'t>,
+    ) -> Self {
+        for key in table.keys().filter(|key| !fields.contains(&key.get_ref().as_ref())) {
+            let field = join(&place.field, key.get_ref());
+            let found = format!("found the unknown field \"{}\"", key.get_ref());
+            let allowed = format!("allowed here: {}", fields.join(", "));
+            report.add(Problem::UnknownField, &Place { span: key.span(), field }, found, allowed);
+        }
+        Table { table, place, fields, report }
+    }
+
+    pub(super) fn optional(&self, field: &str) -> Option<Value<'r, 't>> {
+        debug_assert!(self.fields.contains(&field), "{field} must be among the fields of the table");
+        let value = self.table.get(field)?;
+        Some(Value::new(value, join(&self.place.field, field), self.report))
+    }
+
+    pub(super) fn required(&self, field: &str) -> Option<Value<'r, 't>> {
+        let value = self.optional(field);
+        if value.is_none() {
+            let found = format!("the field \"{field}\" is missing");
+            let allowed = format!("it is needed; allowed here: {}", self.fields.join(", "));
+            self.report.add(Problem::MissingField, &self.place.within(field), found, allowed);
+        }
+        value
+    }
+
+    /// Exactly one of some fields that stand for each other.
+    pub(super) fn either(&self, fields: &[&'static str]) -> Option<(&'static str, Value<'r, 't>)> {
+        let mut present = fields.iter().filter_map(|&field| Some((field, self.optional(field)?)));
+        let first = present.next();
+        let allowed = || format!("exactly one of {} is allowed", fields.join(", "));
+        match (&first, present.next()) {
+            (Some(_), None) => return first,
+            (None, _) => {
+                let found = format!("none of {} is there", fields.join(", "));
+                self.report.add(Problem::MissingField, &self.place.within(fields[0]), found, allowed());
+            }
+            (Some((one, _)), Some((two, value))) => {
+                let found = format!("found \"{one}\" and \"{two}\"");
+                self.report.add(Problem::Contradiction, &value.place, found, allowed());
+            }
+        }
+        None
+    }
+
+    /// The tables of an array of tables, none when the field is absent. Those with a name are called by it.
+    pub(super) fn tables(&self, field: &str, fields: &'static [&'static str]) -> Vec<Table<'r, 't>> {
+        let Some(value) = self.optional(field) else { return Vec::new() };
+        let list = value.list(&format!("a list of tables ([[{}]])", value.place.field)).unwrap_or_default();
+        let named = |mut entry: Value<'r, 't>| {
+            if let DeValue::Table(table) = entry.value
+                && let Some(DeValue::String(name)) = table.get("name").map(Spanned::get_ref)
+            {
+                entry.place.field = format!("{}.{name}", value.place.field);
+            }
+            entry.table(fields)
+        };
+        list.into_iter().filter_map(named).collect()
+    }
+}

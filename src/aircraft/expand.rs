@@ -1,0 +1,264 @@
+//! From components to the whole airframe: every component is built once, then placed as written and, when
+//! it has a mirror image, once more on the other side.
+
+use nalgebra::Vector3;
+
+use super::document::Located;
+use super::error::{Place, Problem, Report};
+use super::geometry::{Line, Side};
+use super::law::Laws;
+use super::masses::{self, LocatedBay};
+use super::model::{Aircraft, Attachment, Beam, ControlGains, Engine, Flap, MassBay, Station, Strip};
+use super::schema::{Along, ComponentSpec, EngineSpec, FileSpec, ParentSpec, StationSpec};
+use super::surfaces;
+
+/// The aircraft with the places of the file that its parts come from.
+pub(super) struct Assembly {
+    pub(super) aircraft: Aircraft,
+    /// One for each beam.
+    pub(super) beam_places: Vec<Place>,
+    /// One for each bay.
+    pub(super) bay_places: Vec<Place>,
+}
+
+/// A component by itself; nodes and elements count from its root, vectors from its attachment point.
+struct Part<'s> {
+    spec: &'s ComponentSpec,
+    line: Line,
+    beams: Vec<Beam>,
+    bays: Vec<LocatedBay>,
+    strips: Vec<Strip>,
+}
+
+/// Where a component came to lie.
+struct Placed<'p> {
+    name: &'p str,
+    /// The name of its mirror image.
+    partner: Option<&'p str>,
+    line: &'p Line,
+    /// From the attachment point on.
+    nodes: Vec<usize>,
+    first_beam: usize,
+}
+
+/// Builds the aircraft; what is wrong with it is reported and `None`.
+pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
+    let parts: Vec<_> = file.components.iter().map(|spec| build(spec, report)).collect();
+    let parts: Vec<Part> = parts.into_iter().collect::<Option<_>>()?;
+    let mut assembly = Assembly {
+        aircraft: Aircraft {
+            name: file.name.clone(),
+            gravity: file.gravity,
+            support: file.support.value,
+            mode_basis: file.mode_basis,
+            inflow_states: file.inflow_states,
+            nodes: vec![Vector3::zeros()],
+            beams: Vec::new(),
+            bays: Vec::new(),
+            strips: Vec::new(),
+            engines: Vec::new(),
+            stations: Vec::new(),
+        },
+        beam_places: Vec::new(),
+        bay_places: Vec::new(),
+    };
+    let mut placed = Vec::new();
+    for part in &parts {
+        let (name, mirror) = (&part.spec.name, part.spec.mirror.as_ref());
+        let root = attachment_node(part.spec, Side::AsWritten, &placed, &assembly, report);
+        let partner = mirror.map(|mirror| mirror.value.as_str());
+        let as_written = assembly.place(part, Side::AsWritten, &name.value, root.unwrap_or(0), partner);
+        let image = mirror.map(|mirror| {
+            let root =
+                root.and_then(|_| attachment_node(part.spec, Side::Mirrored, &placed, &assembly, report));
+            assembly.place(part, Side::Mirrored, &mirror.value, root.unwrap_or(0), Some(&name.value))
+        });
+        placed.push(as_written);
+        placed.extend(image);
+    }
+    let engines = file.engines.iter().filter_map(|spec| engine(spec, &placed, report)).collect();
+    assembly.aircraft.engines = engines;
+    let stations = file.stations.iter().filter_map(|s| station(s, &placed, &assembly.aircraft, report));
+    let stations = stations.collect();
+    assembly.aircraft.stations = stations;
+    Some(assembly)
+}
+
+fn build<'s>(spec: &'s ComponentSpec, report: &Report) -> Option<Part<'s>> {
+    let line = Line::of(spec, report)?;
+    let laws = Laws { chord: spec.chord.as_ref(), named: &spec.stiffness, elements: line.elements(), report };
+    let beams = beams(spec, &line, &laws);
+    let mut bays = Some(Vec::new());
+    let mut strips = Some(Vec::new());
+    let distributed = spec.distributed_masses.iter().map(|mass| masses::distributed(mass, &line, &laws));
+    let at_points = spec.point_masses.iter().map(|mass| masses::at_points(mass, &line, report));
+    for more in distributed.chain(at_points) {
+        bays = extended(bays, more);
+    }
+    for surface in &spec.surfaces {
+        strips = extended(strips, surfaces::strips(surface, &line, &laws));
+    }
+    Some(Part { spec, beams: beams?, bays: bays?, strips: strips?, line })
+}
+
+/// Both lists after one another, when both could be made.
+fn extended<T>(list: Option<Vec<T>>, more: Option<Vec<T>>) -> Option<Vec<T>> {
+    let (mut list, more) = (list?, more?);
+    list.extend(more);
+    Some(list)
+}
+
+fn beams(spec: &ComponentSpec, line: &Line, laws: &Laws) -> Option<Vec<Beam>> {
+    let middles = line.points_at(0.5);
+    let values = spec.stiffness.iter().map(|(_, law)| laws.values(law, &middles));
+    let stiffness: Vec<Vec<f64>> = values.collect::<Vec<_>>().into_iter().collect::<Option<_>>()?;
+    let beam = |element: usize| {
+        Some(Beam {
+            component: spec.name.value.clone(),
+            nodes: [element, element + 1],
+            y_axis: y_axis(spec, line, element, laws.report)?,
+            axial_stiffness: stiffness[0][element],
+            torsional_stiffness: stiffness[1][element],
+            bending_stiffness_y: stiffness[2][element],
+            bending_stiffness_z: stiffness[3][element],
+        })
+    };
+    (0..line.elements()).map(beam).collect()
+}
+
+/// The written direction made perpendicular to the element.
+fn y_axis(spec: &ComponentSpec, line: &Line, element: usize, report: &Report) -> Option<Vector3<f64>> {
+    let (written, x_axis) = (spec.y_axis.value, line.span(element).normalize());
+    (written - x_axis * x_axis.dot(&written)).try_normalize(1e-6).or_else(|| {
+        let found = format!("found a direction along element {} itself", element + 1);
+        report.add(Problem::NoDirection, &spec.y_axis.place, found, "a direction across the beam is allowed");
+        None
+    })
+}
+
+/// The node that a component hangs on.
+fn attachment_node(
+    spec: &ComponentSpec,
+    side: Side,
+    placed: &[Placed],
+    assembly: &Assembly,
+    report: &Report,
+) -> Option<usize> {
+    let ParentSpec::Component { name, at } = &spec.parent else { return Some(0) };
+    let names: Vec<&str> = placed.iter().map(|other| other.name).collect();
+    let Some(parent) = placed.iter().find(|other| other.name == name.value) else {
+        let found = format!("found \"{}\", which is not a component above this one", name.value);
+        let allowed = format!("allowed: \"origin\" or one of the components above: {}", names.join(", "));
+        report.add(Problem::Disconnected, &name.place, found, allowed);
+        return None;
+    };
+    let Some(node) = parent.line.node_at(at.value) else {
+        let elements = parent.line.elements();
+        let found = format!("found {}, where \"{}\" has no node", at.value, name.value);
+        let allowed =
+            format!("the fraction of one of its {} nodes is allowed, 0 and 1 among them", elements + 1);
+        report.add(Problem::Disconnected, &at.place, found, allowed);
+        return None;
+    };
+    if side == Side::AsWritten {
+        return Some(parent.nodes[node]);
+    }
+    let image = parent.partner.and_then(|partner| placed.iter().find(|other| other.name == partner));
+    let node = image.unwrap_or(parent).nodes[node];
+    if image.is_none() && assembly.aircraft.nodes[node].y.abs() > 1e-9 {
+        let found = format!("found \"{}\", which is off the plane y = 0 and has no mirror image", name.value);
+        let allowed = "a mirrored component is allowed on a parent in the plane or one that is mirrored too";
+        report.add(Problem::Disconnected, &name.place, found, allowed);
+        return None;
+    }
+    Some(node)
+}
+
+impl Assembly {
+    fn place<'p>(
+        &mut self,
+        part: &'p Part,
+        side: Side,
+        name: &'p str,
+        root: usize,
+        partner: Option<&'p str>,
+    ) -> Placed<'p> {
+        let aircraft = &mut self.aircraft;
+        let (origin, first_node, first_beam) =
+            (aircraft.nodes[root], aircraft.nodes.len(), aircraft.beams.len());
+        let nodes: Vec<usize> =
+            std::iter::once(root).chain(first_node..first_node + part.beams.len()).collect();
+        let points = part.line.points.iter().skip(1);
+        aircraft.nodes.extend(points.map(|point| origin + side.vector(*point)));
+        let on_airframe = |local: Attachment| Attachment { beam: first_beam + local.beam, ..local };
+        for beam in &part.beams {
+            aircraft.beams.push(Beam {
+                component: name.to_owned(),
+                nodes: beam.nodes.map(|local| nodes[local]),
+                y_axis: side.vector(beam.y_axis),
+                ..beam.clone()
+            });
+            self.beam_places.push(part.spec.name.place.clone());
+        }
+        for (bay, place) in &part.bays {
+            aircraft.bays.push(MassBay {
+                attachment: on_airframe(bay.attachment),
+                mass: bay.mass,
+                offset: side.vector(bay.offset),
+                inertia: side.inertia(bay.inertia),
+            });
+            self.bay_places.push(place.clone());
+        }
+        for strip in &part.strips {
+            aircraft.strips.push(Strip {
+                attachment: on_airframe(strip.attachment),
+                forward: side.vector(strip.forward),
+                span: side.axis(strip.span),
+                flap: strip.flap.map(|flap| Flap { gains: gains_on(side, flap.gains), ..flap }),
+                ..strip.clone()
+            });
+        }
+        Placed { name, partner, line: &part.line, nodes, first_beam }
+    }
+}
+
+/// A mirrored elevator moves alike, ailerons and rudders move oppositely (with respect to +n).
+fn gains_on(side: Side, gains: ControlGains) -> ControlGains {
+    match side {
+        Side::AsWritten => gains,
+        Side::Mirrored => ControlGains { aileron: -gains.aileron, rudder: -gains.rudder, ..gains },
+    }
+}
+
+/// One place on a component, mirror images included.
+fn attach(name: &Located<String>, along: &Along, placed: &[Placed], report: &Report) -> Option<Attachment> {
+    let Some(component) = placed.iter().find(|other| other.name == name.value) else {
+        let names: Vec<&str> = placed.iter().map(|other| other.name).collect();
+        let found = format!("found \"{}\", which is not a component", name.value);
+        report.add(Problem::UnknownName, &name.place, found, format!("allowed: {}", names.join(", ")));
+        return None;
+    };
+    let local = match component.line.locate(along, report)?.as_slice() {
+        [one] => *one,
+        several => {
+            let (found, allowed) = (format!("found {} places", several.len()), "one place is allowed");
+            report.add(Problem::WrongType, &name.place, found, allowed);
+            return None;
+        }
+    };
+    Some(Attachment { beam: component.first_beam + local.beam, ..local })
+}
+
+fn engine(spec: &EngineSpec, placed: &[Placed], report: &Report) -> Option<Engine> {
+    let attachment = attach(&spec.component, &spec.along, placed, report)?;
+    let name = spec.name.value.clone();
+    Some(Engine { name, attachment, offset: spec.offset, direction: spec.direction })
+}
+
+fn station(spec: &StationSpec, placed: &[Placed], aircraft: &Aircraft, report: &Report) -> Option<Station> {
+    let attachment = attach(&spec.component, &spec.along, placed, report)?;
+    let strip = aircraft.strips.iter().find(|strip| strip.attachment.beam == attachment.beam);
+    let [from, to] = aircraft.beams[attachment.beam].nodes.map(|node| aircraft.nodes[node]);
+    let twist_axis = strip.map_or_else(|| (to - from).normalize(), |strip| strip.span);
+    Some(Station { name: spec.name.value.clone(), attachment, twist_axis })
+}

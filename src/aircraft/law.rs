@@ -1,0 +1,204 @@
+//! How a quantity varies along a component: a number, or one of five forms.
+
+use super::document::{ANY, Allowed, FRACTION, Table, Value};
+use super::error::{Place, Problem, Report};
+
+/// A point of a component: the fraction s of its length and the element in which it lies.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Point {
+    pub(super) s: f64,
+    pub(super) element: usize,
+}
+
+#[derive(Clone, Debug)]
+enum Form {
+    Constant(f64),
+    PerElement(Vec<f64>),
+    /// Linear between the pairs, constant beyond the first and the last.
+    Piecewise {
+        at: Vec<f64>,
+        values: Vec<f64>,
+    },
+    /// Coefficients of 1, s, s² …
+    Polynomial(Vec<f64>),
+    /// root · (c / c(0))^power.
+    ChordPower {
+        root: f64,
+        power: f64,
+    },
+    /// factor · another law of the same component.
+    Multiple {
+        of: String,
+        factor: f64,
+    },
+}
+
+/// A law of the file, with what its values may be.
+#[derive(Clone)]
+pub(super) struct Law {
+    form: Form,
+    place: Place,
+    allowed: &'static Allowed,
+}
+
+/// The forms by the field that tells them apart, each with all its fields.
+const FORMS: [&[&str]; 5] = [
+    &["per_element"],
+    &["at", "values"],
+    &["polynomial"],
+    &["root", "chord_power"],
+    &["multiple_of", "factor"],
+];
+
+const FORMS_TEXT: &str = "a number or a table of one form ({ per_element }, { at, values }, { polynomial }, \
+                          { root, chord_power }, { multiple_of, factor })";
+
+impl Law {
+    /// Reads a law whose values must be `allowed`.
+    pub(super) fn read(value: &Value, allowed: &'static Allowed) -> Option<Law> {
+        let place = value.place.clone();
+        if value.is_number() {
+            return Some(Law { form: Form::Constant(value.number(allowed)?), place, allowed });
+        }
+        let Some(fields) = FORMS.into_iter().find(|fields| value.has_field(fields[0])) else {
+            return value.wrong(FORMS_TEXT);
+        };
+        let table = value.table(fields)?;
+        let form = match fields[0] {
+            "per_element" => Form::PerElement(table.required("per_element")?.numbers(allowed)?),
+            "at" => read_piecewise(&table, allowed)?,
+            "polynomial" => Form::Polynomial(table.required("polynomial")?.numbers(&ANY)?),
+            "root" => {
+                let root = table.required("root").and_then(|v| v.number(allowed));
+                let power = table.required("chord_power").and_then(|v| v.number(&ANY));
+                Form::ChordPower { root: root?, power: power? }
+            }
+            _ => {
+                let of = table.required("multiple_of").and_then(|v| v.text());
+                let factor = table.required("factor").and_then(|v| v.number(&ANY));
+                Form::Multiple { of: of?, factor: factor? }
+            }
+        };
+        Some(Law { form, place, allowed })
+    }
+}
+
+fn read_piecewise(table: &Table, allowed: &Allowed) -> Option<Form> {
+    let at = table.required("at").and_then(|v| v.numbers(&FRACTION));
+    let values = table.required("values").and_then(|v| v.numbers(allowed));
+    let (at, values) = (at?, values?);
+    if at.len() != values.len() {
+        let found = format!("found {} places and {} values", at.len(), values.len());
+        table.report.add(Problem::WrongType, &table.place, found, "as many values as places are allowed");
+        return None;
+    }
+    if at.windows(2).any(|pair| pair[1] <= pair[0]) {
+        let found = format!("found the places {at:?}");
+        table.report.add(
+            Problem::OutOfRange,
+            &table.place.within("at"),
+            found,
+            "increasing places are allowed",
+        );
+        return None;
+    }
+    Some(Form::Piecewise { at, values })
+}
+
+fn piecewise(at: &[f64], values: &[f64], s: f64) -> f64 {
+    let next = at.partition_point(|&place| place < s);
+    if next == 0 {
+        return values[0];
+    }
+    if next == at.len() {
+        return values[next - 1];
+    }
+    let fraction = (s - at[next - 1]) / (at[next] - at[next - 1]);
+    values[next - 1] + fraction * (values[next] - values[next - 1])
+}
+
+/// The laws of one component that others can refer to.
+pub(super) struct Laws<'a> {
+    pub(super) chord: Option<&'a Law>,
+    /// By the name of the field.
+    pub(super) named: &'a [(&'static str, Law)],
+    /// Number of elements of the component.
+    pub(super) elements: usize,
+    pub(super) report: &'a Report<'a>,
+}
+
+impl Laws<'_> {
+    /// The values of a law at some points, or a complaint at the first that is not allowed.
+    pub(super) fn values(&self, law: &Law, points: &[Point]) -> Option<Vec<f64>> {
+        let values = self.unchecked(law, points)?;
+        for (value, point) in values.iter().zip(points) {
+            let place = law.place.within(&format!("element[{}]", point.element + 1));
+            if !law.allowed.check(*value, &place, self.report) {
+                return None;
+            }
+        }
+        Some(values)
+    }
+
+    /// The chord at some points; complains at the `place` that needs it when the component has none.
+    pub(super) fn chords(&self, points: &[Point], place: &Place) -> Option<Vec<f64>> {
+        let Some(chord) = self.chord else {
+            let found = "found a quantity in terms of the chord, and no chord_m";
+            let allowed = "it is allowed in a component that has a law chord_m";
+            self.report.add(Problem::MissingField, place, found, allowed);
+            return None;
+        };
+        if let Form::ChordPower { .. } | Form::Multiple { .. } = chord.form {
+            let found = "found a chord in terms of another law";
+            let allowed = "a number or a table { per_element }, { at, values } or { polynomial } is allowed";
+            self.report.add(Problem::Contradiction, &chord.place, found, allowed);
+            return None;
+        }
+        self.values(chord, points)
+    }
+
+    fn unchecked(&self, law: &Law, points: &[Point]) -> Option<Vec<f64>> {
+        let each = |value: &dyn Fn(&Point) -> f64| Some(points.iter().map(value).collect());
+        match &law.form {
+            Form::Constant(value) => each(&|_| *value),
+            Form::PerElement(values) if values.len() == self.elements => each(&|p| values[p.element]),
+            Form::PerElement(values) => {
+                let found = format!("found {} values", values.len());
+                let allowed = format!("one for each of the {} elements is allowed", self.elements);
+                self.report.add(Problem::WrongType, &law.place.within("per_element"), found, allowed);
+                None
+            }
+            Form::Piecewise { at, values } => each(&|p| piecewise(at, values, p.s)),
+            Form::Polynomial(terms) => each(&|p| terms.iter().rev().fold(0.0, |sum, term| sum * p.s + term)),
+            Form::ChordPower { root, power } => {
+                let root_chord = self.chords(&[Point { s: 0.0, element: 0 }], &law.place)?[0];
+                let chords = self.chords(points, &law.place)?;
+                Some(chords.iter().map(|chord| root * libm::pow(chord / root_chord, *power)).collect())
+            }
+            Form::Multiple { of, factor } => {
+                let base = self.base(law, of)?;
+                Some(self.unchecked(base, points)?.iter().map(|value| factor * value).collect())
+            }
+        }
+    }
+
+    /// The law that another is a multiple of.
+    fn base(&self, law: &Law, of: &str) -> Option<&Law> {
+        let base = self.named.iter().find(|(name, _)| *name == of).map(|(_, base)| base);
+        match base {
+            Some(base) if !matches!(base.form, Form::Multiple { .. }) => return Some(base),
+            Some(_) => {
+                let found = format!("found a multiple of \"{of}\", which is itself a multiple");
+                let allowed = "a multiple of a law that stands for itself is allowed";
+                self.report.add(Problem::Contradiction, &law.place.within("multiple_of"), found, allowed);
+            }
+            None => {
+                let names: Vec<&str> = self.named.iter().map(|(name, _)| *name).collect();
+                let found = format!("found \"{of}\", which is not a law here");
+                let allowed = format!("allowed: {}", names.join(", "));
+                self.report.add(Problem::UnknownName, &law.place.within("multiple_of"), found, allowed);
+            }
+        }
+        None
+    }
+}

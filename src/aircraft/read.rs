@@ -1,0 +1,339 @@
+//! From the TOML document to the [`schema`](super::schema): which fields there are and what they may hold.
+
+use nalgebra::Vector3;
+use toml::de::DeTable;
+
+use super::document::{
+    ANGLE_DEG, ANY, Allowed, FRACTION, INSIDE_THE_CHORD, Located, NEAR_THE_CHORD, NOT_NEGATIVE, POSITIVE,
+    Table, Value,
+};
+use super::error::{Place, Problem, Report};
+use super::law::Law;
+use super::model::{ModeBasis, Support};
+use super::schema::{
+    Along, ComponentSpec, ControlSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, InertiaSpec,
+    Input, MassPartSpec, ParentSpec, PointMassesSpec, STIFFNESS, StationSpec, SurfaceSpec,
+};
+
+const FILE: &[&str] = &[
+    "format",
+    "name",
+    "gravity_m_s2",
+    "support",
+    "mode_basis",
+    "inflow_states",
+    "symmetric",
+    "component",
+    "engine",
+    "station",
+];
+const COMPONENT: &[&str] = &[
+    "name",
+    "mirror",
+    "attached_to",
+    "axis_m",
+    "elements",
+    "y_axis",
+    "EA_N",
+    "GJ_N_m2",
+    "EI_y_N_m2",
+    "EI_z_N_m2",
+    "chord_m",
+    "distributed_mass",
+    "point_masses",
+    "surface",
+];
+const DISTRIBUTED_MASS: &[&str] =
+    &["parts", "offset_chords", "offset_m", "gyration_chords", "gyration_lengths", "added_inertia_kg_m2"];
+const POINT_MASSES: &[&str] = &[
+    "at_m",
+    "at",
+    "mass_kg",
+    "total_kg",
+    "shares",
+    "shares_of",
+    "offset_m",
+    "gyration_m",
+    "inertia_kg_m2",
+    "products_kg_m2",
+];
+const SURFACE: &[&str] = &[
+    "position_in_element",
+    "from",
+    "to",
+    "elastic_axis",
+    "chord_m",
+    "span_axis",
+    "incidence_deg",
+    "width_m",
+    "lift_slope_per_rad",
+    "zero_lift_offset_deg",
+    "profile_drag",
+    "leading_edge_suction",
+    "flap",
+    "control",
+];
+const CONTROL: &[&str] = &["input", "gain", "from", "to"];
+const ENGINE: &[&str] = &["name", "component", "at_m", "at", "offset_m", "direction"];
+const STATION: &[&str] = &["name", "component", "at_m", "at"];
+
+/// Reads the whole document; what could not be read is `None` and complained about.
+pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec> {
+    let table = Table::new(document, Place { span: 0..0, field: String::new() }, FILE, report);
+    let supports = [("free", Support::Free), ("clamped", Support::Clamped)];
+    let bases = [("bending_torsion", ModeBasis::BendingTorsion), ("full", ModeBasis::Full)];
+    table.required("format").and_then(|v| v.integer(1..2));
+    let name = table.required("name").and_then(|v| v.text());
+    let support = table.required("support").and_then(|v| v.located(|v| v.one_of(&supports)));
+    let mode_basis = table.required("mode_basis").and_then(|v| v.one_of(&bases));
+    table.required("component");
+    let components = table.tables("component", COMPONENT);
+    let components: Vec<_> = components.iter().map(read_component).collect();
+    let engines: Vec<_> = table.tables("engine", ENGINE).iter().map(read_engine).collect();
+    let stations: Vec<_> = table.tables("station", STATION).iter().map(read_station).collect();
+    Some(FileSpec {
+        gravity: number_or(&table, "gravity_m_s2", &NOT_NEGATIVE, 9.80665),
+        inflow_states: table.optional("inflow_states").and_then(|v| v.integer(0..9)).unwrap_or(5),
+        symmetric: table.optional("symmetric").filter(|v| v.flag() == Some(true)).map(|v| v.place),
+        name: name?,
+        support: support?,
+        mode_basis: mode_basis?,
+        components: components.into_iter().collect::<Option<_>>()?,
+        engines: engines.into_iter().collect::<Option<_>>()?,
+        stations: stations.into_iter().collect::<Option<_>>()?,
+    })
+}
+
+fn number_or(table: &Table, field: &str, allowed: &Allowed, default: f64) -> f64 {
+    table.optional(field).and_then(|v| v.number(allowed)).unwrap_or(default)
+}
+
+fn vector_or_zero(table: &Table, field: &str, allowed: &Allowed) -> Vector3<f64> {
+    table.optional(field).and_then(|v| v.vector(allowed)).unwrap_or_default()
+}
+
+/// `from` and `to`, fractions of the component's length, by default all of it.
+fn read_stretch(table: &Table) -> (f64, f64) {
+    let (from, to) = (number_or(table, "from", &FRACTION, 0.0), number_or(table, "to", &FRACTION, 1.0));
+    if to <= from {
+        let found = format!("found from = {from} and to = {to}");
+        table.report.add(Problem::OutOfRange, &table.place.within("to"), found, "to > from is allowed");
+    }
+    (from, to)
+}
+
+fn read_along(table: &Table) -> Option<Along> {
+    let (field, value) = table.either(&["at_m", "at"])?;
+    let places = value.one_or_more_numbers(&ANY)?;
+    Some(if field == "at_m" { Along::Metres(places) } else { Along::Fractions(places) })
+}
+
+fn read_name(table: &Table, field: &str) -> Option<Located<String>> {
+    table.required(field)?.located(Value::name)
+}
+
+fn read_component(table: &Table) -> Option<ComponentSpec> {
+    let name = read_name(table, "name");
+    let parent = table.required("attached_to").and_then(|v| read_parent(&v));
+    let axis = table.required("axis_m").and_then(|v| v.located(read_corners));
+    let segments = axis.as_ref().map(|axis| axis.value.len() - 1);
+    let elements = table.required("elements").and_then(|v| read_elements(&v, segments?));
+    let y_axis = table.required("y_axis").and_then(|v| v.located(Value::direction));
+    let stiffness = STIFFNESS.map(|f| Some((f, table.required(f).and_then(|v| Law::read(&v, &POSITIVE))?)));
+    let chord = table.optional("chord_m").and_then(|v| Law::read(&v, &POSITIVE));
+    let distributed: Vec<_> =
+        table.tables("distributed_mass", DISTRIBUTED_MASS).iter().map(read_distributed_mass).collect();
+    let points: Vec<_> = table.tables("point_masses", POINT_MASSES).iter().map(read_point_masses).collect();
+    let surfaces: Vec<_> = table.tables("surface", SURFACE).iter().map(read_surface).collect();
+    Some(ComponentSpec {
+        mirror: table.optional("mirror").and_then(|v| v.located(Value::name)),
+        name: name?,
+        parent: parent?,
+        axis: axis?,
+        elements: elements?,
+        y_axis: y_axis?,
+        stiffness: stiffness.into_iter().collect::<Option<_>>()?,
+        chord,
+        distributed_masses: distributed.into_iter().collect::<Option<_>>()?,
+        point_masses: points.into_iter().collect::<Option<_>>()?,
+        surfaces: surfaces.into_iter().collect::<Option<_>>()?,
+    })
+}
+
+fn read_parent(value: &Value) -> Option<ParentSpec> {
+    if !value.has_field("component") {
+        return value.one_of(&[("origin", ())]).map(|()| ParentSpec::Origin);
+    }
+    let table = value.table(&["component", "at"])?;
+    let name = read_name(&table, "component");
+    let at = table.required("at").and_then(|v| v.located(|v| v.number(&FRACTION)));
+    Some(ParentSpec::Component { name: name?, at: at? })
+}
+
+fn read_corners(value: &Value) -> Option<Vec<Vector3<f64>>> {
+    let what = "a list of at least two points [x, y, z]";
+    let points = value.list(what)?;
+    if points.len() < 2 {
+        return value.wrong(what);
+    }
+    let points: Vec<_> = points.iter().map(|point| point.vector(&ANY)).collect();
+    points.into_iter().collect()
+}
+
+/// More elements than this are a slip of the pen, and would only run out of memory.
+const MOST_ELEMENTS: usize = 1000;
+
+fn read_elements(value: &Value, segments: usize) -> Option<Vec<usize>> {
+    let read = |value: &Value| value.integer(1..MOST_ELEMENTS + 1);
+    if value.is_number() {
+        let all = read(value)?;
+        return if segments == 1 { Some(vec![all]) } else { value.wrong(&one_per_segment(segments)) };
+    }
+    let list = value.list("a whole number, or a list with one for each segment of axis_m,")?;
+    if list.len() != segments {
+        return value.wrong(&one_per_segment(segments));
+    }
+    let numbers: Vec<_> = list.iter().map(read).collect();
+    numbers.into_iter().collect()
+}
+
+fn one_per_segment(segments: usize) -> String {
+    format!("a list of {segments} whole numbers, one for each segment of axis_m,")
+}
+
+fn read_distributed_mass(table: &Table) -> Option<DistributedMassSpec> {
+    table.required("parts");
+    let parts = table.tables("parts", &["total_kg", "chord_power", "from", "to"]);
+    let parts: Vec<_> = parts.iter().map(read_mass_part).collect();
+    let located = |field, allowed| table.optional(field).and_then(|v| v.located(|v| v.vector(allowed)));
+    Some(DistributedMassSpec {
+        place: table.place.clone(),
+        parts: parts.into_iter().collect::<Option<_>>()?,
+        offset_chords: located("offset_chords", &ANY),
+        offset: vector_or_zero(table, "offset_m", &ANY),
+        gyration_chords: located("gyration_chords", &NOT_NEGATIVE),
+        gyration_lengths: vector_or_zero(table, "gyration_lengths", &NOT_NEGATIVE),
+        added_inertia: vector_or_zero(table, "added_inertia_kg_m2", &NOT_NEGATIVE),
+    })
+}
+
+fn read_mass_part(table: &Table) -> Option<MassPartSpec> {
+    let (from, to) = read_stretch(table);
+    let total = table.required("total_kg")?.number(&POSITIVE)?;
+    let chord_power = number_or(table, "chord_power", &ANY, 0.0);
+    Some(MassPartSpec { place: table.place.clone(), total, chord_power, from, to })
+}
+
+fn read_point_masses(table: &Table) -> Option<PointMassesSpec> {
+    let along = read_along(table);
+    let (inertia, inertia_place) = read_inertia(table);
+    Some(PointMassesSpec {
+        masses: read_masses(table)?,
+        along: along?,
+        offset: vector_or_zero(table, "offset_m", &ANY),
+        inertia,
+        products: vector_or_zero(table, "products_kg_m2", &ANY),
+        inertia_place,
+    })
+}
+
+/// `mass_kg`, or `total_kg` divided by `shares`.
+fn read_masses(table: &Table) -> Option<Located<Vec<f64>>> {
+    let (field, value) = table.either(&["mass_kg", "total_kg"])?;
+    let place = value.place.clone();
+    if field == "mass_kg" {
+        for excluded in ["shares", "shares_of"].into_iter().filter_map(|field| table.optional(field)) {
+            let allowed = "shares are allowed together with total_kg";
+            table.report.add(Problem::Contradiction, &excluded.place, "found shares of mass_kg", allowed);
+        }
+        let masses = value.one_or_more_numbers(&POSITIVE)?;
+        return Some(Located { value: masses.into_iter().map(|mass| mass.value).collect(), place });
+    }
+    let total = value.number(&POSITIVE);
+    let shares = table.required("shares")?;
+    let place = shares.place.clone();
+    let shares = shares.numbers(&POSITIVE)?;
+    let whole = number_or(table, "shares_of", &POSITIVE, shares.iter().sum());
+    let total = total?;
+    Some(Located { value: shares.iter().map(|share| total * share / whole).collect(), place })
+}
+
+/// Radii of gyration or moments; a mass without either is a point.
+fn read_inertia(table: &Table) -> (InertiaSpec, Place) {
+    let point = || (InertiaSpec::Gyration(Vector3::zeros()), table.place.clone());
+    if table.optional("gyration_m").is_none() && table.optional("inertia_kg_m2").is_none() {
+        return point();
+    }
+    let Some((field, value)) = table.either(&["gyration_m", "inertia_kg_m2"]) else { return point() };
+    let Some(vector) = value.vector(&NOT_NEGATIVE) else { return point() };
+    let inertia =
+        if field == "gyration_m" { InertiaSpec::Gyration(vector) } else { InertiaSpec::Moments(vector) };
+    (inertia, value.place)
+}
+
+fn read_surface(table: &Table) -> Option<SurfaceSpec> {
+    let (from, to) = read_stretch(table);
+    let law = |field, allowed| table.optional(field).and_then(|v| Law::read(&v, allowed));
+    let needed = |field, allowed| table.required(field).and_then(|v| Law::read(&v, allowed));
+    let (lift_slope, drag) =
+        (needed("lift_slope_per_rad", &NOT_NEGATIVE), needed("profile_drag", &NOT_NEGATIVE));
+    let elastic_axis = table.required("elastic_axis").and_then(|v| v.number(&NEAR_THE_CHORD));
+    let controls: Vec<_> = table.tables("control", CONTROL).iter().map(read_control).collect();
+    let flap = table.optional("flap");
+    if flap.is_none() && !controls.is_empty() {
+        let (found, allowed) =
+            ("found a control and no flap", "it is needed; allowed: { lift_slope_per_rad, hinge }");
+        table.report.add(Problem::MissingField, &table.place.within("flap"), found, allowed);
+    }
+    Some(SurfaceSpec {
+        place: table.place.clone(),
+        position: number_or(table, "position_in_element", &FRACTION, 0.5),
+        from,
+        to,
+        chord: law("chord_m", &POSITIVE),
+        span_axis: table.optional("span_axis").and_then(|v| v.direction()),
+        incidence: number_or(table, "incidence_deg", &ANGLE_DEG, 0.0).to_radians(),
+        width: law("width_m", &POSITIVE),
+        zero_lift_offset: number_or(table, "zero_lift_offset_deg", &ANGLE_DEG, 0.0).to_radians(),
+        leading_edge_suction: number_or(table, "leading_edge_suction", &FRACTION, 0.0),
+        flap: flap.and_then(|v| read_flap(&v)),
+        controls: controls.into_iter().collect::<Option<_>>()?,
+        elastic_axis: elastic_axis?,
+        lift_slope: lift_slope?,
+        profile_drag: drag?,
+    })
+}
+
+fn read_flap(value: &Value) -> Option<FlapSpec> {
+    let table = value.table(&["lift_slope_per_rad", "hinge"])?;
+    let lift_slope = table.required("lift_slope_per_rad").and_then(|v| v.number(&POSITIVE));
+    let hinge = table.required("hinge").and_then(|v| v.number(&INSIDE_THE_CHORD));
+    Some(FlapSpec { lift_slope: lift_slope?, hinge: hinge? })
+}
+
+fn read_control(table: &Table) -> Option<ControlSpec> {
+    let inputs = [("elevator", Input::Elevator), ("aileron", Input::Aileron), ("rudder", Input::Rudder)];
+    let input = table.required("input").and_then(|v| v.one_of(&inputs));
+    let gain = table.required("gain").and_then(|v| v.number(&ANY));
+    let (from, to) = read_stretch(table);
+    Some(ControlSpec { place: table.place.clone(), input: input?, gain: gain?, from, to })
+}
+
+fn read_engine(table: &Table) -> Option<EngineSpec> {
+    let (name, component) = (read_name(table, "name"), read_name(table, "component"));
+    let along = read_along(table);
+    let direction = table.required("direction").and_then(|v| v.direction());
+    Some(EngineSpec {
+        name: name?,
+        component: component?,
+        along: along?,
+        offset: vector_or_zero(table, "offset_m", &ANY),
+        direction: direction?,
+    })
+}
+
+fn read_station(table: &Table) -> Option<StationSpec> {
+    let (name, component) = (read_name(table, "name"), read_name(table, "component"));
+    let along = read_along(table);
+    Some(StationSpec { name: name?, component: component?, along: along? })
+}

@@ -1,0 +1,142 @@
+//! The aircraft file as its author thinks of it: components, masses, surfaces, engines, stations.
+
+use nalgebra::Vector3;
+
+use super::document::Located;
+use super::error::Place;
+use super::law::Law;
+use super::model::{ModeBasis, Support};
+
+/// EA, GJ, EI_y, EI_z in the order in which [`ComponentSpec::stiffness`] holds them.
+pub(super) const STIFFNESS: [&str; 4] = ["EA_N", "GJ_N_m2", "EI_y_N_m2", "EI_z_N_m2"];
+
+pub(super) struct FileSpec {
+    pub(super) name: String,
+    pub(super) gravity: f64,
+    pub(super) support: Located<Support>,
+    pub(super) mode_basis: ModeBasis,
+    pub(super) inflow_states: usize,
+    /// Where symmetry is asked for, when it is.
+    pub(super) symmetric: Option<Place>,
+    pub(super) components: Vec<ComponentSpec>,
+    pub(super) engines: Vec<EngineSpec>,
+    pub(super) stations: Vec<StationSpec>,
+}
+
+pub(super) struct ComponentSpec {
+    pub(super) name: Located<String>,
+    pub(super) mirror: Option<Located<String>>,
+    pub(super) parent: ParentSpec,
+    /// Corners of the elastic axis, from the attachment point.
+    pub(super) axis: Located<Vec<Vector3<f64>>>,
+    /// Number of elements between each corner and the next.
+    pub(super) elements: Vec<usize>,
+    pub(super) y_axis: Located<Vector3<f64>>,
+    pub(super) stiffness: Vec<(&'static str, Law)>,
+    pub(super) chord: Option<Law>,
+    pub(super) distributed_masses: Vec<DistributedMassSpec>,
+    pub(super) point_masses: Vec<PointMassesSpec>,
+    pub(super) surfaces: Vec<SurfaceSpec>,
+}
+
+pub(super) enum ParentSpec {
+    Origin,
+    Component { name: Located<String>, at: Located<f64> },
+}
+
+/// Places along a component.
+pub(super) enum Along {
+    /// Distances from the root, m.
+    Metres(Vec<Located<f64>>),
+    /// Fractions of the component's length.
+    Fractions(Vec<Located<f64>>),
+}
+
+pub(super) struct DistributedMassSpec {
+    pub(super) place: Place,
+    pub(super) parts: Vec<MassPartSpec>,
+    pub(super) offset_chords: Option<Located<Vector3<f64>>>,
+    pub(super) offset: Vector3<f64>,
+    pub(super) gyration_chords: Option<Located<Vector3<f64>>>,
+    pub(super) gyration_lengths: Vector3<f64>,
+    pub(super) added_inertia: Vector3<f64>,
+}
+
+pub(super) struct MassPartSpec {
+    pub(super) place: Place,
+    pub(super) total: f64,
+    pub(super) chord_power: f64,
+    pub(super) from: f64,
+    pub(super) to: f64,
+}
+
+pub(super) struct PointMassesSpec {
+    pub(super) along: Along,
+    pub(super) masses: Located<Vec<f64>>,
+    pub(super) offset: Vector3<f64>,
+    pub(super) inertia: InertiaSpec,
+    pub(super) products: Vector3<f64>,
+    pub(super) inertia_place: Place,
+}
+
+pub(super) enum InertiaSpec {
+    /// Radii of gyration, m.
+    Gyration(Vector3<f64>),
+    /// Moments of inertia, kg·m².
+    Moments(Vector3<f64>),
+}
+
+pub(super) struct SurfaceSpec {
+    pub(super) place: Place,
+    pub(super) position: f64,
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) elastic_axis: f64,
+    pub(super) chord: Option<Law>,
+    pub(super) span_axis: Option<Vector3<f64>>,
+    /// rad.
+    pub(super) incidence: f64,
+    pub(super) width: Option<Law>,
+    pub(super) lift_slope: Law,
+    /// rad.
+    pub(super) zero_lift_offset: f64,
+    pub(super) profile_drag: Law,
+    pub(super) leading_edge_suction: f64,
+    pub(super) flap: Option<FlapSpec>,
+    pub(super) controls: Vec<ControlSpec>,
+}
+
+#[derive(Clone, Copy)]
+pub(super) struct FlapSpec {
+    pub(super) lift_slope: f64,
+    pub(super) hinge: f64,
+}
+
+#[derive(Clone, Copy)]
+pub(super) enum Input {
+    Elevator,
+    Aileron,
+    Rudder,
+}
+
+pub(super) struct ControlSpec {
+    pub(super) place: Place,
+    pub(super) input: Input,
+    pub(super) gain: f64,
+    pub(super) from: f64,
+    pub(super) to: f64,
+}
+
+pub(super) struct EngineSpec {
+    pub(super) name: Located<String>,
+    pub(super) component: Located<String>,
+    pub(super) along: Along,
+    pub(super) offset: Vector3<f64>,
+    pub(super) direction: Vector3<f64>,
+}
+
+pub(super) struct StationSpec {
+    pub(super) name: Located<String>,
+    pub(super) component: Located<String>,
+    pub(super) along: Along,
+}

@@ -1,0 +1,3 @@
+//! The aircraft file: the shipped jet expands to the recorded numbers, and bad files are told apart.
+
+mod jet;

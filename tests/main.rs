@@ -1,0 +1,3 @@
+//! The integration tests, one binary: each module checks one part of the program from outside.
+
+mod aircraft;
