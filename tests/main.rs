@@ -1,3 +1,4 @@
 //! The integration tests, one binary: each module checks one part of the program from outside.
 
 mod aircraft;
+mod tidy;

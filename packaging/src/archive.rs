@@ -51,7 +51,7 @@ mod tests {
         assert_eq!(archive.len(), entries.len());
         for (index, entry) in entries.iter().enumerate() {
             let mut file = archive.by_index(index).unwrap();
-            assert_eq!(file.name(), entry.path);
+            assert_eq!(file.name().unwrap(), entry.path);
             assert_eq!(file.last_modified(), Some(DateTime::DEFAULT));
             let mut content = Vec::new();
             file.read_to_end(&mut content).unwrap();
