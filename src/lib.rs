@@ -17,7 +17,9 @@
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
 //! | `fmi2` | everything above | the C ABI (feature `fmi`) |
 
+pub mod aerodynamics;
 pub mod aircraft;
+pub mod dynamics;
 #[cfg(feature = "fmi")]
 pub mod fmi2;
 pub mod simulation;

@@ -47,8 +47,8 @@ pub(super) fn mass(aircraft: &Aircraft, report: &Report) {
     }
 }
 
-/// The structure is its own image in y = 0: nodes, beams, bays, engines. `asked` is where that is declared.
-pub(super) fn symmetry(assembly: &Assembly, asked: &Place, report: &Report) {
+/// The structure is its own image in y = 0: nodes, beams, bays, engines.
+pub(super) fn symmetry(assembly: &Assembly, file: &FileSpec, report: &Report) {
     let mirror = Mirror::of(&assembly.aircraft);
     let aircraft = &assembly.aircraft;
     let complain = |place: &Place, what: String| {
@@ -56,21 +56,26 @@ pub(super) fn symmetry(assembly: &Assembly, asked: &Place, report: &Report) {
         let allowed = "a structure that is its own mirror image is allowed, or symmetric = false";
         report.add(Problem::NotSymmetric, place, found, allowed);
     };
-    let mut named = Vec::new();
+    let component = |bay: &MassBay| &aircraft.beams[bay.attachment.beam].component;
+    let mut lonely_components: Vec<&String> = Vec::new();
     for (beam, place) in aircraft.beams.iter().zip(&assembly.beam_places) {
-        if !named.contains(&&beam.component) && !aircraft.beams.iter().any(|b| mirror.beams(beam, b)) {
-            named.push(&beam.component);
+        let known = lonely_components.contains(&&beam.component);
+        if !known && !aircraft.beams.iter().any(|b| mirror.beams(beam, b)) {
+            lonely_components.push(&beam.component);
             complain(place, format!("the component \"{}\"", beam.component));
         }
     }
+    let mut told: Vec<&Place> = Vec::new();
     for (bay, place) in aircraft.bays.iter().zip(&assembly.bay_places) {
-        if !aircraft.bays.iter().any(|b| mirror.bays(bay, b)) {
-            complain(place, format!("a mass of {:.6} kg", bay.mass));
+        let known = lonely_components.contains(&component(bay)) || told.contains(&place);
+        if !known && !aircraft.bays.iter().any(|b| mirror.bays(bay, b)) {
+            told.push(place);
+            complain(place, format!("a mass of {} kg", bay.mass));
         }
     }
-    for engine in &aircraft.engines {
+    for (engine, spec) in aircraft.engines.iter().zip(&file.engines) {
         if !aircraft.engines.iter().any(|e| mirror.engines(engine, e)) {
-            complain(asked, format!("the engine \"{}\"", engine.name));
+            complain(&spec.name.place, format!("the engine \"{}\"", engine.name));
         }
     }
 }

@@ -116,7 +116,10 @@ impl<'r, 't> Value<'r, 't> {
 
     /// A whole number in the range.
     pub(super) fn integer(&self, allowed: Range<usize>) -> Option<usize> {
-        let text = format!("a whole number from {} to {}", allowed.start, allowed.end - 1);
+        let text = match allowed.len() {
+            1 => format!("the number {}", allowed.start),
+            _ => format!("a whole number from {} to {}", allowed.start, allowed.end - 1),
+        };
         let DeValue::Integer(number) = self.value else { return self.wrong(&text) };
         match usize::from_str_radix(number.as_str(), number.radix()) {
             Ok(number) if allowed.contains(&number) => Some(number),

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
+use super::document::Located;
 use super::error::{Place, Problem, Report};
 use super::geometry::Line;
 use super::law::{Laws, Point};
@@ -20,12 +21,13 @@ pub(super) fn distributed(spec: &DistributedMassSpec, line: &Line, laws: &Laws) 
             *mass += share;
         }
     }
-    let in_chords = |vector: &Option<super::document::Located<Vector3<f64>>>| match vector {
+    let in_chords = |vector: &Option<Located<Vector3<f64>>>| match vector {
         None => Some(vec![Vector3::zeros(); middles.len()]),
         Some(v) => Some(laws.chords(&middles, &v.place)?.iter().map(|chord| *chord * v.value).collect()),
     };
     let (offsets, gyrations) = (in_chords(&spec.offset_chords), in_chords(&spec.gyration_chords));
     let (offsets, gyrations) = (offsets?, gyrations?);
+    let place = spec.gyration_chords.as_ref().map_or(&spec.place, |gyration| &gyration.place);
     let bay = |element: usize| {
         let lengthwise = spec.gyration_lengths * line.span(element).norm();
         let gyration_squared = squared(gyrations[element]) + squared(lengthwise);
@@ -36,7 +38,7 @@ pub(super) fn distributed(spec: &DistributedMassSpec, line: &Line, laws: &Laws) 
             offset: offsets[element] + spec.offset,
             inertia: Matrix3::from_diagonal(&moments),
         };
-        (bay, spec.place.clone())
+        (bay, place.clone())
     };
     let bays: Vec<_> = (0..line.elements()).filter(|&i| masses[i] > 0.0).map(bay).collect();
     check_inertia(&bays, laws.report).then_some(bays)
@@ -124,5 +126,5 @@ fn principal_moments(inertia: &Matrix3<f64>) -> Result<(), String> {
     if least >= -slack && greatest <= least + middle + slack {
         return Ok(());
     }
-    Err(format!("{least:.6}, {middle:.6}, {greatest:.6}"))
+    Err(format!("{least}, {middle}, {greatest}"))
 }

@@ -43,7 +43,7 @@ impl Aircraft {
     /// are in the reading of fields, then all that are in the aircraft which they describe.
     pub fn parse(text: &str, file_name: &str) -> Result<Aircraft, AircraftFileError> {
         let report = Report::new(text);
-        let document = DeTable::parse(text).map_err(|error| syntax(&report, &error)).ok();
+        let document = DeTable::parse(text).map_err(|error| syntax(&report, text, &error)).ok();
         let document = report.conclude(document, file_name)?;
         let file = read::read_file(document.get_ref(), &report);
         if let Some(file) = &file {
@@ -53,14 +53,18 @@ impl Aircraft {
         let file = report.conclude(file, file_name)?;
         let assembly = report.conclude(expand::expand(&file, &report), file_name)?;
         check::mass(&assembly.aircraft, &report);
-        if let Some(asked) = &file.symmetric {
-            check::symmetry(&assembly, asked, &report);
+        if file.symmetric {
+            check::symmetry(&assembly, &file, &report);
         }
         report.conclude(Some(assembly.aircraft), file_name)
     }
 }
 
-fn syntax(report: &Report, error: &toml::de::Error) {
-    let place = Place { span: error.span().unwrap_or_default(), field: "syntax".to_owned() };
-    report.add(Problem::Syntax, &place, error.message(), "TOML 1.0 is allowed");
+fn syntax(report: &Report, text: &str, error: &toml::de::Error) {
+    let span = error.span().unwrap_or_default();
+    let line = text.get(..span.start).map_or(0, |before| before.matches('\n').count());
+    let line = text.lines().nth(line).unwrap_or_default().trim();
+    let found = format!("found \"{line}\": {}", error.message());
+    let place = Place { span, field: "syntax".to_owned() };
+    report.add(Problem::Syntax, &place, found, "TOML is allowed (https://toml.io)");
 }

@@ -94,7 +94,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     Some(FileSpec {
         gravity: number_or(&table, "gravity_m_s2", &NOT_NEGATIVE, 9.80665),
         inflow_states: table.optional("inflow_states").and_then(|v| v.integer(0..9)).unwrap_or(5),
-        symmetric: table.optional("symmetric").filter(|v| v.flag() == Some(true)).map(|v| v.place),
+        symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
         name: name?,
         support: support?,
         mode_basis: mode_basis?,

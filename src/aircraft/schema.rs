@@ -16,8 +16,8 @@ pub(super) struct FileSpec {
     pub(super) support: Located<Support>,
     pub(super) mode_basis: ModeBasis,
     pub(super) inflow_states: usize,
-    /// Where symmetry is asked for, when it is.
-    pub(super) symmetric: Option<Place>,
+    /// Whether the structure must be its own mirror image.
+    pub(super) symmetric: bool,
     pub(super) components: Vec<ComponentSpec>,
     pub(super) engines: Vec<EngineSpec>,
     pub(super) stations: Vec<StationSpec>,

@@ -4,7 +4,7 @@ use nalgebra::{Unit, UnitQuaternion, Vector3};
 
 use super::error::{Problem, Report};
 use super::geometry::Line;
-use super::law::{Law, Laws, Point};
+use super::law::{Laws, Point};
 use super::model::{Attachment, ControlGains, Flap, Strip};
 use super::schema::{ControlSpec, Input, SurfaceSpec};
 

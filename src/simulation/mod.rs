@@ -6,8 +6,9 @@ mod inputs;
 mod outputs;
 mod settings;
 
+pub use crate::dynamics::Fidelity;
 pub use error::SimulationError;
 pub use flight::{Simulation, TrimPoint};
 pub use inputs::Inputs;
 pub use outputs::{AirData, Deflection, Outputs};
-pub use settings::{Fidelity, InputReference, ModeSelection, Settings};
+pub use settings::{InputReference, ModeSelection, Settings};

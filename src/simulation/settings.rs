@@ -1,30 +1,6 @@
 //! What a user chooses before the flight.
 
-/// The five fidelity levels of [2.4] (physics.md §2).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Fidelity {
-    /// E: all inertial and geometric nonlinearities.
-    Exact,
-    /// CL: undeformed mass matrix, deformed forcing, strain energy to third order.
-    ConsistentlyLinearised,
-    /// I: exact inertia, linear elasticity.
-    Inconsistent,
-    /// RL: undeformed inertia and arms, linear elasticity.
-    RuthlesslyLinearised,
-    /// No deformation.
-    Rigid,
-}
-
-impl Fidelity {
-    /// All levels, in the order of the FMI enumeration (1-based there).
-    pub const ALL: [Fidelity; 5] = [
-        Fidelity::Exact,
-        Fidelity::ConsistentlyLinearised,
-        Fidelity::Inconsistent,
-        Fidelity::RuthlesslyLinearised,
-        Fidelity::Rigid,
-    ];
-}
+use crate::dynamics::Fidelity;
 
 /// Which families of modes take part, lowest frequencies first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -24,9 +24,10 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot) -> bool {
     match output {
         OutputSlot::Position(Axis::Z) => parameter == Altitude,
         OutputSlot::Attitude(Axis::Z) => parameter == Heading,
-        OutputSlot::Position(_) | OutputSlot::Attitude(Axis::X) | OutputSlot::Rate(_) | OutputSlot::ModalRate(_) => {
-            false
-        }
+        OutputSlot::Position(_)
+        | OutputSlot::Attitude(Axis::X)
+        | OutputSlot::Rate(_)
+        | OutputSlot::ModalRate(_) => false,
         OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) => {
             !matches!(parameter, StructuralDamping | Tolerance)
         }

@@ -10,9 +10,11 @@ mod table;
 mod unit;
 
 pub use slot::{
-    AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot, Value,
+    AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot,
+    Value,
 };
-pub use unit::Unit;
+pub use table::start_settings;
+pub use unit::{BaseUnit, DisplayUnit, Unit};
 
 use crate::structure::ReducedModel;
 
@@ -70,7 +72,9 @@ impl Variable {
             Value::Real(x) => x,
             Value::Integer(i) => f64::from(i),
         };
-        number.is_finite() && self.min.is_none_or(|min| number >= min) && self.max.is_none_or(|max| number <= max)
+        number.is_finite()
+            && self.min.is_none_or(|min| number >= min)
+            && self.max.is_none_or(|max| number <= max)
     }
 
     /// What [`allows`](Self::allows) accepts, for people.

@@ -221,7 +221,9 @@ impl ParameterSlot {
     /// Changes the setting; a value of the wrong type or outside an enumeration changes nothing.
     pub fn set(self, settings: &mut Settings, value: Value) {
         match (self, value) {
-            (ParameterSlot::InputReference, Value::Integer(1)) => settings.input_reference = InputReference::Trim,
+            (ParameterSlot::InputReference, Value::Integer(1)) => {
+                settings.input_reference = InputReference::Trim
+            }
             (ParameterSlot::InputReference, Value::Integer(2)) => {
                 settings.input_reference = InputReference::Absolute;
             }
@@ -230,7 +232,9 @@ impl ParameterSlot {
                 settings.fidelity = level.copied().unwrap_or(settings.fidelity);
             }
             (ParameterSlot::ModeFamily, Value::Integer(1)) => settings.mode_selection = ModeSelection::All,
-            (ParameterSlot::ModeFamily, Value::Integer(2)) => settings.mode_selection = ModeSelection::Symmetric,
+            (ParameterSlot::ModeFamily, Value::Integer(2)) => {
+                settings.mode_selection = ModeSelection::Symmetric
+            }
             (ParameterSlot::ModeCount, Value::Integer(i)) => {
                 settings.mode_count = usize::try_from(i).unwrap_or(settings.mode_count);
             }

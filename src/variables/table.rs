@@ -1,8 +1,8 @@
 //! The rows of the table.
 
 use super::{
-    AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot, Type, Unit,
-    Value, Variability, Variable,
+    AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot,
+    Type, Unit, Value, Variability, Variable,
 };
 use crate::simulation::Settings;
 use crate::structure::ReducedModel;
@@ -58,25 +58,36 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
             "Whether surface and thrust inputs add to the trim values or replace them",
         ),
         choice("model", P::Model, EnumerationType::Model, "Fidelity level"),
-        real("airspeed", P::Airspeed, Unit::MetrePerSecond, "True airspeed of the trimmed flight at the start")
-            .between(1.0, 400.0),
+        real(
+            "airspeed",
+            P::Airspeed,
+            Unit::MetrePerSecond,
+            "True airspeed of the trimmed flight at the start",
+        )
+        .between(1.0, 400.0),
         real("altitude", P::Altitude, Unit::Metre, "Altitude of the trimmed flight at the start")
             .between(-1000.0, 20_000.0)
             .nominal(10_000.0),
         real("heading", P::Heading, Unit::Radian, "Initial yaw angle"),
-        real("stiffness_scale", P::StiffnessScale, Unit::One, "Factor on all elastic properties").at_least(1e-6),
+        real("stiffness_scale", P::StiffnessScale, Unit::One, "Factor on all elastic properties")
+            .at_least(1e-6),
         real("structural_damping", P::StructuralDamping, Unit::One, "Modal damping ratio of every mode")
             .at_least(0.0),
         choice("mode_family", P::ModeFamily, EnumerationType::ModeFamily, "Families of modes that take part"),
         count("mode_count", P::ModeCount, model.modes.len(), "Number of modes that take part, lowest first"),
-        count("inflow_states", P::InflowStates, 8, "Peters inflow states per strip; 0 is steady aerodynamics"),
+        count(
+            "inflow_states",
+            P::InflowStates,
+            8,
+            "Peters inflow states per strip; 0 is steady aerodynamics",
+        ),
         real("tolerance", P::Tolerance, Unit::One, "Relative tolerance of the internal integrator")
             .between(1e-12, 0.1),
     ]
 }
 
-/// The settings before any parameter is set.
-pub(crate) fn start_settings(model: &ReducedModel) -> Settings {
+/// The settings before any parameter is set: those of the FMU, as far as this aircraft has modes.
+pub fn start_settings(model: &ReducedModel) -> Settings {
     let settings = Settings::default();
     Settings {
         mode_count: settings.mode_count.min(model.modes.len()),
@@ -111,7 +122,12 @@ fn motion() -> Vec<Variable> {
     let mut rows = Vec::new();
     for (group, components, unit, slot, text) in triples {
         for (axis, component) in Axis::ALL.into_iter().zip(components) {
-            rows.push(output(format!("{group}.{component}"), unit, slot(axis), format!("{text} {component}")));
+            rows.push(output(
+                format!("{group}.{component}"),
+                unit,
+                slot(axis),
+                format!("{text} {component}"),
+            ));
         }
     }
     rows
@@ -121,7 +137,12 @@ fn flow() -> Vec<Variable> {
     let quantities = [
         ("speed", Unit::MetrePerSecond, AirQuantity::Speed, "True airspeed at O"),
         ("alpha", Unit::Radian, AirQuantity::AngleOfAttack, "Angle of attack of the body x axis at O"),
-        ("beta", Unit::Radian, AirQuantity::Sideslip, "Sideslip angle at O, positive with the wind from the right"),
+        (
+            "beta",
+            Unit::Radian,
+            AirQuantity::Sideslip,
+            "Sideslip angle at O, positive with the wind from the right",
+        ),
         ("mach", Unit::One, AirQuantity::Mach, "Mach number at O"),
         ("density", Unit::KilogramPerCubicMetre, AirQuantity::Density, "Air density at O"),
         ("dynamic_pressure", Unit::Pascal, AirQuantity::DynamicPressure, "Dynamic pressure at O"),
@@ -175,8 +196,11 @@ fn modal_coordinates(model: &ReducedModel) -> Vec<Variable> {
 }
 
 fn controls_and_trim(model: &ReducedModel) -> Vec<Variable> {
-    let surfaces =
-        [("elevator", OutputSlot::Elevator), ("aileron", OutputSlot::Aileron), ("rudder", OutputSlot::Rudder)];
+    let surfaces = [
+        ("elevator", OutputSlot::Elevator),
+        ("aileron", OutputSlot::Aileron),
+        ("rudder", OutputSlot::Rudder),
+    ];
     let mut rows = Vec::new();
     for (name, slot) in surfaces {
         let text = format!("Acting {name} deflection, trim included");

@@ -1,0 +1,61 @@
+//! International Standard Atmosphere, troposphere and isothermal lower stratosphere (ISO 2533).
+
+/// Standard gravity, m/s².
+const G0: f64 = 9.80665;
+/// Specific gas constant of dry air, J/(kg·K).
+const GAS_CONSTANT: f64 = 287.05287;
+/// Sea-level temperature, K.
+const SEA_LEVEL_TEMPERATURE: f64 = 288.15;
+/// Sea-level pressure, Pa.
+const SEA_LEVEL_PRESSURE: f64 = 101_325.0;
+/// Temperature lapse rate of the troposphere, K/m.
+const LAPSE_RATE: f64 = 0.0065;
+/// Geopotential altitude of the tropopause, m.
+const TROPOPAUSE: f64 = 11_000.0;
+/// Ratio of specific heats.
+const HEAT_RATIO: f64 = 1.4;
+
+/// The air at one altitude.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Air {
+    /// ρ, kg/m³.
+    pub density: f64,
+    /// m/s.
+    pub speed_of_sound: f64,
+}
+
+impl Air {
+    /// The standard atmosphere at a geopotential altitude in m.
+    pub fn at(altitude: f64) -> Self {
+        let temperature = SEA_LEVEL_TEMPERATURE - LAPSE_RATE * altitude.min(TROPOPAUSE);
+        let exponent = G0 / (LAPSE_RATE * GAS_CONSTANT);
+        let mut pressure = SEA_LEVEL_PRESSURE * libm::pow(temperature / SEA_LEVEL_TEMPERATURE, exponent);
+        if altitude > TROPOPAUSE {
+            pressure *= libm::exp(-G0 * (altitude - TROPOPAUSE) / (GAS_CONSTANT * temperature));
+        }
+        Air {
+            density: pressure / (GAS_CONSTANT * temperature),
+            speed_of_sound: libm::sqrt(HEAT_RATIO * GAS_CONSTANT * temperature),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn density_and_speed_of_sound_are_those_of_the_standard_tables() {
+        // ISO 2533:1975, table 5: altitude (m), density (kg/m³), speed of sound (m/s).
+        for (altitude, density, sound) in [
+            (0.0, 1.225, 340.294),
+            (5000.0, 0.736116, 320.529),
+            (11_000.0, 0.363918, 295.069),
+            (15_000.0, 0.193674, 295.069),
+        ] {
+            let air = Air::at(altitude);
+            assert!((air.density / density - 1.0).abs() < 2e-5, "{altitude}: {air:?}");
+            assert!((air.speed_of_sound / sound - 1.0).abs() < 2e-5, "{altitude}: {air:?}");
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! Trailing-edge flap by thin-aerofoil theory [4.1 with corrections 2 and 3 of physics.md §9].
+
+use crate::aircraft::{ControlGains, Flap};
+
+/// What a flap does to its section, per radian.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlapEffect {
+    /// CLδ c1: lift is ρ b U² times this.
+    pub lift: f64,
+    /// CLδ c4: nose-up moment about the elastic axis is ρ b² U² times this, besides the arm of the lift.
+    pub moment: f64,
+    /// Flap angle per input.
+    pub gains: ControlGains,
+}
+
+impl FlapEffect {
+    /// The effect of a flap: cos φ_m = 2·hinge − 1, c1 = (φ_m + sin φ_m)/π, c4 = −sin φ_m (1 + cos φ_m)/2π.
+    pub fn new(flap: &Flap) -> Self {
+        let cos_hinge = 2.0 * flap.hinge - 1.0;
+        let hinge = libm::acos(cos_hinge);
+        let sin_hinge = libm::sin(hinge);
+        let pi = std::f64::consts::PI;
+        FlapEffect {
+            lift: flap.lift_slope * (hinge + sin_hinge) / pi,
+            moment: -flap.lift_slope * sin_hinge * (1.0 + cos_hinge) / (2.0 * pi),
+            gains: flap.gains,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_flap_hinged_at_the_leading_edge_is_an_angle_of_attack() {
+        let flap = Flap { lift_slope: std::f64::consts::TAU, hinge: 1e-12, gains: ControlGains::default() };
+        let effect = FlapEffect::new(&flap);
+        assert!((effect.lift - std::f64::consts::TAU).abs() < 1e-5);
+        assert!(effect.moment.abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_flap_at_mid_chord_has_the_lift_of_thin_aerofoil_theory() {
+        // Glauert: τ = 1 − (θ_h − sin θ_h)/π with θ_h measured from the leading edge; at mid-chord
+        // τ = 1/2 + 1/π, and c_m(c/4) = −½ sin θ_h (1 − cos θ_h) per radian = −1/2.
+        let flap = Flap { lift_slope: std::f64::consts::TAU, hinge: 0.5, gains: ControlGains::default() };
+        let effect = FlapEffect::new(&flap);
+        assert!((effect.lift / std::f64::consts::TAU - (0.5 + std::f64::consts::FRAC_1_PI)).abs() < 1e-15);
+        // Moment = ρ b² U² · moment = ½ρU²(2b)² · c_m, so c_m = moment / 2.
+        assert!((effect.moment / 2.0 + 0.5).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,224 @@
+//! Peters' finite-state inflow in its eigenbasis [4.1; physics.md §4; architecture.md §2].
+//!
+//! A λ̇ + (U/b) λ = c ẇ₃ with w₃ = w + (b/2 − d)Ω and λ₀ = ½ bᵀλ is, in the eigenbasis of A⁻¹ and with each
+//! eigenvector scaled so that ẇ₃ enters with unit gain, a sum of independent lags: with η = η̃ + w₃,
+//!
+//!     η̃' = −(U/b) μ (η̃ + w₃),      λ₀ = Σ weight · (η̃ + w₃).
+//!
+//! The state is η̃: no acceleration on the right-hand side, and a jump of the flow makes no impulse.
+//! Complex eigenvalues come in pairs; the real and the imaginary part of one of them are stored.
+
+use nalgebra::{Complex, DMatrix, DVector, Schur};
+
+/// A real eigenvalue.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Lag {
+    /// μ: decay per semichord travelled.
+    rate: f64,
+    /// Its share of λ₀.
+    weight: f64,
+}
+
+/// A pair of complex eigenvalues μ = decay ± i·frequency.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct LagPair {
+    decay: f64,
+    frequency: f64,
+    /// λ₀ has twice the real part of weight·η.
+    weight: Complex<f64>,
+}
+
+/// The inflow of a strip with N states.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PetersInflow {
+    lags: Vec<Lag>,
+    pairs: Vec<LagPair>,
+}
+
+impl PetersInflow {
+    /// Largest N for which the eigenbasis is well conditioned.
+    pub const MAX_STATES: usize = 8;
+
+    /// The inflow with `states` ≤ [`MAX_STATES`](Self::MAX_STATES) states; 0 is steady aerodynamics.
+    pub fn new(states: usize) -> Self {
+        assert!(states <= Self::MAX_STATES, "at most {} inflow states", Self::MAX_STATES);
+        let mut inflow = PetersInflow { lags: Vec::new(), pairs: Vec::new() };
+        if states == 0 {
+            return inflow;
+        }
+        let (a, b, c) = peters_matrices(states);
+        // PROOF: A is regular for every N ≤ 8 (the tests construct each); the solver only fails on a singular A.
+        let a_inverse = a.try_inverse().expect("Peters' A is regular");
+        let forcing = (&a_inverse * c).map(Complex::from);
+        let readout = (b * 0.5).map(Complex::from);
+        for eigenvalue in Schur::new(a_inverse.clone()).complex_eigenvalues().iter() {
+            if eigenvalue.im < -1e-9 {
+                continue;
+            }
+            let right = null_vector(&a_inverse, *eigenvalue);
+            let left = null_vector(&a_inverse.transpose(), *eigenvalue);
+            let weight = readout.dot(&right) * left.dot(&forcing) / left.dot(&right);
+            if eigenvalue.im > 1e-9 {
+                inflow.pairs.push(LagPair { decay: eigenvalue.re, frequency: eigenvalue.im, weight });
+            } else {
+                inflow.lags.push(Lag { rate: eigenvalue.re, weight: weight.re });
+            }
+        }
+        inflow
+    }
+
+    /// N.
+    pub fn states(&self) -> usize {
+        self.lags.len() + 2 * self.pairs.len()
+    }
+
+    /// λ₀, m/s, from a strip's states and its w₃ = w + (b/2 − d)Ω.
+    pub fn induced_velocity(&self, states: &[f64], w3: f64) -> f64 {
+        let (real, complex) = states.split_at(self.lags.len());
+        let lags: f64 = self.lags.iter().zip(real).map(|(lag, state)| lag.weight * (state + w3)).sum();
+        let pairs: f64 = self
+            .pairs
+            .iter()
+            .zip(complex.chunks_exact(2))
+            .map(|(pair, state)| 2.0 * (pair.weight.re * (state[0] + w3) - pair.weight.im * state[1]))
+            .sum();
+        lags + pairs
+    }
+
+    /// Rates of a strip's states, m/s²; `passing` is U/b, 1/s.
+    pub fn rates(&self, states: &[f64], w3: f64, passing: f64, rates: &mut [f64]) {
+        let (real, complex) = states.split_at(self.lags.len());
+        let (real_rates, complex_rates) = rates.split_at_mut(self.lags.len());
+        for ((lag, state), rate) in self.lags.iter().zip(real).zip(real_rates) {
+            *rate = -passing * lag.rate * (state + w3);
+        }
+        let complex = complex.chunks_exact(2).zip(complex_rates.chunks_exact_mut(2));
+        for (pair, (state, rate)) in self.pairs.iter().zip(complex) {
+            let (re, im) = (state[0] + w3, state[1]);
+            rate[0] = -passing * (pair.decay * re - pair.frequency * im);
+            rate[1] = -passing * (pair.frequency * re + pair.decay * im);
+        }
+    }
+
+    /// Sets a strip's states to a wake long at rest: λ = 0.
+    pub fn settle(&self, w3: f64, states: &mut [f64]) {
+        let (real, complex) = states.split_at_mut(self.lags.len());
+        real.fill(-w3);
+        for state in complex.chunks_exact_mut(2) {
+            state[0] = -w3;
+            state[1] = 0.0;
+        }
+    }
+}
+
+/// A, b, c of [4.1] for N states.
+fn peters_matrices(states: usize) -> (DMatrix<f64>, DVector<f64>, DVector<f64>) {
+    let factorial = |k: usize| (1..=k).map(|i| i as f64).product::<f64>();
+    let d_matrix = DMatrix::from_fn(states, states, |row, column| {
+        let n = (row + 1) as f64;
+        if row == column + 1 {
+            0.5 / n
+        } else if row + 1 == column {
+            -0.5 / n
+        } else {
+            0.0
+        }
+    });
+    let b = DVector::from_fn(states, |index, _| {
+        let n = index + 1;
+        let sign = if n % 2 == 1 { 1.0 } else { -1.0 };
+        if n == states {
+            sign
+        } else {
+            sign * factorial(states + n - 1) / (factorial(states - n - 1) * factorial(n) * factorial(n))
+        }
+    });
+    let c = DVector::from_fn(states, |index, _| 2.0 / (index + 1) as f64);
+    let d = DVector::from_fn(states, |index, _| if index == 0 { 0.5 } else { 0.0 });
+    let a = d_matrix + &d * b.transpose() + &c * d.transpose() + &c * b.transpose() * 0.5;
+    (a, b, c)
+}
+
+/// The vector that (matrix − eigenvalue·1) maps to zero.
+fn null_vector(matrix: &DMatrix<f64>, eigenvalue: Complex<f64>) -> DVector<Complex<f64>> {
+    let size = matrix.nrows();
+    let shifted = matrix.map(Complex::from) - DMatrix::identity(size, size) * eigenvalue;
+    let svd = shifted.svd(false, true);
+    // PROOF: `svd(_, true)` computes Vᵀ.
+    let v_t = svd.v_t.expect("right singular vectors were asked for");
+    v_t.row(svd.singular_values.imin()).adjoint()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lift deficiency C(k) = 1 − λ₀/w₃ for harmonic w₃.
+    fn lift_deficiency(inflow: &PetersInflow, k: f64) -> Complex<f64> {
+        let s = Complex::new(0.0, k);
+        let lags = inflow.lags.iter().map(|lag| s / (s + lag.rate) * lag.weight).sum::<Complex<f64>>();
+        let pairs = inflow
+            .pairs
+            .iter()
+            .map(|pair| {
+                let mu = Complex::new(pair.decay, pair.frequency);
+                s * pair.weight / (s + mu) + s * pair.weight.conj() / (s + mu.conj())
+            })
+            .sum::<Complex<f64>>();
+        Complex::from(1.0) - lags - pairs
+    }
+
+    /// C(k) straight from A, b, c.
+    fn lift_deficiency_of_matrices(states: usize, k: f64) -> Complex<f64> {
+        let (a, b, c) = peters_matrices(states);
+        let s = Complex::new(0.0, k);
+        let system = a.map(|x| s * x) + DMatrix::identity(states, states);
+        let lambda = system.lu().solve(&c.map(|x| s * x)).unwrap();
+        Complex::from(1.0) - lambda.dot(&b.map(Complex::from)) * 0.5
+    }
+
+    #[test]
+    fn the_eigenbasis_is_the_same_filter_as_the_matrices_for_every_n() {
+        for states in 0..=PetersInflow::MAX_STATES {
+            let inflow = PetersInflow::new(states);
+            assert_eq!(inflow.states(), states);
+            for k in [0.01, 0.1, 0.5, 2.0] {
+                let expected =
+                    if states == 0 { Complex::from(1.0) } else { lift_deficiency_of_matrices(states, k) };
+                let error = (lift_deficiency(&inflow, k) - expected).norm();
+                assert!(error < 1e-9, "N = {states}, k = {k}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn five_states_have_the_lift_deficiency_of_physics_md() {
+        // physics.md §4: C(0.1) = 0.7987 − 0.1872i, C(0.3) = 0.6594 − 0.1577i for N = 5.
+        let inflow = PetersInflow::new(5);
+        for (k, expected) in [(0.1, Complex::new(0.7987, -0.1872)), (0.3, Complex::new(0.6594, -0.1577))] {
+            assert!((lift_deficiency(&inflow, k) - expected).norm() < 1e-4);
+        }
+    }
+
+    #[test]
+    fn every_lag_decays() {
+        for states in 1..=PetersInflow::MAX_STATES {
+            let inflow = PetersInflow::new(states);
+            assert!(
+                inflow.lags.iter().all(|lag| lag.rate > 0.0)
+                    && inflow.pairs.iter().all(|pair| pair.decay > 0.0)
+            );
+        }
+    }
+
+    #[test]
+    fn a_settled_wake_induces_nothing_and_stays_settled() {
+        let inflow = PetersInflow::new(5);
+        let mut states = [0.0; 5];
+        inflow.settle(3.5, &mut states);
+        let mut rates = [1.0; 5];
+        inflow.rates(&states, 3.5, 100.0, &mut rates);
+        assert_eq!(inflow.induced_velocity(&states, 3.5), 0.0);
+        assert_eq!(rates, [0.0; 5]);
+    }
+}

@@ -1,0 +1,275 @@
+//! The equations of motion [2.2–2.4, 4; physics.md §2, §4, §5].
+//!
+//! One Cholesky solve of the mass matrix with apparent mass gives the accelerations (LU where the apparent
+//! mass is not symmetric: RL, or zero-lift lines off the chord); the inflow rates need none.
+
+use nalgebra::Vector3;
+
+use crate::aerodynamics::{Air, PetersInflow};
+use crate::aircraft::Support;
+use crate::structure::{ModalIntegrals, ReducedModel, StrainEnergy};
+
+use super::attitude::{Attitude, quaternion_rate};
+use super::controls::Controls;
+use super::fidelity::{Fidelity, Terms};
+use super::inertia::{DeformedInertia, RigidMotion, add, write_undeformed_mass_matrix};
+use super::layout::StateLayout;
+use super::linear_solve::{solve_cholesky, solve_lu};
+use super::propulsion::Engines;
+use super::strips::{StripSums, Strips, Surroundings};
+use super::workspace::Workspace;
+
+/// What distinguishes one set of equations of the same reduced model from another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Configuration {
+    /// Fidelity level; for `Rigid` the model must have no modes.
+    pub fidelity: Fidelity,
+    /// Factor on all elastic properties.
+    pub stiffness_scale: f64,
+    /// ζ of every mode.
+    pub structural_damping: f64,
+    /// Inflow states per strip.
+    pub inflow_states: usize,
+    /// Steady flow of a wind tunnel around a clamped model, north-east-down, m/s; zero in free flight.
+    pub tunnel_flow: Vector3<f64>,
+}
+
+/// The equations of motion of one aircraft at one fidelity level.
+#[derive(Clone, Debug)]
+pub struct EquationsOfMotion {
+    layout: StateLayout,
+    terms: Terms,
+    support: Support,
+    gravity: f64,
+    integrals: ModalIntegrals,
+    strain_energy: StrainEnergy,
+    stiffness_scale: f64,
+    /// 2ζω_k.
+    damping: Vec<f64>,
+    strips: Strips,
+    engines: Engines,
+    inflow: PetersInflow,
+    tunnel_flow: Vector3<f64>,
+    symmetric: bool,
+}
+
+impl EquationsOfMotion {
+    /// The equations for a reduced model, all of whose modes take part.
+    pub fn new(model: &ReducedModel, configuration: &Configuration) -> Self {
+        let strips = Strips::new(model);
+        let inflow = PetersInflow::new(configuration.inflow_states);
+        let scale = libm::sqrt(configuration.stiffness_scale);
+        let damping = |frequency: f64| 2.0 * configuration.structural_damping * scale * frequency;
+        EquationsOfMotion {
+            layout: StateLayout::new(model.modes.len(), strips.len(), inflow.states()),
+            terms: configuration.fidelity.terms(),
+            support: model.support,
+            gravity: model.gravity,
+            integrals: model.integrals.clone(),
+            strain_energy: model.strain_energy.clone(),
+            stiffness_scale: configuration.stiffness_scale,
+            damping: model.modes.iter().map(|mode| damping(mode.angular_frequency)).collect(),
+            symmetric: strips.zero_lift_lines_are_chords()
+                && configuration.fidelity != Fidelity::RuthlesslyLinearised,
+            strips,
+            engines: Engines::new(model),
+            inflow,
+            tunnel_flow: configuration.tunnel_flow,
+        }
+    }
+
+    /// The same equations with steady aerodynamics: the same trim, fewer states.
+    pub fn with_steady_inflow(&self) -> Self {
+        EquationsOfMotion {
+            layout: StateLayout::new(self.layout.modes(), self.strips.len(), 0),
+            inflow: PetersInflow::new(0),
+            ..self.clone()
+        }
+    }
+
+    /// Where each part of the state stands.
+    pub fn layout(&self) -> &StateLayout {
+        &self.layout
+    }
+
+    /// The integrals over the mass.
+    pub fn integrals(&self) -> &ModalIntegrals {
+        &self.integrals
+    }
+
+    /// Free flight or wind tunnel.
+    pub fn support(&self) -> Support {
+        self.support
+    }
+
+    /// Number of engines.
+    pub fn engine_count(&self) -> usize {
+        self.engines.len()
+    }
+
+    /// Rates of all states; accelerations stay in the workspace. States beyond the model's validity give NaN.
+    pub fn rates(&self, state: &[f64], controls: &Controls, rates: &mut [f64], workspace: &mut Workspace) {
+        let layout = &self.layout;
+        let attitude = Attitude::from_quaternion(&state[layout.attitude()]);
+        self.assemble(state, &attitude, controls, rates, workspace);
+        self.solve(workspace);
+
+        let motion = self.motion(state);
+        let velocity = attitude.body_from_inertial.tr_mul(&motion.velocity);
+        rates[layout.position()].copy_from_slice(velocity.as_slice());
+        let quaternion = quaternion_rate(&state[layout.attitude()], &motion.rate);
+        rates[layout.attitude()].copy_from_slice(&quaternion);
+        rates[layout.velocity()].copy_from_slice(&workspace.accelerations[0..3]);
+        rates[layout.rate()].copy_from_slice(&workspace.accelerations[3..6]);
+        rates[layout.coordinates()].copy_from_slice(&state[layout.coordinate_rates()]);
+        rates[layout.coordinate_rates()].copy_from_slice(&workspace.accelerations[6..]);
+    }
+
+    /// Sets the inflow states to a wake long at rest in the present flow.
+    pub fn settle_inflow(&self, state: &mut [f64], controls: &Controls) {
+        let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
+        let (q, q_dot) =
+            (state[self.layout.coordinates()].to_vec(), state[self.layout.coordinate_rates()].to_vec());
+        let around = self.surroundings(state, (&q, &q_dot), &attitude, controls);
+        self.strips.settle_inflow(&around, &self.layout, state);
+    }
+
+    /// Strain energy at q, J, and its gradient.
+    pub fn elastic(&self, q: &[f64], gradient: &mut [f64]) -> f64 {
+        gradient.fill(0.0);
+        let mut energy = self.strain_energy.add_quadratic(q, gradient);
+        if self.terms.cubic_energy {
+            energy += self.strain_energy.add_cubic(q, gradient);
+        }
+        if self.terms.quartic_energy {
+            energy += self.strain_energy.add_quartic(q, gradient);
+        }
+        for force in gradient {
+            *force *= self.stiffness_scale;
+        }
+        energy * self.stiffness_scale
+    }
+
+    /// v and ω of a state.
+    pub fn motion(&self, state: &[f64]) -> RigidMotion {
+        RigidMotion {
+            velocity: Vector3::from_column_slice(&state[self.layout.velocity()]),
+            rate: Vector3::from_column_slice(&state[self.layout.rate()]),
+        }
+    }
+
+    /// Velocity of the air at the aircraft, north-east-down, m/s.
+    pub fn air_motion(&self, controls: &Controls) -> Vector3<f64> {
+        controls.wind + self.tunnel_flow
+    }
+
+    /// Altitude of O, m.
+    pub fn altitude(&self, state: &[f64]) -> f64 {
+        -state[self.layout.position().end - 1]
+    }
+
+    /// Writes the mass matrix and the generalised forces into the workspace, the inflow rates into `rates`.
+    fn assemble(
+        &self,
+        state: &[f64],
+        attitude: &Attitude,
+        controls: &Controls,
+        rates: &mut [f64],
+        workspace: &mut Workspace,
+    ) {
+        let q = &state[self.layout.coordinates()];
+        let q_dot = &state[self.layout.coordinate_rates()];
+        let motion = self.motion(state);
+        let Workspace { inertia, force, elastic_force, mass, rows, reversed, .. } = workspace;
+        self.assemble_inertia(&motion, q, q_dot, inertia, mass, force);
+
+        self.elastic(q, elastic_force);
+        for (mode, force) in force[6..].iter_mut().enumerate() {
+            *force -= elastic_force[mode] + self.damping[mode] * q_dot[mode];
+        }
+        let gravity = attitude.body_from_inertial * Vector3::new(0.0, 0.0, self.gravity);
+        let arm =
+            if self.terms.deformed_forcing { &inertia.first_moment } else { &self.integrals.first_moment };
+        add(&mut force[0..3], &(gravity * self.integrals.mass));
+        add(&mut force[3..6], &arm.cross(&gravity));
+        for (force, momentum) in force[6..].iter_mut().zip(&self.integrals.momentum) {
+            *force += momentum.dot(&gravity);
+        }
+        self.engines.add_thrust(&controls.thrust, q, self.terms.deformed_forcing, force);
+
+        *reversed = None;
+        let around = self.surroundings(state, (q, q_dot), attitude, controls);
+        let mut sums = StripSums { force, mass, symmetric: self.symmetric, rows, reversed };
+        self.strips.add_loads(&around, &self.layout, state, rates, &mut sums);
+    }
+
+    /// Mass matrix and inertial forcing of the fidelity level.
+    fn assemble_inertia(
+        &self,
+        motion: &RigidMotion,
+        q: &[f64],
+        q_dot: &[f64],
+        inertia: &mut DeformedInertia,
+        mass: &mut [f64],
+        force: &mut [f64],
+    ) {
+        let integrals = &self.integrals;
+        force.fill(0.0);
+        // The workspace starts undeformed and stays so for the levels that never deform it.
+        if !self.terms.deformed_mass {
+            write_undeformed_mass_matrix(integrals, mass);
+        }
+        if self.terms.deformed_mass || self.terms.deformed_forcing {
+            inertia.deform(integrals, q);
+        }
+        if self.terms.deformed_mass {
+            inertia.write_mass_matrix(integrals, mass);
+        }
+        inertia.add_forcing(integrals.mass, &integrals.momentum, motion, force);
+        if self.terms.deformed_forcing {
+            inertia.add_coriolis(integrals, &motion.rate, q_dot, force);
+        }
+    }
+
+    fn surroundings<'a>(
+        &'a self,
+        state: &[f64],
+        (q, q_dot): (&'a [f64], &'a [f64]),
+        attitude: &Attitude,
+        controls: &'a Controls,
+    ) -> Surroundings<'a> {
+        Surroundings {
+            motion: self.motion(state),
+            q,
+            q_dot,
+            wind: attitude.body_from_inertial * self.air_motion(controls),
+            wind_rate: attitude.body_from_inertial * controls.wind_rate,
+            density: Air::at(self.altitude(state)).density,
+            controls,
+            inflow: &self.inflow,
+            deformed_arms: self.terms.deformed_forcing,
+        }
+    }
+
+    /// Solves for ν̇; of a clamped aircraft only the generalised coordinates move.
+    fn solve(&self, workspace: &mut Workspace) {
+        let Workspace { force, mass, accelerations, .. } = workspace;
+        accelerations.copy_from_slice(force);
+        let size = accelerations.len();
+        let held = match self.support {
+            Support::Free => 0,
+            Support::Clamped => 6,
+        };
+        let moving = size - held;
+        if held > 0 {
+            for row in 0..moving {
+                mass.copy_within((held + row) * size + held..(held + row + 1) * size, row * moving);
+            }
+            accelerations[..held].fill(0.0);
+        }
+        let solve = if self.symmetric { solve_cholesky } else { solve_lu };
+        if !solve(&mut mass[..moving * moving], &mut accelerations[held..]) {
+            accelerations.fill(f64::NAN);
+        }
+    }
+}

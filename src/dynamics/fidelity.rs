@@ -1,0 +1,51 @@
+//! The five fidelity levels and the terms that each keeps [2.4; physics.md §2].
+
+/// How much of the nonlinear dynamics a model keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Fidelity {
+    /// E: all inertial and geometric nonlinearities.
+    Exact,
+    /// CL: undeformed mass matrix, deformed forcing, strain energy to third order.
+    ConsistentlyLinearised,
+    /// I: exact inertia, linear elasticity.
+    Inconsistent,
+    /// RL: undeformed inertia and arms, linear elasticity.
+    RuthlesslyLinearised,
+    /// No deformation.
+    Rigid,
+}
+
+/// What is evaluated on the deformed aircraft ("hat"), and which parts of the strain energy count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Terms {
+    /// The mass matrix.
+    pub deformed_mass: bool,
+    /// Inertial forcing with its q̇ terms, and the arms of gravity, thrust and air loads.
+    pub deformed_forcing: bool,
+    /// ½K₁(q)q.
+    pub cubic_energy: bool,
+    /// ⅓K₂(q)q.
+    pub quartic_energy: bool,
+}
+
+impl Fidelity {
+    /// All levels, in the order of the FMI enumeration (1-based there).
+    pub const ALL: [Fidelity; 5] = [
+        Fidelity::Exact,
+        Fidelity::ConsistentlyLinearised,
+        Fidelity::Inconsistent,
+        Fidelity::RuthlesslyLinearised,
+        Fidelity::Rigid,
+    ];
+
+    /// The table of physics.md §2.
+    pub fn terms(self) -> Terms {
+        let (deformed_mass, deformed_forcing, cubic_energy, quartic_energy) = match self {
+            Fidelity::Exact => (true, true, true, true),
+            Fidelity::ConsistentlyLinearised => (false, true, true, false),
+            Fidelity::Inconsistent => (true, true, false, false),
+            Fidelity::RuthlesslyLinearised | Fidelity::Rigid => (false, false, false, false),
+        };
+        Terms { deformed_mass, deformed_forcing, cubic_energy, quartic_energy }
+    }
+}

@@ -1,0 +1,152 @@
+//! Inertia of the deformed aircraft: mass matrix and inertial forcing [2.2–2.4; physics.md §2].
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::structure::ModalIntegrals;
+
+/// The deformation-dependent integrals ĉ, Ĵ, Γ̂, ĥ at one q.
+#[derive(Clone, Debug)]
+pub struct DeformedInertia {
+    /// ĉ = c₀ + p_α q_α, kg·m.
+    pub first_moment: Vector3<f64>,
+    /// Ĵ = J₀ + (Γᵀ + Γ)q + Πqq, kg·m².
+    pub inertia: Matrix3<f64>,
+    /// Γ̂_α = Γ_α + Π_αβ q_β.
+    pub gamma: Vec<Matrix3<f64>>,
+    /// ĥ_α = h_α + υ_αβ q_β.
+    pub angular_momentum: Vec<Vector3<f64>>,
+}
+
+impl DeformedInertia {
+    /// The undeformed values.
+    pub fn undeformed(integrals: &ModalIntegrals) -> Self {
+        DeformedInertia {
+            first_moment: integrals.first_moment,
+            inertia: integrals.inertia,
+            gamma: integrals.gamma.clone(),
+            angular_momentum: integrals.angular_momentum.clone(),
+        }
+    }
+
+    /// Evaluates all integrals at q.
+    pub fn deform(&mut self, integrals: &ModalIntegrals, q: &[f64]) {
+        let n = q.len();
+        self.first_moment = integrals.first_moment;
+        self.inertia = integrals.inertia;
+        for (a, &q_a) in q.iter().enumerate() {
+            let (mut gamma, mut h) = (integrals.gamma[a], integrals.angular_momentum[a]);
+            let row = a * n..(a + 1) * n;
+            for ((pi, upsilon), &q_b) in integrals.pi[row.clone()].iter().zip(&integrals.upsilon[row]).zip(q)
+            {
+                gamma += pi * q_b;
+                h += upsilon * q_b;
+            }
+            self.first_moment += integrals.momentum[a] * q_a;
+            self.inertia += (integrals.gamma[a].transpose() + gamma) * q_a;
+            self.gamma[a] = gamma;
+            self.angular_momentum[a] = h;
+        }
+    }
+
+    /// Writes the mass matrix of the present deformation, row-major on ν = [v; ω; q̇].
+    pub fn write_mass_matrix(&self, integrals: &ModalIntegrals, matrix: &mut [f64]) {
+        write_mass_matrix(integrals, &self.first_moment, &self.inertia, &self.angular_momentum, matrix);
+    }
+
+    /// Adds the inertial forcing of the rigid motion: −mω×v + ω×cω… without the δ terms in q̇.
+    pub fn add_forcing(&self, mass: f64, momentum: &[Vector3<f64>], motion: &RigidMotion, force: &mut [f64]) {
+        let RigidMotion { velocity, rate } = motion;
+        let transport = rate.cross(velocity);
+        let c = &self.first_moment;
+        add(&mut force[0..3], &(-transport * mass + rate.cross(&c.cross(rate))));
+        add(&mut force[3..6], &(-c.cross(&transport) - rate.cross(&(self.inertia * rate))));
+        for ((force, gamma), p) in force[6..].iter_mut().zip(&self.gamma).zip(momentum) {
+            *force += rate.dot(&(gamma * rate)) - p.dot(&transport);
+        }
+    }
+
+    /// Adds the δ terms −2ω×p_αq̇_α, −2Γ̂_αᵀωq̇_α, −2υ_αβᵀωq̇_β.
+    pub fn add_coriolis(
+        &self,
+        integrals: &ModalIntegrals,
+        rate: &Vector3<f64>,
+        q_dot: &[f64],
+        force: &mut [f64],
+    ) {
+        let n = q_dot.len();
+        let (mut momentum, mut moment) = (Vector3::zeros(), Vector3::zeros());
+        for ((p, gamma), &q_dot) in integrals.momentum.iter().zip(&self.gamma).zip(q_dot) {
+            momentum += p * q_dot;
+            moment += gamma.tr_mul(rate) * q_dot;
+        }
+        add(&mut force[0..3], &(rate.cross(&momentum) * -2.0));
+        add(&mut force[3..6], &(moment * -2.0));
+        for a in 0..n {
+            let coriolis: Vector3<f64> = integrals.upsilon[a * n..(a + 1) * n]
+                .iter()
+                .zip(q_dot)
+                .map(|(upsilon, &rate)| upsilon * rate)
+                .sum();
+            force[6 + a] -= 2.0 * coriolis.dot(rate);
+        }
+    }
+}
+
+/// v and ω, body axes.
+#[derive(Clone, Copy, Debug)]
+pub struct RigidMotion {
+    /// v, m/s.
+    pub velocity: Vector3<f64>,
+    /// ω, rad/s.
+    pub rate: Vector3<f64>,
+}
+
+/// Adds a vector to three entries of a slice.
+pub fn add(target: &mut [f64], vector: &Vector3<f64>) {
+    for (target, value) in target.iter_mut().zip(vector.iter()) {
+        *target += value;
+    }
+}
+
+/// Writes the mass matrix of the undeformed aircraft, row-major on ν = [v; ω; q̇].
+pub fn write_undeformed_mass_matrix(integrals: &ModalIntegrals, matrix: &mut [f64]) {
+    write_mass_matrix(
+        integrals,
+        &integrals.first_moment,
+        &integrals.inertia,
+        &integrals.angular_momentum,
+        matrix,
+    );
+}
+
+/// [[m1, −c×, p], [c×, J, h], [pᵀ, hᵀ, M]].
+fn write_mass_matrix(
+    integrals: &ModalIntegrals,
+    first_moment: &Vector3<f64>,
+    inertia: &Matrix3<f64>,
+    angular_momentum: &[Vector3<f64>],
+    matrix: &mut [f64],
+) {
+    let n = angular_momentum.len();
+    let size = 6 + n;
+    matrix.fill(0.0);
+    let cross = first_moment.cross_matrix();
+    for i in 0..3 {
+        matrix[i * size + i] = integrals.mass;
+        for j in 0..3 {
+            matrix[i * size + 3 + j] = -cross[(i, j)];
+            matrix[(3 + i) * size + j] = cross[(i, j)];
+            matrix[(3 + i) * size + 3 + j] = inertia[(i, j)];
+        }
+        for a in 0..n {
+            matrix[i * size + 6 + a] = integrals.momentum[a][i];
+            matrix[(6 + a) * size + i] = integrals.momentum[a][i];
+            matrix[(3 + i) * size + 6 + a] = angular_momentum[a][i];
+            matrix[(6 + a) * size + 3 + i] = angular_momentum[a][i];
+        }
+    }
+    for a in 0..n {
+        let row = (6 + a) * size + 6;
+        matrix[row..row + n].copy_from_slice(&integrals.mass_matrix[a * n..(a + 1) * n]);
+    }
+}

@@ -1,0 +1,24 @@
+//! The equations of motion of the flexible aircraft at five fidelity levels, and its trim [2; physics.md §2–6].
+
+mod attitude;
+mod controls;
+mod equations;
+mod fidelity;
+mod inertia;
+mod layout;
+mod linear_solve;
+mod mechanics;
+mod propulsion;
+mod rotation;
+mod strips;
+mod trim;
+mod workspace;
+
+pub use attitude::Attitude;
+pub use controls::Controls;
+pub use equations::{Configuration, EquationsOfMotion};
+pub use fidelity::{Fidelity, Terms};
+pub use layout::StateLayout;
+pub use mechanics::Mechanics;
+pub use trim::{Trim, TrimCondition, TrimError};
+pub use workspace::Workspace;

@@ -1,0 +1,44 @@
+//! The rotation exp(φ×) of a section by its elastic rotation vector (Rodrigues).
+
+use nalgebra::{Matrix3, Vector3};
+
+/// Below this φ² the series are exact to rounding, and cheaper than a sine.
+const SERIES_LIMIT: f64 = 0.25;
+
+/// exp(φ×) = 1 + (sin φ/φ) φ× + ((1 − cos φ)/φ²) φ×φ×.
+pub fn exponential(rotation: &Vector3<f64>) -> Matrix3<f64> {
+    let square = rotation.norm_squared();
+    let (sine, versine) = if square < SERIES_LIMIT {
+        (alternating_series(square, 2.0), alternating_series(square, 3.0) * 0.5)
+    } else {
+        let angle = libm::sqrt(square);
+        let (sin, cos) = libm::sincos(angle);
+        (sin / angle, (1.0 - cos) / square)
+    };
+    let cross = rotation.cross_matrix();
+    Matrix3::identity() * (1.0 - versine * square) + cross * sine + rotation * rotation.transpose() * versine
+}
+
+/// 1 − x/(k(k+1)) (1 − x/((k+2)(k+3)) (1 − …)): sin φ/φ for k = 2 and 2(1 − cos φ)/φ² for k = 3, x = φ².
+fn alternating_series(x: f64, k: f64) -> f64 {
+    (0..8).rev().fold(1.0, |tail, term| {
+        let k = k + 2.0 * f64::from(term);
+        1.0 - tail * x / (k * (k + 1.0))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_exponential_is_a_rotation_about_the_vector_on_both_sides_of_the_series_limit() {
+        for length in [0.0, 1e-9, 0.3, 0.499_999, 0.500_001, 2.0] {
+            let vector = Vector3::new(0.6, -0.48, 0.64) * length;
+            let matrix = exponential(&vector);
+            let reference = nalgebra::Rotation3::new(vector);
+            assert!((matrix - reference.matrix()).norm() < 1e-15 * 4.0, "{length}");
+            assert!((matrix * matrix.transpose() - Matrix3::identity()).norm() < 1e-15 * 4.0);
+        }
+    }
+}

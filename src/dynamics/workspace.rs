@@ -1,0 +1,54 @@
+//! Scratch memory of the equations of motion, allocated once.
+
+use super::equations::EquationsOfMotion;
+use super::inertia::DeformedInertia;
+
+/// Everything that evaluating the equations of motion overwrites.
+#[derive(Clone, Debug)]
+pub struct Workspace {
+    /// Integrals at the present q.
+    pub(super) inertia: DeformedInertia,
+    /// Generalised forces on ν.
+    pub(super) force: Vec<f64>,
+    /// ∂U/∂q.
+    pub(super) elastic_force: Vec<f64>,
+    /// Mass matrix with apparent mass, row-major.
+    pub(super) mass: Vec<f64>,
+    /// Rows of the strip at hand.
+    pub(super) rows: [Vec<f64>; 3],
+    /// ν̇ of the last evaluation.
+    pub(super) accelerations: Vec<f64>,
+    /// First lifting strip in reverse flow at the last evaluation.
+    pub(super) reversed: Option<usize>,
+}
+
+impl Workspace {
+    /// For the given equations.
+    pub fn new(equations: &EquationsOfMotion) -> Self {
+        let size = equations.layout().velocities();
+        Workspace {
+            inertia: DeformedInertia::undeformed(equations.integrals()),
+            force: vec![0.0; size],
+            elastic_force: vec![0.0; size - 6],
+            mass: vec![0.0; size * size],
+            rows: [vec![0.0; size], vec![0.0; size], vec![0.0; size]],
+            accelerations: vec![0.0; size],
+            reversed: None,
+        }
+    }
+
+    /// ν̇ = [v̇; ω̇; q̈] of the last evaluation.
+    pub fn accelerations(&self) -> &[f64] {
+        &self.accelerations
+    }
+
+    /// Generalised forces on ν of the last evaluation.
+    pub fn forces(&self) -> &[f64] {
+        &self.force
+    }
+
+    /// The first lifting strip that met the air backwards at the last evaluation.
+    pub fn reversed_strip(&self) -> Option<usize> {
+        self.reversed
+    }
+}

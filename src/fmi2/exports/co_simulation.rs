@@ -1,0 +1,144 @@
+//! Steps, derivatives and the status of the slave.
+
+use std::ffi::c_int;
+
+use super::{Outcome, array, on, write};
+use crate::fmi2::instance::{Instance, Refusal};
+use crate::fmi2::life_cycle::Function;
+use crate::fmi2::types::{
+    Boolean, CString, Component, FALSE, LAST_SUCCESSFUL_TIME, Status, TERMINATED, ValueReference,
+};
+
+/// Refused, as `providesDirectionalDerivative` says.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
+    component: Component,
+    _unknowns: *const ValueReference,
+    _unknown_count: usize,
+    _knowns: *const ValueReference,
+    _known_count: usize,
+    _known_changes: *const f64,
+    _unknown_changes: *mut f64,
+) -> Status {
+    let body = |_: &mut Instance| Err(Refusal::error("this FMU provides no directional derivatives"));
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::GetDirectionalDerivative, body) }
+}
+
+/// Rates of change of inputs, order 1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
+    component: Component,
+    references: *const ValueReference,
+    count: usize,
+    orders: *const c_int,
+    values: *const f64,
+) -> Status {
+    let body = |instance: &mut Instance| {
+        // SAFETY: arrays as the module says.
+        let (references, orders, rates) = unsafe {
+            (array(references, count, "vr")?, array(orders, count, "order")?, array(values, count, "value")?)
+        };
+        instance.set_input_rates(references, orders, rates)
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::SetRealInputDerivatives, body) }
+}
+
+/// Refused, as `maxOutputDerivativeOrder` 0 says.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
+    component: Component,
+    _references: *const ValueReference,
+    _count: usize,
+    _orders: *const c_int,
+    _values: *mut f64,
+) -> Status {
+    let body = |_: &mut Instance| Err(Refusal::error("this FMU provides no derivatives of outputs"));
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::GetRealOutputDerivatives, body) }
+}
+
+/// Flies one communication step.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2DoStep(
+    component: Component,
+    current_communication_point: f64,
+    communication_step_size: f64,
+    _no_set_fmu_state_prior_to_current_point: Boolean,
+) -> Status {
+    let body =
+        |instance: &mut Instance| instance.do_step(current_communication_point, communication_step_size);
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::DoStep, body) }
+}
+
+/// Refused: no step is ever in progress.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2CancelStep(component: Component) -> Status {
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::CancelStep, |_| Ok(())) }
+}
+
+/// Why a status is discarded.
+fn no_such_status(kind: c_int) -> Outcome {
+    let reason = format!("status kind {kind} is not known for a slave that computes while it is called");
+    Err(Refusal::discard(reason))
+}
+
+/// Discarded: there is no asynchronous step whose status could be asked for.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetStatus(component: Component, kind: c_int, _value: *mut Status) -> Status {
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::GetStatus, |_| no_such_status(kind)) }
+}
+
+/// The last communication point that was reached.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetRealStatus(component: Component, kind: c_int, value: *mut f64) -> Status {
+    let body = |instance: &mut Instance| match kind {
+        // SAFETY: results as the module says.
+        LAST_SUCCESSFUL_TIME => unsafe { write(value, instance.time, "value") },
+        _ => no_such_status(kind),
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::GetRealStatus, body) }
+}
+
+/// Discarded: the standard defines none.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetIntegerStatus(
+    component: Component,
+    kind: c_int,
+    _value: *mut c_int,
+) -> Status {
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::GetIntegerStatus, |_| no_such_status(kind)) }
+}
+
+/// Whether the slave wants to end the simulation: it never does.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetBooleanStatus(
+    component: Component,
+    kind: c_int,
+    value: *mut Boolean,
+) -> Status {
+    let body = |_: &mut Instance| match kind {
+        // SAFETY: results as the module says.
+        TERMINATED => unsafe { write(value, FALSE, "value") },
+        _ => no_such_status(kind),
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::GetBooleanStatus, body) }
+}
+
+/// Discarded: no step is ever pending.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetStringStatus(
+    component: Component,
+    kind: c_int,
+    _value: *mut CString,
+) -> Status {
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::GetStringStatus, |_| no_such_status(kind)) }
+}

@@ -1,0 +1,165 @@
+//! Making, freeing and initialising instances.
+
+use std::ffi::{c_char, c_int};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::ptr::null_mut;
+
+use super::{array, on, text};
+use crate::fmi2::instance::{Experiment, Instance, Refusal};
+use crate::fmi2::life_cycle::Function;
+use crate::fmi2::logger::{Category, Logger};
+use crate::fmi2::types::{Boolean, CO_SIMULATION, CString, CallbackFunctions, Component, FALSE, Status};
+
+/// "default": the types of `fmi2TypesPlatform.h` as they are.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2GetTypesPlatform() -> *const c_char {
+    c"default".as_ptr()
+}
+
+/// "2.0".
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2GetVersion() -> *const c_char {
+    c"2.0".as_ptr()
+}
+
+/// Makes an instance; NULL when that is not possible, with the reason in the log.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2Instantiate(
+    instance_name: CString,
+    fmu_type: c_int,
+    guid: CString,
+    resource_location: CString,
+    functions: *const CallbackFunctions,
+    _visible: Boolean,
+    logging_on: Boolean,
+) -> Component {
+    // SAFETY: the importer passes NULL or a structure that lives during this call.
+    let Some(callbacks) = (unsafe { functions.as_ref() }) else { return null_mut() };
+    // SAFETY: the importer passes NULL or NUL-terminated strings.
+    let [name, guid, location] =
+        [instance_name, guid, resource_location].map(|string| unsafe { text(string) });
+    let logger = |name: &str| {
+        Logger::new(callbacks.logger, callbacks.component_environment, name, logging_on != FALSE)
+    };
+    let name = name.unwrap_or_default();
+    let instantiated = catch_unwind(AssertUnwindSafe(|| {
+        if name.is_empty() {
+            return Err("instance name: found NULL or an empty string".to_owned());
+        }
+        if fmu_type != CO_SIMULATION {
+            let reason = format!("type: found {fmu_type}, allowed is fmi2CoSimulation ({CO_SIMULATION})");
+            return Err(reason);
+        }
+        let guid = guid.ok_or("guid: found NULL")?;
+        let location = location.ok_or("resource location: found NULL")?;
+        Instance::new(&location, &guid, logger(&name)).map_err(|error| error.to_string())
+    }));
+    let refused = |status, reason: &str| {
+        logger(&name).log(status, &format!("fmi2Instantiate: {reason}"));
+        null_mut()
+    };
+    match instantiated {
+        Ok(Ok(instance)) => Box::into_raw(Box::new(instance)).cast(),
+        Ok(Err(reason)) => refused(Status::Error, &reason),
+        Err(_) => refused(Status::Fatal, "internal error, please report it"),
+    }
+}
+
+/// Frees an instance; NULL is ignored.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2FreeInstance(component: Component) {
+    if component.is_null() {
+        return;
+    }
+    // SAFETY: by the module's contract this is a leaked `Box<Instance>` that is not used any more.
+    let instance = unsafe { Box::from_raw(component.cast::<Instance>()) };
+    // A panic while freeing has nobody to be told to.
+    let _ = catch_unwind(AssertUnwindSafe(|| drop(instance)));
+}
+
+/// Chooses log categories.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetDebugLogging(
+    component: Component,
+    logging_on: Boolean,
+    category_count: usize,
+    categories: *const CString,
+) -> Status {
+    let body = |instance: &mut Instance| {
+        // SAFETY: arrays as the module says.
+        let names = unsafe { array(categories, category_count, "categories") }?;
+        let mut chosen = Vec::with_capacity(names.len());
+        for name in names {
+            // SAFETY: strings as the module says.
+            let name = unsafe { text(*name) }.unwrap_or_default();
+            let category = Category::ALL.into_iter().find(|category| category.name() == name);
+            chosen.push(category.ok_or_else(|| {
+                let allowed = Category::ALL.map(Category::name).join(", ");
+                Refusal::error(format!("category: found `{name}`, allowed are {allowed}"))
+            })?);
+        }
+        instance.logger.choose(logging_on != FALSE, &chosen);
+        Ok(())
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::SetDebugLogging, body) }
+}
+
+/// Tolerance, start and stop time.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetupExperiment(
+    component: Component,
+    tolerance_defined: Boolean,
+    tolerance: f64,
+    start: f64,
+    stop_defined: Boolean,
+    stop: f64,
+) -> Status {
+    let experiment = Experiment {
+        tolerance: (tolerance_defined != FALSE).then_some(tolerance),
+        start,
+        stop: (stop_defined != FALSE).then_some(stop),
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::SetupExperiment, |instance| instance.set_up_experiment(experiment)) }
+}
+
+/// Begins initialisation.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2EnterInitializationMode(component: Component) -> Status {
+    let body = |instance: &mut Instance| {
+        instance.enter_initialization();
+        Ok(())
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::EnterInitializationMode, body) }
+}
+
+/// Trims and ends initialisation.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2ExitInitializationMode(component: Component) -> Status {
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::ExitInitializationMode, Instance::exit_initialization) }
+}
+
+/// Ends the simulation.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2Terminate(component: Component) -> Status {
+    let body = |instance: &mut Instance| {
+        instance.terminate();
+        Ok(())
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::Terminate, body) }
+}
+
+/// Back to the state after instantiation.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2Reset(component: Component) -> Status {
+    let body = |instance: &mut Instance| {
+        instance.reset();
+        Ok(())
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::Reset, body) }
+}

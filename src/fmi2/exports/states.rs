@@ -1,0 +1,125 @@
+//! Saved states.
+
+use std::ptr::null_mut;
+
+use super::{Outcome, array, array_to_fill, on, write};
+use crate::fmi2::instance::{Instance, Refusal};
+use crate::fmi2::life_cycle::Function;
+use crate::fmi2::saved_state::SavedState;
+use crate::fmi2::types::{Component, FmuState, Status};
+
+/// Saves the state; into the given state when there is one.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetFMUstate(component: Component, state: *mut FmuState) -> Status {
+    let body = |instance: &mut Instance| {
+        // SAFETY: `state` is NULL or a place that holds NULL or a state, as the module says of states.
+        unsafe { store(state, instance.save()) }
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::GetFMUstate, body) }
+}
+
+/// Puts a saved state behind a handle, into the present one when there is one.
+///
+/// # Safety
+/// `place` is NULL or holds NULL or a state, as the module says of states.
+unsafe fn store(place: *mut FmuState, saved: SavedState) -> Outcome {
+    // SAFETY: by the caller.
+    let Some(handle) = (unsafe { place.as_mut() }) else {
+        return Err(Refusal::error("FMUstate: found NULL, expected a place for the result"));
+    };
+    // SAFETY: by the caller, what is not NULL is a leaked `Box<SavedState>`.
+    match unsafe { handle.cast::<SavedState>().as_mut() } {
+        Some(present) => *present = saved,
+        None => *handle = Box::into_raw(Box::new(saved)).cast(),
+    }
+    Ok(())
+}
+
+/// The saved state behind a handle.
+///
+/// # Safety
+/// As the module says of states; the result must not outlive the call into the FMU.
+unsafe fn saved<'a>(state: FmuState) -> Result<&'a SavedState, Refusal> {
+    // SAFETY: by the caller, what is not NULL is a leaked `Box<SavedState>`.
+    unsafe { state.cast::<SavedState>().as_ref() }.ok_or_else(|| Refusal::error("FMUstate: found NULL"))
+}
+
+/// Goes back to a saved state.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetFMUstate(component: Component, state: FmuState) -> Status {
+    // SAFETY: states and components as the module says.
+    unsafe { on(component, Function::SetFMUstate, |instance| instance.restore(saved(state)?)) }
+}
+
+/// Frees a saved state and sets the handle to NULL; NULL is ignored.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2FreeFMUstate(component: Component, state: *mut FmuState) -> Status {
+    let body = |_: &mut Instance| {
+        // SAFETY: `state` is NULL or a place that holds NULL or a state.
+        let Some(handle) = (unsafe { state.as_mut() }) else { return Ok(()) };
+        let owned = std::mem::replace(handle, null_mut()).cast::<SavedState>();
+        if !owned.is_null() {
+            // SAFETY: it is a leaked `Box<SavedState>`, and the only handle to it has been cleared.
+            drop(unsafe { Box::from_raw(owned) });
+        }
+        Ok(())
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::FreeFMUstate, body) }
+}
+
+/// Length of a saved state in bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
+    component: Component,
+    state: FmuState,
+    size: *mut usize,
+) -> Status {
+    // SAFETY: states, results and components as the module says.
+    unsafe {
+        on(component, Function::SerializedFMUstateSize, |_| write(size, saved(state)?.bytes().len(), "size"))
+    }
+}
+
+/// Copies a saved state into an array.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SerializeFMUstate(
+    component: Component,
+    state: FmuState,
+    bytes: *mut u8,
+    size: usize,
+) -> Status {
+    let body = |_: &mut Instance| {
+        // SAFETY: states and arrays as the module says.
+        let (saved, places) = unsafe { (saved(state)?, array_to_fill(bytes, size, "serializedState")?) };
+        let length = saved.bytes().len();
+        if places.len() < length {
+            return Err(Refusal::error(format!("size: found {size}, the state needs {length} bytes")));
+        }
+        for (place, byte) in places.iter_mut().zip(saved.bytes()) {
+            place.write(*byte);
+        }
+        Ok(())
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::SerializeFMUstate, body) }
+}
+
+/// Makes a saved state of its bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
+    component: Component,
+    bytes: *const u8,
+    size: usize,
+    state: *mut FmuState,
+) -> Status {
+    let body = |instance: &mut Instance| {
+        // SAFETY: arrays as the module says.
+        let saved = instance.deserialise(unsafe { array(bytes, size, "serializedState") }?)?;
+        // SAFETY: `state` is NULL or a place that holds NULL or a state.
+        unsafe { store(state, saved) }
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Function::DeSerializeFMUstate, body) }
+}

@@ -1,0 +1,66 @@
+//! The FMI 2.0 co-simulation interface: a thin C shell over [`Simulation`](crate::simulation::Simulation).
+//!
+//! | module | its one idea |
+//! | --- | --- |
+//! | `exports` | the functions of the C header: pointers in, safe Rust types out, nothing else |
+//! | `instance` | an instance: life cycle, experiment, steps, in safe Rust |
+//! | `values` | getting and setting variables of an instance |
+//! | `saved_state` | the state of an instance as bytes |
+//! | `life_cycle` | which function may be called in which state |
+//! | `logger` | messages to the importer |
+//! | `resource` | from the resource location to the reduced model |
+//! | [`model_description`] | the XML, written from the variable table |
+//!
+//! This is the only module with `unsafe`: in `exports`, where C's pointers arrive, and in `logger`, where the
+//! importer's function is called. A refused call leaves the instance as it was.
+
+mod exports;
+mod instance;
+mod life_cycle;
+mod logger;
+pub mod model_description;
+mod resource;
+mod saved_state;
+mod types;
+mod values;
+
+use crate::structure::ReducedModel;
+
+/// Name of the reduced model's file in the FMU's `resources/`.
+pub const RESOURCE_FILE: &str = "model.bin";
+
+/// `modelName` and `modelIdentifier`; the shared libraries of the archive are named after it.
+pub const MODEL_IDENTIFIER: &str = "FlexibleAircraft";
+
+/// The guid of the FMU of an aircraft: the same for the same aircraft, variables and version of this
+/// crate, and another one when any of them changes.
+pub fn guid(model: &ReducedModel) -> String {
+    let id = identity(model);
+    let group = |shift: u32, digits: u32| (id >> shift) & ((1 << (4 * digits)) - 1);
+    format!(
+        "{{{:08x}-{:04x}-{:04x}-{:04x}-{:012x}}}",
+        group(96, 8),
+        group(80, 4),
+        group(64, 4),
+        group(48, 4),
+        group(0, 12)
+    )
+}
+
+/// Hash of the model's content and of the model description (without a guid), which says everything else
+/// that an importer relies on.
+fn identity(model: &ReducedModel) -> u128 {
+    let description = model_description::with_guid(model, "");
+    let content = model.content_hash().to_le_bytes();
+    fnv1a(content.iter().chain(description.as_bytes()))
+}
+
+/// FNV-1a, 128 bits (G. Fowler, L. C. Noll, K.-P. Vo; offset basis and prime from their publication).
+fn fnv1a<'a>(bytes: impl IntoIterator<Item = &'a u8>) -> u128 {
+    const OFFSET_BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
+    const PRIME: u128 = (1 << 88) + 0x13b;
+    bytes.into_iter().fold(OFFSET_BASIS, |hash, byte| (hash ^ u128::from(*byte)).wrapping_mul(PRIME))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,192 @@
+//! The state of an instance as bytes: everything that decides how it goes on, and nothing of the log.
+//!
+//! Layout, little-endian: magic, length of the whole, identity of the FMU, life-cycle state, time,
+//! experiment, parameters, inputs and their rates in the order of the variable table, the flight's own
+//! snapshot when there is one, checksum of all that. The identity changes with aircraft, variables and
+//! version, so foreign bytes are noticed without a version number of their own.
+
+use super::fnv1a;
+use super::instance::{Experiment, Instance, Refusal};
+use super::life_cycle::State;
+use crate::simulation::{Inputs, Settings};
+use crate::variables::{Slot, Type, Value};
+
+/// What `fmi2FMUstate` points to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SavedState {
+    bytes: Vec<u8>,
+}
+
+const MAGIC: &[u8; 8] = b"FlexAcSt";
+const CHECKSUM_LENGTH: usize = size_of::<u128>();
+
+impl SavedState {
+    /// For `fmi2SerializeFMUstate`.
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+}
+
+impl Instance {
+    /// `fmi2GetFMUstate`.
+    pub fn save(&self) -> SavedState {
+        let mut bytes = Vec::new();
+        bytes.extend(MAGIC);
+        bytes.extend(0u64.to_le_bytes());
+        bytes.extend(self.identity.to_le_bytes());
+        bytes.push(self.state as u8);
+        bytes.extend(self.time.to_le_bytes());
+        bytes.extend(self.experiment.start.to_le_bytes());
+        for optional in [self.experiment.tolerance, self.experiment.stop] {
+            bytes.push(u8::from(optional.is_some()));
+            bytes.extend(optional.unwrap_or_default().to_le_bytes());
+        }
+        for (_, variable) in self.table.iter() {
+            match variable.slot {
+                Slot::Parameter(slot) => match slot.get(&self.settings) {
+                    Value::Real(x) => bytes.extend(x.to_le_bytes()),
+                    Value::Integer(i) => bytes.extend(i.to_le_bytes()),
+                },
+                Slot::Input(slot) => {
+                    bytes.extend(slot.get(&self.inputs).to_le_bytes());
+                    bytes.extend(slot.get(&self.rates).to_le_bytes());
+                }
+                Slot::Output(_) => {}
+            }
+        }
+        bytes.push(u8::from(self.flight.is_some()));
+        if let Some(flight) = &self.flight {
+            flight.snapshot(&mut bytes);
+        }
+        let length = (bytes.len() + CHECKSUM_LENGTH) as u64;
+        bytes[MAGIC.len()..MAGIC.len() + 8].copy_from_slice(&length.to_le_bytes());
+        bytes.extend(fnv1a(&bytes).to_le_bytes());
+        SavedState { bytes }
+    }
+
+    /// `fmi2DeSerializeFMUstate`: checks that the bytes are whole, undamaged and of this FMU.
+    pub fn deserialise(&self, bytes: &[u8]) -> Result<SavedState, Refusal> {
+        let refuse = |reason: String| Err(Refusal::error(format!("serialised state: {reason}")));
+        let mut reader = Reader { bytes };
+        if reader.take() != Some(*MAGIC) {
+            return refuse("these bytes are not a state of this FMU".into());
+        }
+        let length = reader.take().map(u64::from_le_bytes);
+        if length != Some(bytes.len() as u64) {
+            let expected = length.map_or("at least 16".to_owned(), |length| length.to_string());
+            return refuse(format!("found {} bytes, expected {expected}", bytes.len()));
+        }
+        let (content, checksum) = bytes.split_at(bytes.len().saturating_sub(CHECKSUM_LENGTH));
+        if checksum != fnv1a(content).to_le_bytes() {
+            return refuse("its checksum is wrong, so it is damaged".into());
+        }
+        if reader.take().map(u128::from_le_bytes) != Some(self.identity) {
+            return refuse("it is of another aircraft or another version of this FMU".into());
+        }
+        Ok(SavedState { bytes: bytes.to_vec() })
+    }
+
+    /// `fmi2SetFMUstate`: goes back to a saved state, or changes nothing.
+    pub fn restore(&mut self, saved: &SavedState) -> Result<(), Refusal> {
+        let content = &saved.bytes[..saved.bytes.len().saturating_sub(CHECKSUM_LENGTH)];
+        let restored = Restored::read(self, content)
+            .ok_or_else(|| Refusal::error("the saved state is not of this FMU or damaged"))?;
+        match restored.flight {
+            None => self.flight = None,
+            Some(snapshot) => {
+                let same = restored.settings == self.settings
+                    && restored.experiment.tolerance == self.experiment.tolerance;
+                let refuse = |error| Refusal::error(format!("the saved flight: {error}"));
+                match self.flight.as_mut().filter(|_| same) {
+                    Some(flight) => flight.restore(snapshot).map_err(refuse)?,
+                    None => {
+                        let mut flight = self.trimmed(&restored.settings, &restored.experiment)?;
+                        flight.restore(snapshot).map_err(refuse)?;
+                        self.flight = Some(flight);
+                    }
+                }
+            }
+        }
+        self.state = restored.state;
+        self.time = restored.time;
+        self.experiment = restored.experiment;
+        self.settings = restored.settings;
+        self.inputs = restored.inputs;
+        self.rates = restored.rates;
+        Ok(())
+    }
+}
+
+/// What the bytes say.
+struct Restored<'a> {
+    state: State,
+    time: f64,
+    experiment: Experiment,
+    settings: Settings,
+    inputs: Inputs,
+    rates: Inputs,
+    flight: Option<&'a [u8]>,
+}
+
+impl<'a> Restored<'a> {
+    fn read(instance: &Instance, content: &'a [u8]) -> Option<Self> {
+        let mut reader = Reader { bytes: content };
+        reader.take::<8>().filter(|magic| magic == MAGIC)?;
+        reader.take::<8>()?;
+        reader.take().map(u128::from_le_bytes).filter(|identity| *identity == instance.identity)?;
+        let state = *State::ALL.get(usize::from(reader.byte()?))?;
+        let time = reader.real()?;
+        let start = reader.real()?;
+        let tolerance = reader.optional_real()?;
+        let stop = reader.optional_real()?;
+        let mut settings = instance.settings.clone();
+        let mut inputs = instance.inputs.clone();
+        let mut rates = instance.rates.clone();
+        for (_, variable) in instance.table.iter() {
+            match variable.slot {
+                Slot::Parameter(slot) => {
+                    let value = match variable.kind {
+                        Type::Real => Value::Real(reader.real()?),
+                        _ => Value::Integer(i32::from_le_bytes(reader.take()?)),
+                    };
+                    slot.set(&mut settings, Some(value).filter(|value| variable.allows(*value))?);
+                }
+                Slot::Input(slot) => {
+                    *slot.of(&mut inputs) = reader.real()?;
+                    *slot.of(&mut rates) = reader.real()?;
+                }
+                Slot::Output(_) => {}
+            }
+        }
+        let flight = (reader.byte()? == 1).then_some(reader.bytes);
+        let experiment = Experiment { tolerance, start, stop };
+        Some(Restored { state, time, experiment, settings, inputs, rates, flight })
+    }
+}
+
+/// Reads from the front.
+struct Reader<'a> {
+    bytes: &'a [u8],
+}
+
+impl Reader<'_> {
+    fn take<const N: usize>(&mut self) -> Option<[u8; N]> {
+        let (front, rest) = self.bytes.split_first_chunk()?;
+        self.bytes = rest;
+        Some(*front)
+    }
+
+    fn byte(&mut self) -> Option<u8> {
+        self.take().map(|[byte]| byte)
+    }
+
+    fn real(&mut self) -> Option<f64> {
+        self.take().map(f64::from_le_bytes)
+    }
+
+    fn optional_real(&mut self) -> Option<Option<f64>> {
+        let present = self.byte()? == 1;
+        let value = self.real()?;
+        Some(present.then_some(value))
+    }
+}

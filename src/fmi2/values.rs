@@ -1,0 +1,192 @@
+//! Getting and setting the variables of an instance, and asking for its status.
+//!
+//! Everything about a call is checked before anything is changed.
+
+use super::instance::{Instance, Refusal};
+use super::life_cycle::State;
+use super::types::ValueReference;
+use crate::variables::{InputSlot, Slot, Type, Value, Variable};
+
+/// Which variables a function reads or writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// Reals.
+    Real,
+    /// Integers and enumerations.
+    Integer,
+}
+
+impl Family {
+    fn of(kind: Type) -> Self {
+        match kind {
+            Type::Real => Family::Real,
+            Type::Integer | Type::Enumeration(_) => Family::Integer,
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Family::Real => "a Real",
+            Family::Integer => "an Integer or Enumeration",
+        }
+    }
+}
+
+impl Instance {
+    /// Passes the values of the referenced variables on, in order, once all references are known to be good.
+    pub fn get(
+        &mut self,
+        family: Family,
+        references: &[ValueReference],
+        mut sink: impl FnMut(usize, Value),
+    ) -> Result<(), Refusal> {
+        let mut any_output = false;
+        for reference in references {
+            any_output |= matches!(self.variable(*reference, family)?.slot, Slot::Output(_));
+        }
+        if any_output {
+            self.flight()?;
+        }
+        let Instance { table, inputs, settings, flight, time, .. } = self;
+        let present = flight.as_mut().filter(|_| any_output).map(|flight| {
+            let trim = flight.trim().clone();
+            (trim, flight.outputs())
+        });
+        let values = references.iter().filter_map(|reference| table.get(*reference)).map(|variable| {
+            let value = match (variable.slot, &present) {
+                (Slot::Input(slot), _) => Value::Real(slot.get(inputs)),
+                (Slot::Parameter(slot), _) => slot.get(settings),
+                (Slot::Output(slot), Some((trim, outputs))) => Value::Real(slot.get(outputs, trim)),
+                (Slot::Output(_), None) => Value::Real(f64::NAN),
+            };
+            (variable, value)
+        });
+        for (variable, value) in values.clone() {
+            if matches!(value, Value::Real(x) if !x.is_finite()) {
+                return Err(Refusal::error(format!("`{}` is not finite at t = {time} s", variable.name)));
+            }
+        }
+        values.enumerate().for_each(|(i, (_, value))| sink(i, value));
+        Ok(())
+    }
+
+    /// Sets variables, all of them or none.
+    pub fn set(
+        &mut self,
+        family: Family,
+        references: &[ValueReference],
+        values: impl Iterator<Item = Value> + Clone,
+    ) -> Result<(), Refusal> {
+        for (reference, value) in references.iter().zip(values.clone()) {
+            let variable = self.variable(*reference, family)?;
+            if let Some(objection) = objection_to_setting(variable, value, self.state) {
+                return Err(Refusal::error(objection));
+            }
+        }
+        let mut settings = self.settings.clone();
+        for (reference, value) in references.iter().zip(values) {
+            match (self.variable(*reference, family)?.slot, value) {
+                (Slot::Input(slot), Value::Real(x)) => {
+                    *slot.of(&mut self.inputs) = x;
+                    *slot.of(&mut self.rates) = 0.0;
+                }
+                (Slot::Parameter(slot), value) => slot.set(&mut settings, value),
+                _ => {}
+            }
+        }
+        if settings != self.settings {
+            self.settings = settings;
+            self.flight = None;
+        }
+        self.pass_inputs_on();
+        Ok(())
+    }
+
+    /// `fmi2SetRealInputDerivatives`: from now on the input changes at this rate, until it is set again.
+    pub fn set_input_rates(
+        &mut self,
+        references: &[ValueReference],
+        orders: &[i32],
+        rates: &[f64],
+    ) -> Result<(), Refusal> {
+        let mut slots = Vec::with_capacity(references.len());
+        for ((reference, order), rate) in references.iter().zip(orders).zip(rates) {
+            slots.push((self.input(*reference)?, *rate));
+            if *order != 1 {
+                let name = &self.variable(*reference, Family::Real)?.name;
+                return Err(Refusal::error(format!(
+                    "`{name}`: found a derivative of order {order}, allowed is 1"
+                )));
+            }
+            if !rate.is_finite() {
+                let name = &self.variable(*reference, Family::Real)?.name;
+                return Err(Refusal::error(format!(
+                    "`{name}`: found the derivative {rate}, allowed are finite ones"
+                )));
+            }
+        }
+        for (slot, rate) in slots {
+            *slot.of(&mut self.rates) = rate;
+        }
+        self.pass_inputs_on();
+        Ok(())
+    }
+
+    /// Refuses any reference: there are no variables of the asked type.
+    pub fn none_of_type(&self, references: &[ValueReference], wanted: &str) -> Result<(), Refusal> {
+        let Some(reference) = references.first() else { return Ok(()) };
+        Err(Refusal::error(match self.table.get(*reference) {
+            Some(variable) => {
+                format!("`{}` is {}, not {wanted}", variable.name, Family::of(variable.kind).name())
+            }
+            None => unknown(*reference),
+        }))
+    }
+
+    fn variable(&self, reference: ValueReference, family: Family) -> Result<&Variable, Refusal> {
+        let variable = self.table.get(reference).ok_or_else(|| Refusal::error(unknown(reference)))?;
+        let found = Family::of(variable.kind);
+        if found != family {
+            let reason = format!("`{}` is {}, not {}", variable.name, found.name(), family.name());
+            return Err(Refusal::error(reason));
+        }
+        Ok(variable)
+    }
+
+    fn input(&self, reference: ValueReference) -> Result<InputSlot, Refusal> {
+        let variable = self.variable(reference, Family::Real)?;
+        match variable.slot {
+            Slot::Input(slot) => Ok(slot),
+            _ => Err(Refusal::error(format!("`{}` is not an input", variable.name))),
+        }
+    }
+
+    fn pass_inputs_on(&mut self) {
+        if let Some(flight) = &mut self.flight {
+            flight.set_inputs(&self.inputs, &self.rates);
+        }
+    }
+}
+
+fn unknown(reference: ValueReference) -> String {
+    format!("value reference {reference}: there is no such variable")
+}
+
+/// Why a variable may not be set to a value now.
+fn objection_to_setting(variable: &Variable, value: Value, state: State) -> Option<String> {
+    let name = &variable.name;
+    match variable.slot {
+        Slot::Output(_) => return Some(format!("`{name}` is an output and cannot be set")),
+        Slot::Parameter(_) if state == State::StepComplete => {
+            return Some(format!(
+                "`{name}` is a fixed parameter: it can be set only until initialisation ends"
+            ));
+        }
+        _ => {}
+    }
+    let found = match value {
+        Value::Real(x) => x.to_string(),
+        Value::Integer(i) => i.to_string(),
+    };
+    (!variable.allows(value)).then(|| format!("`{name}`: found {found}, allowed is {}", variable.allowed()))
+}
