@@ -20,5 +20,6 @@ pub use equations::{Configuration, EquationsOfMotion};
 pub use fidelity::{Fidelity, Terms};
 pub use layout::StateLayout;
 pub use mechanics::Mechanics;
+pub(crate) use propulsion::combine;
 pub use trim::{Trim, TrimCondition, TrimError};
 pub use workspace::Workspace;

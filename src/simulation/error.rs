@@ -1,7 +1,9 @@
 //! Why a flight cannot start or go on.
 
+use crate::dynamics::TrimError;
+
 /// Why a flight cannot start or go on.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SimulationError {
     /// A setting is outside its range.
     #[error("{setting}: found {found}, allowed is {allowed}")]
@@ -13,4 +15,38 @@ pub enum SimulationError {
         /// What is allowed.
         allowed: String,
     },
+    /// The aircraft cannot be trimmed.
+    #[error(transparent)]
+    Trim(#[from] TrimError),
+    /// A lifting strip meets the air backwards.
+    #[error(
+        "at {time} s the air meets strip {strip} (on {component}) from behind: the strip theory is not valid there"
+    )]
+    ReverseFlow {
+        /// s.
+        time: f64,
+        /// Index of the strip.
+        strip: usize,
+        /// The component it belongs to.
+        component: String,
+    },
+    /// The state is no longer a number.
+    #[error("at {time} s the state is no longer finite: the flight has left the range of the model")]
+    NotFinite {
+        /// s.
+        time: f64,
+    },
+    /// The tolerance cannot be met.
+    #[error("at {time} s steps of {step} s do not meet the relative tolerance {tolerance}")]
+    Tolerance {
+        /// s.
+        time: f64,
+        /// Smallest step tried, s.
+        step: f64,
+        /// What was asked for.
+        tolerance: f64,
+    },
+    /// The bytes are not a snapshot of this simulation.
+    #[error("not a snapshot of this flight: {0}")]
+    Snapshot(&'static str),
 }

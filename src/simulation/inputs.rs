@@ -29,4 +29,21 @@ impl Inputs {
             wind: Vector3::zeros(),
         }
     }
+
+    /// Whether nothing acts, or as rates, nothing changes.
+    pub(super) fn is_zero(&self) -> bool {
+        self.values().all(|value| value == 0.0)
+    }
+
+    /// All numbers, in the order of [`values_mut`](Self::values_mut).
+    pub(super) fn values(&self) -> impl Iterator<Item = f64> {
+        let Inputs { elevator, aileron, rudder, thrust, wind } = self;
+        [elevator, aileron, rudder].into_iter().chain(thrust).chain(wind.iter()).copied()
+    }
+
+    /// All numbers, to be changed.
+    pub(super) fn values_mut(&mut self) -> impl Iterator<Item = &mut f64> {
+        let Inputs { elevator, aileron, rudder, thrust, wind } = self;
+        [elevator, aileron, rudder].into_iter().chain(thrust).chain(wind.iter_mut())
+    }
 }

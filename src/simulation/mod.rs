@@ -3,8 +3,10 @@
 mod error;
 mod flight;
 mod inputs;
+mod integrator;
 mod outputs;
 mod settings;
+mod snapshot;
 
 pub use crate::dynamics::Fidelity;
 pub use error::SimulationError;

@@ -1,6 +1,15 @@
 //! What an engineer reads after a step.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
+
+use crate::aerodynamics::Air;
+use crate::dynamics::{Attitude, combine};
+use crate::structure::ReducedModel;
+
+use super::Simulation;
+
+/// m/s².
+const STANDARD_GRAVITY: f64 = 9.80665;
 
 /// All outputs at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,4 +68,83 @@ pub struct Deflection {
     pub displacement: Vector3<f64>,
     /// Rotation about the station's twist axis, nose-up positive, rad.
     pub twist: f64,
+}
+
+impl Outputs {
+    /// Room for the outputs of a model, all zero.
+    pub(super) fn new(model: &ReducedModel) -> Self {
+        Outputs {
+            position: Vector3::zeros(),
+            attitude: Vector3::zeros(),
+            velocity: Vector3::zeros(),
+            rate: Vector3::zeros(),
+            acceleration: Vector3::zeros(),
+            load_factor: Vector3::zeros(),
+            air: AirData::default(),
+            deflections: vec![Deflection::default(); model.stations.len()],
+            modal_q: vec![0.0; model.modes.len()],
+            modal_q_dot: vec![0.0; model.modes.len()],
+            elevator: 0.0,
+            aileron: 0.0,
+            rudder: 0.0,
+            thrust: vec![0.0; model.engines.len()],
+        }
+    }
+}
+
+/// Writes the outputs of a simulation whose accelerations and controls are up to date.
+pub(super) fn write(simulation: &mut Simulation) {
+    let Simulation { equations, state, controls, workspace, outputs, model, modes, .. } = simulation;
+    let layout = equations.layout();
+    let attitude = Attitude::from_quaternion(&state[layout.attitude()]);
+    let motion = equations.motion(state);
+    let acceleration = Vector3::from_column_slice(&workspace.accelerations()[0..3]);
+    let to_body = attitude.body_from_inertial;
+
+    outputs.position = Vector3::from_column_slice(&state[layout.position()]);
+    outputs.attitude = attitude.euler_angles();
+    outputs.velocity = motion.velocity;
+    outputs.rate = motion.rate;
+    outputs.acceleration = acceleration;
+    outputs.load_factor =
+        load_factor(&(acceleration + motion.rate.cross(&motion.velocity)), &to_body, model.gravity);
+    let air_velocity = motion.velocity - to_body * equations.air_motion(controls);
+    outputs.air = AirData::new(&air_velocity, &Air::at(equations.altitude(state)));
+
+    let (q, q_dot) = (&state[layout.coordinates()], &state[layout.coordinate_rates()]);
+    for ((&packaged, q), q_dot) in modes.iter().zip(q).zip(q_dot) {
+        outputs.modal_q[packaged] = *q;
+        outputs.modal_q_dot[packaged] = *q_dot;
+    }
+    for (deflection, station) in outputs.deflections.iter_mut().zip(&model.stations) {
+        *deflection = Deflection {
+            displacement: combine(&station.shapes.translation, &outputs.modal_q),
+            twist: station.twist_axis.dot(&combine(&station.shapes.rotation, &outputs.modal_q)),
+        };
+    }
+    (outputs.elevator, outputs.aileron, outputs.rudder) =
+        (controls.elevator, controls.aileron, controls.rudder);
+    outputs.thrust.copy_from_slice(&controls.thrust);
+}
+
+/// (inertial acceleration − gravity)/g along x_b, y_b, −z_b; without gravity, in units of standard gravity.
+fn load_factor(inertial: &Vector3<f64>, to_body: &Matrix3<f64>, gravity: f64) -> Vector3<f64> {
+    let unit = if gravity > 0.0 { gravity } else { STANDARD_GRAVITY };
+    let specific_force = (inertial - to_body * Vector3::new(0.0, 0.0, gravity)) / unit;
+    Vector3::new(specific_force.x, specific_force.y, -specific_force.z)
+}
+
+impl AirData {
+    /// From the velocity relative to the air, body axes, m/s.
+    fn new(velocity: &Vector3<f64>, air: &Air) -> Self {
+        let speed = velocity.norm();
+        AirData {
+            speed,
+            angle_of_attack: libm::atan2(velocity.z, velocity.x),
+            sideslip: if speed > 0.0 { libm::asin((velocity.y / speed).clamp(-1.0, 1.0)) } else { 0.0 },
+            mach: speed / air.speed_of_sound,
+            density: air.density,
+            dynamic_pressure: 0.5 * air.density * speed * speed,
+        }
+    }
 }

@@ -1,6 +1,10 @@
 //! What a user chooses before the flight.
 
+use crate::aerodynamics::PetersInflow;
 use crate::dynamics::Fidelity;
+use crate::structure::{ModeFamily, ReducedModel};
+
+use super::SimulationError;
 
 /// Which families of modes take part, lowest frequencies first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -63,4 +67,67 @@ impl Default for Settings {
             input_reference: InputReference::Trim,
         }
     }
+}
+
+impl Settings {
+    /// Checks every setting against its range and against the model, and chooses the modes: ascending
+    /// indices of the packaged modes that take part.
+    ///
+    /// # Errors
+    /// Names the first setting that is out of range.
+    pub fn choose_modes(&self, model: &ReducedModel) -> Result<Vec<usize>, SimulationError> {
+        self.check_ranges()?;
+        if self.fidelity == Fidelity::Rigid {
+            return Ok(Vec::new());
+        }
+        let candidates: Vec<usize> = (0..model.modes.len())
+            .filter(|&mode| {
+                self.mode_selection == ModeSelection::All || model.modes[mode].family == ModeFamily::Symmetric
+            })
+            .collect();
+        if self.mode_selection == ModeSelection::Symmetric
+            && model.modes.iter().any(|mode| mode.family == ModeFamily::Unsymmetric)
+        {
+            return refuse("mode_family", "symmetric", "all: the structure has no mirror plane y = 0");
+        }
+        if self.mode_count > candidates.len() {
+            let allowed = format!("0 to {} modes of the chosen family, as packaged", candidates.len());
+            return refuse("mode_count", self.mode_count, &allowed);
+        }
+        Ok(candidates.into_iter().take(self.mode_count).collect())
+    }
+
+    fn check_ranges(&self) -> Result<(), SimulationError> {
+        let within = |setting, value: f64, inside: bool, allowed| {
+            if value.is_finite() && inside { Ok(()) } else { refuse(setting, value, allowed) }
+        };
+        let Settings { airspeed, altitude, heading, stiffness_scale, structural_damping, tolerance, .. } =
+            *self;
+        within("airspeed", airspeed, airspeed > 0.0, "a finite number > 0 (m/s)")?;
+        let in_atmosphere = (-2000.0..=20_000.0).contains(&altitude);
+        within(
+            "altitude",
+            altitude,
+            in_atmosphere,
+            "-2000 to 20000 (m, the standard atmosphere's two layers)",
+        )?;
+        within("heading", heading, true, "a finite number (rad)")?;
+        within("stiffness_scale", stiffness_scale, stiffness_scale > 0.0, "a finite number > 0")?;
+        within("structural_damping", structural_damping, structural_damping >= 0.0, "a finite number >= 0")?;
+        within(
+            "tolerance",
+            tolerance,
+            tolerance > 0.0 && tolerance < 1.0,
+            "a number between 0 and 1, exclusive",
+        )?;
+        if self.inflow_states > PetersInflow::MAX_STATES {
+            let allowed = format!("0 to {}", PetersInflow::MAX_STATES);
+            return refuse("inflow_states", self.inflow_states, &allowed);
+        }
+        Ok(())
+    }
+}
+
+fn refuse<T>(setting: &'static str, found: impl ToString, allowed: &str) -> Result<T, SimulationError> {
+    Err(SimulationError::Setting { setting, found: found.to_string(), allowed: allowed.to_owned() })
 }

@@ -1,0 +1,98 @@
+//! The complete state of a flight as bytes: restoring them continues bit for bit.
+//!
+//! Layout, little-endian: 8 bytes of magic with the format's version, identity of model and settings (u128),
+//! sub-steps (u32), number of numbers (u32), the numbers (f64), FNV-1a hash of all before (u128).
+
+use crate::structure::{ReducedModel, fnv1a};
+
+use super::integrator::MAX_SUBSTEPS;
+use super::{Settings, Simulation, SimulationError};
+
+/// Names the format and its version.
+const MAGIC: &[u8; 8] = b"FLXSNP01";
+
+/// Bytes before the numbers.
+const HEADER: usize = 8 + 16 + 4 + 4;
+
+/// Identifies the model and the settings that a snapshot belongs to.
+pub(super) fn identity(model: &ReducedModel, settings: &Settings) -> u128 {
+    let description = format!("{:032x} {settings:?}", model.content_hash());
+    fnv1a(description.as_bytes())
+}
+
+impl Simulation {
+    /// Appends the complete state as bytes; allocates only when `bytes` lacks room.
+    pub fn snapshot(&self, bytes: &mut Vec<u8>) {
+        let start = bytes.len();
+        bytes.extend_from_slice(MAGIC);
+        bytes.extend_from_slice(&self.identity.to_le_bytes());
+        bytes.extend_from_slice(&self.substeps.to_le_bytes());
+        bytes.extend_from_slice(&(self.numbers() as u32).to_le_bytes());
+        for number in [self.time, self.input_time] {
+            bytes.extend_from_slice(&number.to_le_bytes());
+        }
+        for inputs in [&self.inputs, &self.input_rates] {
+            for number in inputs.values() {
+                bytes.extend_from_slice(&number.to_le_bytes());
+            }
+        }
+        for number in &self.state {
+            bytes.extend_from_slice(&number.to_le_bytes());
+        }
+        let hash = fnv1a(&bytes[start..]);
+        bytes.extend_from_slice(&hash.to_le_bytes());
+    }
+
+    /// Length of a snapshot in bytes.
+    pub fn snapshot_size(&self) -> usize {
+        HEADER + 8 * self.numbers() + 16
+    }
+
+    /// Goes back to a snapshot taken of a simulation of the same model with the same settings.
+    ///
+    /// # Errors
+    /// When the bytes are damaged or of another model, settings or version; nothing changes then.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SimulationError> {
+        let refuse = |reason| Err(SimulationError::Snapshot(reason));
+        if bytes.len() != self.snapshot_size() {
+            return refuse("its length is not that of this model and these settings");
+        }
+        let (content, hash) = bytes.split_at(bytes.len() - 16);
+        if !content.starts_with(MAGIC) {
+            return refuse("it does not begin with the mark of this version");
+        }
+        if hash != fnv1a(content).to_le_bytes() {
+            return refuse("its checksum is not the recorded one");
+        }
+        if content[8..24] != self.identity.to_le_bytes() {
+            return refuse("it was taken of another aircraft or with other parameters");
+        }
+        let substeps = u32::from_le_bytes([content[24], content[25], content[26], content[27]]);
+        if !(1..=MAX_SUBSTEPS).contains(&substeps) {
+            return refuse("its number of sub-steps is out of range");
+        }
+        // PROOF: chunks_exact(8) yields slices of 8 bytes only.
+        let mut numbers = content[HEADER..]
+            .chunks_exact(8)
+            .map(|chunk| f64::from_le_bytes(chunk.try_into().expect("8 bytes")));
+        let mut next = || numbers.next().unwrap_or(f64::NAN);
+        self.time = next();
+        self.input_time = next();
+        for inputs in [&mut self.inputs, &mut self.input_rates] {
+            for number in inputs.values_mut() {
+                *number = next();
+            }
+        }
+        for number in &mut self.state {
+            *number = next();
+        }
+        self.substeps = substeps;
+        self.slope_is_fresh = false;
+        Ok(())
+    }
+
+    /// How many floating-point numbers a snapshot holds.
+    fn numbers(&self) -> usize {
+        2 + 2 * (6 + self.inputs.thrust.len()) + self.state.len()
+    }
+}
