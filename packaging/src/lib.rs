@@ -50,7 +50,7 @@ impl Package {
         let aircraft = Aircraft::read(&self.aircraft).map_err(|error| PackageError::Aircraft(Box::new(error)))?;
         let model = ReducedModel::new(&aircraft, self.mode_count)
             .map_err(|source| PackageError::Structure { aircraft: self.aircraft.clone(), source })?;
-        let xml = fmi2::model_description(&model);
+        let xml = fmi2::model_description::write(&model);
         let description = ModelDescription::parse(&xml).map_err(PackageError::ModelDescription)?;
 
         let mut entries = vec![Entry::new("modelDescription.xml", xml), Entry::new("model.png", ICON)];
