@@ -2,4 +2,5 @@
 
 #[cfg(test)]
 mod aircraft;
+mod fmu;
 mod tidy;

@@ -9,7 +9,8 @@ use std::ops::RangeInclusive;
 use std::time::{Duration, Instant};
 
 use flexible_aircraft::aircraft::Support;
-use flexible_aircraft_packaging::c_abi::{Fmu, FmuError};
+use flexible_aircraft_packaging::FmuError;
+use flexible_aircraft_packaging::c_abi::Fmu;
 
 use crate::manoeuvre::Manoeuvre;
 
@@ -132,9 +133,8 @@ fn peak_deflection(stations: &[&str], history: &[Vec<f64>]) -> Option<PeakDeflec
 }
 
 fn range(values: impl Iterator<Item = f64>) -> RangeInclusive<f64> {
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-        (value.min(low), value.max(high))
-    });
+    let (low, high) = values
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (value.min(low), value.max(high)));
     low..=high
 }
 
@@ -151,16 +151,27 @@ impl fmt::Display for CheckFlight {
                 writeln!(f, "Elevator 2-3-1-1 of 0.05 rad, {duration} s:")?;
             }
             Support::Clamped => {
-                writeln!(f, "Clamped in a wind tunnel, vertical gust of 1 m/s, 2 s up, 2 s down, {duration} s:")?;
+                writeln!(
+                    f,
+                    "Clamped in a wind tunnel, vertical gust of 1 m/s, 2 s up, 2 s down, {duration} s:"
+                )?;
             }
         }
         if let Some(PeakDeflection { station, up, trimmed, time }) = &self.deflection {
-            writeln!(f, "  peak deflection {up:8.3} m up at {time:.2} s, {station} ({trimmed:.3} m at first)")?;
+            writeln!(
+                f,
+                "  peak deflection {up:8.3} m up at {time:.2} s, {station} ({trimmed:.3} m at first)"
+            )?;
         }
         if self.support == Support::Free {
             let [low, high] = [self.pitch.start(), self.pitch.end()].map(|angle| angle.to_degrees());
             writeln!(f, "  pitch           {low:8.3}° to {high:.3}°")?;
-            writeln!(f, "  load factor     {:8.3} to {:.3}", self.load_factor.start(), self.load_factor.end())?;
+            writeln!(
+                f,
+                "  load factor     {:8.3} to {:.3}",
+                self.load_factor.start(),
+                self.load_factor.end()
+            )?;
         }
         let seconds = self.computing.as_secs_f64();
         write!(f, "  computed in     {seconds:8.3} s: {:.0} times faster than real time", duration / seconds)

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
-use flexible_aircraft_packaging::c_abi::{Fmu, FmuError};
-use flexible_aircraft_packaging::{Package, PackageError, Platform};
+use flexible_aircraft_packaging::c_abi::Fmu;
+use flexible_aircraft_packaging::{FmuError, Package, PackageError, Platform};
 
 use crate::check::CheckFlight;
 use crate::{PackageOptions, diagnostics};
@@ -52,8 +52,12 @@ pub fn run(options: PackageOptions) -> Result<(), Error> {
     }
 
     eprintln!("Packaging {} ({}) with {} modes", aircraft.name, options.aircraft.display(), options.modes);
-    let package =
-        Package { aircraft: options.aircraft, mode_count: options.modes, binaries, workspace: workspace().into() };
+    let package = Package {
+        aircraft: options.aircraft,
+        mode_count: options.modes,
+        binaries,
+        workspace: workspace().into(),
+    };
     let size = package.write(&options.output)?;
     println!("{}: {:.1} MB", options.output.display(), size as f64 / 1e6);
 
@@ -77,8 +81,8 @@ fn build_library() -> Result<PathBuf, Error> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
     let output = Command::new(cargo)
         .current_dir(workspace())
-        .args(["build", "--release", "--lib", "--package", "flexible-aircraft"])
-        .args(["--message-format", "json-render-diagnostics"])
+        // Not `--package`: with the default members, what `cargo run --release` built is used again.
+        .args(["build", "--release", "--lib", "--message-format", "json-render-diagnostics"])
         .stderr(Stdio::inherit())
         .output()
         .map_err(|error| Error::Build(format!("cargo does not start: {error}")))?;

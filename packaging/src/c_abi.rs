@@ -3,8 +3,8 @@
 //! [`Fmu`] is the unpacked archive with its library, [`Instance`] one aircraft in it. The only `unsafe` code
 //! outside the FMU itself; everything public is safe to call as long as the library keeps to FMI 2.0.
 
-use std::ffi::{CStr, CString, NulError, c_char, c_int, c_void};
-use std::path::{Path, PathBuf};
+use std::ffi::{CStr, CString, c_char, c_int, c_void};
+use std::path::Path;
 use std::ptr::NonNull;
 use std::rc::Rc;
 use std::sync::{Mutex, PoisonError};
@@ -12,59 +12,8 @@ use std::sync::{Mutex, PoisonError};
 use libloading::{Library, Symbol};
 use tempfile::TempDir;
 
-use crate::Platform;
+use crate::{FmuError, Platform};
 use crate::model_description::ModelDescription;
-
-/// Why an FMU could not be loaded or refused a call.
-#[derive(Debug, thiserror::Error)]
-pub enum FmuError {
-    /// The archive cannot be unpacked.
-    #[error("cannot unpack {}: {reason}", path.display())]
-    Archive {
-        /// The FMU.
-        path: PathBuf,
-        /// What happened.
-        reason: String,
-    },
-    /// Its `modelDescription.xml` cannot be used.
-    #[error("modelDescription.xml: {0}")]
-    ModelDescription(String),
-    /// FMI 2.0 has no name for this machine.
-    #[error("FMI 2.0 knows no platform for this machine")]
-    NoPlatform,
-    /// The shared library does not load, or lacks a function of the standard.
-    #[error("cannot use the shared library: {0}")]
-    Library(#[from] libloading::Error),
-    /// No variable of this name.
-    #[error("the FMU has no variable `{0}`")]
-    UnknownVariable(String),
-    /// A text for the FMU contains a zero byte.
-    #[error("the text for the FMU contains a zero byte: {0}")]
-    ZeroByte(#[from] NulError),
-    /// As many values as references are needed.
-    #[error("{references} value references with {values} values")]
-    Lengths {
-        /// Number of value references.
-        references: usize,
-        /// Number of values.
-        values: usize,
-    },
-    /// A function of the FMU returned another status than OK or warning.
-    #[error("{function} returned {status}{}", indented(log))]
-    Refused {
-        /// Which function.
-        function: &'static str,
-        /// Name of the returned status.
-        status: &'static str,
-        /// What the FMU logged during the call, one message per line.
-        log: String,
-    },
-}
-
-/// Log lines below the message that they explain.
-fn indented(log: &str) -> String {
-    log.lines().map(|line| format!("\n  {line}")).collect()
-}
 
 /// A value reference: the address of a variable.
 pub type ValueReference = u32;
@@ -263,7 +212,9 @@ impl Fmu {
             )
         };
         match NonNull::new(component) {
-            Some(component) => Ok(Instance { functions: &self.functions, component, log, _callbacks: callbacks }),
+            Some(component) => {
+                Ok(Instance { functions: &self.functions, component, log, _callbacks: callbacks })
+            }
             None => Err(FmuError::Refused {
                 function: "fmi2Instantiate",
                 status: "no instance",

@@ -46,7 +46,8 @@ mod tests {
             description: "a < b".into(),
             ..Variable::default()
         };
-        let row = "<tr><td><code>modal.q[1]</code></td><td>output</td><td></td><td></td><td>a &lt; b</td></tr>\n";
+        let row =
+            "<tr><td><code>modal.q[1]</code></td><td>output</td><td></td><td></td><td>a &lt; b</td></tr>\n";
         assert_eq!(rows(&[variable]), row);
     }
 }

@@ -19,7 +19,7 @@ mod model_description;
 mod plan_view;
 mod platform;
 
-pub use error::PackageError;
+pub use error::{FmuError, PackageError};
 pub use platform::{Platform, UnknownPlatform};
 
 use archive::Entry;
@@ -47,7 +47,8 @@ impl Package {
     /// # Errors
     /// When the aircraft file is not right, the structure has not that many modes, or a file cannot be read.
     pub fn to_bytes(&self) -> Result<Vec<u8>, PackageError> {
-        let aircraft = Aircraft::read(&self.aircraft).map_err(|error| PackageError::Aircraft(Box::new(error)))?;
+        let aircraft =
+            Aircraft::read(&self.aircraft).map_err(|error| PackageError::Aircraft(Box::new(error)))?;
         let model = ReducedModel::new(&aircraft, self.mode_count)
             .map_err(|source| PackageError::Structure { aircraft: self.aircraft.clone(), source })?;
         let xml = fmi2::model_description::write(&model);
@@ -70,9 +71,7 @@ impl Package {
     /// As [`to_bytes`](Self::to_bytes), or when the file cannot be written.
     pub fn write(&self, output: &Path) -> Result<usize, PackageError> {
         let bytes = self.to_bytes()?;
-        let failed = |action| {
-            move |source| PackageError::File { action, path: output.to_owned(), source }
-        };
+        let failed = |action| move |source| PackageError::File { action, path: output.to_owned(), source };
         if let Some(folder) = output.parent() {
             std::fs::create_dir_all(folder).map_err(failed("make the folder of"))?;
         }

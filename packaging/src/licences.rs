@@ -3,7 +3,7 @@
 //! cargo knows what is linked: the packages that the library needs at run time on the packaged platforms,
 //! without procedural macros, build scripts and what only tests and tools use.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -16,57 +16,25 @@ use crate::{PackageError, Platform, read};
 /// What `cargo metadata` prints, as far as it matters here.
 #[derive(Deserialize)]
 struct Metadata {
-    packages: Vec<LinkedPackage>,
-    resolve: Resolve,
+    packages: Vec<LibraryPackage>,
 }
 
 #[derive(Deserialize)]
-struct LinkedPackage {
-    id: String,
+struct LibraryPackage {
     name: String,
     version: String,
     license: Option<String>,
     manifest_path: PathBuf,
-    targets: Vec<Target>,
-}
-
-#[derive(Deserialize)]
-struct Target {
-    kind: Vec<String>,
-}
-
-#[derive(Deserialize)]
-struct Resolve {
-    nodes: Vec<Node>,
-}
-
-#[derive(Deserialize)]
-struct Node {
-    id: String,
-    deps: Vec<Dependency>,
-}
-
-#[derive(Deserialize)]
-struct Dependency {
-    pkg: String,
-    dep_kinds: Vec<DependencyKind>,
-}
-
-/// A normal dependency has the kind `None`; others are "dev" and "build".
-#[derive(Deserialize)]
-struct DependencyKind {
-    kind: Option<String>,
 }
 
 /// The licence files of `flexible-aircraft` and of all it is linked with, and a list of them.
 pub(crate) fn gather(workspace: &Path, platforms: &BTreeSet<Platform>) -> Result<Vec<Entry>, PackageError> {
-    let metadata = cargo_metadata(workspace, platforms)?;
     let mut list = String::from(LIST_HEAD);
     let mut entries = Vec::new();
-    for package in linked_packages(&metadata)? {
+    for package in linked_packages(workspace, platforms)? {
         let licence = package.license.as_deref().unwrap_or("see its licence file");
         list.push_str(&format!("{} {}: {licence}\n", package.name, package.version));
-        for file in licence_files(package)? {
+        for file in licence_files(&package)? {
             let name = file.file_name().unwrap_or_default().to_string_lossy();
             let path = format!("documentation/licenses/{}-{}/{name}", package.name, package.version);
             entries.push(Entry::new(path, read(&file)?));
@@ -83,48 +51,53 @@ contributors, MIT OR Apache-2.0: the texts are those of flexible-aircraft).
 
 ";
 
-fn cargo_metadata(workspace: &Path, platforms: &BTreeSet<Platform>) -> Result<Metadata, PackageError> {
+/// What the library needs at run time on any of the platforms, by name and version.
+///
+/// `cargo tree` knows which features are on; `cargo metadata` knows where the sources are.
+fn linked_packages(
+    workspace: &Path,
+    platforms: &BTreeSet<Platform>,
+) -> Result<Vec<LibraryPackage>, PackageError> {
+    let mut tree = vec!["tree", "--locked", "--package", "flexible-aircraft"];
+    tree.extend(["--edges", "normal,no-proc-macro", "--prefix", "none", "--format", "{p}"]);
+    for platform in platforms {
+        tree.extend(["--target", platform.target_triple()]);
+    }
+    let tree = cargo(workspace, &tree)?;
+    let tree = String::from_utf8_lossy(&tree);
+    // A line is a name and a version with a v, perhaps followed by remarks.
+    let linked: BTreeSet<(&str, &str)> = tree
+        .lines()
+        .filter_map(|line| {
+            let mut words = line.split(' ');
+            Some((words.next()?, words.next()?.strip_prefix('v')?))
+        })
+        .collect();
+
+    let metadata = cargo(workspace, &["metadata", "--locked", "--format-version", "1"])?;
+    let metadata: Metadata = serde_json::from_slice(&metadata)
+        .map_err(|error| PackageError::Licences { reason: error.to_string() })?;
+    let mut packages = metadata.packages;
+    packages.retain(|package| linked.contains(&(package.name.as_str(), package.version.as_str())));
+    packages.sort_by(|a, b| (&a.name, &a.version).cmp(&(&b.name, &b.version)));
+    Ok(packages)
+}
+
+/// What cargo prints.
+fn cargo(workspace: &Path, arguments: &[&str]) -> Result<Vec<u8>, PackageError> {
     let failed = |reason: String| PackageError::Licences { reason };
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
-    let mut command = Command::new(cargo);
-    command.current_dir(workspace).args(["metadata", "--locked", "--format-version", "1"]);
-    for platform in platforms {
-        command.args(["--filter-platform", platform.target_triple()]);
+    let output = Command::new(cargo).current_dir(workspace).args(arguments).output();
+    let output = output.map_err(|error| failed(format!("cargo does not start: {error}")))?;
+    if output.status.success() {
+        Ok(output.stdout)
+    } else {
+        Err(failed(String::from_utf8_lossy(&output.stderr).trim().to_owned()))
     }
-    let output = command.output().map_err(|error| failed(format!("could not be started: {error}")))?;
-    if !output.status.success() {
-        return Err(failed(format!("failed: {}", String::from_utf8_lossy(&output.stderr).trim())));
-    }
-    serde_json::from_slice(&output.stdout).map_err(|error| failed(format!("cannot be understood: {error}")))
-}
-
-/// Everything reachable from the library by normal dependencies, by name and version.
-fn linked_packages(metadata: &Metadata) -> Result<Vec<&LinkedPackage>, PackageError> {
-    let packages: BTreeMap<_, _> = metadata.packages.iter().map(|package| (&package.id, package)).collect();
-    let nodes: BTreeMap<_, _> = metadata.resolve.nodes.iter().map(|node| (&node.id, node)).collect();
-    let library = metadata.packages.iter().find(|package| package.name == "flexible-aircraft");
-    let mut waiting: Vec<_> = library.into_iter().collect();
-    let mut linked = BTreeMap::new();
-    while let Some(package) = waiting.pop() {
-        if linked.insert((&package.name, &package.version), package).is_some() {
-            continue;
-        }
-        let dependencies = nodes.get(&package.id).map_or(&[][..], |node| &node.deps);
-        let normal = dependencies.iter().filter(|dep| dep.dep_kinds.iter().any(|kind| kind.kind.is_none()));
-        waiting.extend(normal.filter_map(|dep| packages.get(&dep.pkg)).filter(|package| !is_macro(package)));
-    }
-    if linked.is_empty() {
-        return Err(PackageError::Licences { reason: "does not know the package flexible-aircraft".into() });
-    }
-    Ok(linked.into_values().collect())
-}
-
-fn is_macro(package: &LinkedPackage) -> bool {
-    package.targets.iter().any(|target| target.kind.iter().any(|kind| kind == "proc-macro"))
 }
 
 /// The files beside the manifest that are named like a licence, in alphabetical order.
-fn licence_files(package: &LinkedPackage) -> Result<Vec<PathBuf>, PackageError> {
+fn licence_files(package: &LibraryPackage) -> Result<Vec<PathBuf>, PackageError> {
     let folder = package.manifest_path.parent().unwrap_or(Path::new("."));
     let unreadable = |source| PackageError::File { action: "list", path: folder.to_owned(), source };
     let mut files = Vec::new();
@@ -154,7 +127,7 @@ mod tests {
         for linked in ["flexible-aircraft 0", "nalgebra 0", "libm 0"] {
             assert!(list.contains(linked), "{linked} is missing in\n{list}");
         }
-        for absent in ["clap", "zip ", "serde_derive", "tempfile"] {
+        for absent in ["clap", "zip ", "serde_derive", "tempfile", "glam"] {
             assert!(!list.contains(absent), "{absent} is not linked, but in\n{list}");
         }
         assert!(entries.iter().any(|entry| entry.path.ends_with("/LICENSE-MIT")));

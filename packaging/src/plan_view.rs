@@ -44,8 +44,7 @@ pub(crate) fn svg(aircraft: &Aircraft) -> String {
 
 /// Corners of the part of a strip between two chordwise places, in semichords ahead of midchord.
 fn outline(aircraft: &Aircraft, strip: &Strip, chordwise: [f64; 2]) -> [Vector3<f64>; 4] {
-    let midchord =
-        position(aircraft, strip.attachment) + strip.forward * strip.elastic_axis_aft_of_midchord;
+    let midchord = position(aircraft, strip.attachment) + strip.forward * strip.elastic_axis_aft_of_midchord;
     let half_width = strip.span * (strip.width / 2.0);
     let [aft, fore] = chordwise.map(|place| midchord + strip.forward * (place * strip.semichord));
     [aft - half_width, aft + half_width, fore + half_width, fore - half_width]

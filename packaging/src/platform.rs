@@ -102,9 +102,6 @@ mod tests {
     #[test]
     fn an_unknown_platform_is_refused_with_the_allowed_names() {
         let message = "amiga".parse::<Platform>().unwrap_err().to_string();
-        assert_eq!(
-            message,
-            "`amiga` is no platform; allowed are aarch64-linux, darwin64, linux64, win64"
-        );
+        assert_eq!(message, "`amiga` is no platform; allowed are aarch64-linux, darwin64, linux64, win64");
     }
 }

@@ -18,6 +18,11 @@ impl Source {
             .filter(|(_, line)| !line.trim_start().starts_with("//"))
     }
 
+    /// Whether the file has nothing but unit tests.
+    fn is_tests(&self) -> bool {
+        self.path.contains("/tests/") || self.path.ends_with("/tests.rs") || self.path.contains("test_")
+    }
+
     fn is_under(&self, folders: &[&str]) -> bool {
         folders.iter().any(|folder| self.path.starts_with(folder))
     }
@@ -80,11 +85,11 @@ fn only_the_aircraft_and_fmu_resources_are_read_from_files() {
 
 #[test]
 fn a_source_file_is_short_enough_to_be_read() {
-    const LINES: usize = 450;
+    const LINES: usize = 420;
     let sources = sources(&["src", "packaging/src", "cli/src"]);
     let long = sources.iter().filter(|source| source.text.lines().count() > LINES);
     let long: Vec<String> = long.map(|s| format!("{}: {}", s.path, s.text.lines().count())).collect();
-    assert_none(&long, &format!("a module is one idea in at most about 400, never over {LINES} lines"));
+    assert_none(&long, &format!("a module is one idea of at most {LINES} lines"));
 }
 
 #[test]
@@ -94,7 +99,7 @@ fn nothing_in_the_library_panics_on_purpose() {
     assert_none(&places(sources.iter(), &words), "errors are values");
 }
 
-/// A comment on the line itself or the one above has to say why it cannot happen.
+/// A comment on the line itself or in the three lines above has to say why it cannot happen.
 #[test]
 fn every_unwrap_is_proved_by_a_comment() {
     let mut unproved = Vec::new();
@@ -102,8 +107,7 @@ fn every_unwrap_is_proved_by_a_comment() {
         let lines: Vec<&str> = source.text.lines().collect();
         let unwraps = source.code().filter(|(_, line)| line.contains(".unwrap()") || line.contains(".expect("));
         for (number, line) in unwraps {
-            let above = number.checked_sub(2).map_or("", |index| lines[index].trim_start());
-            if !line.contains("//") && !above.starts_with("//") {
+            if !lines[number.saturating_sub(4)..number].iter().any(|line| line.contains("//")) {
                 unproved.push(format!("{}:{number}: {}", source.path, line.trim()));
             }
         }
