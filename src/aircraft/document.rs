@@ -22,6 +22,14 @@ pub(super) const POSITIVE: Allowed =
     Allowed { contains: |x| x > 0.0, text: "a number greater than 0 is allowed" };
 pub(super) const NOT_NEGATIVE: Allowed =
     Allowed { contains: |x| x >= 0.0, text: "0 or a greater number is allowed" };
+pub(super) const LENGTH: Allowed = Allowed {
+    contains: |x| (-1000.0..=1000.0).contains(&x),
+    text: "a length in metres from -1000 to 1000 is allowed",
+};
+pub(super) const POSITIVE_LENGTH: Allowed = Allowed {
+    contains: |x| x > 0.0 && x <= 1000.0,
+    text: "a length in metres greater than 0, at most 1000, is allowed",
+};
 pub(super) const FRACTION: Allowed =
     Allowed { contains: |x| (0.0..=1.0).contains(&x), text: "a fraction from 0 to 1 is allowed" };
 pub(super) const INSIDE_THE_CHORD: Allowed = Allowed {
@@ -101,6 +109,10 @@ impl<'r, 't> Value<'r, 't> {
 
     pub(super) fn is_number(&self) -> bool {
         matches!(self.value, DeValue::Integer(_) | DeValue::Float(_))
+    }
+
+    pub(super) fn is_empty_list(&self) -> bool {
+        matches!(self.value, DeValue::Array(list) if list.is_empty())
     }
 
     pub(super) fn has_field(&self, field: &str) -> bool {
@@ -209,11 +221,13 @@ impl<'r, 't> Value<'r, 't> {
     /// Three numbers of which at least one is not 0, scaled to length 1.
     pub(super) fn direction(&self) -> Option<Vector3<f64>> {
         let vector = self.vector(&ANY)?;
-        vector.try_normalize(1e-9).or_else(|| {
-            let allowed = "a vector with a direction is allowed";
-            self.report.add(Problem::NoDirection, &self.place, "found a vector of length 0", allowed);
-            None
-        })
+        let greatest = vector.amax();
+        if greatest >= 1e-9 {
+            return Some((vector / greatest).normalize());
+        }
+        let (found, allowed) = ("found a vector of length 0", "a vector with a direction is allowed");
+        self.report.add(Problem::NoDirection, &self.place, found, allowed);
+        None
     }
 
     /// A table of the given fields.

@@ -170,6 +170,7 @@ impl<'t> Report<'t> {
             Some(result) if diagnostics.is_empty() => Ok(result),
             _ => {
                 diagnostics.sort_by_key(|d| d.span.start);
+                diagnostics.dedup();
                 let (file_name, text) = (file_name.to_owned(), self.text.to_owned());
                 Err(AircraftFileError::Rejected { file_name, text, diagnostics })
             }

@@ -87,6 +87,10 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
 fn build<'s>(spec: &'s ComponentSpec, report: &Report) -> Option<Part<'s>> {
     let line = Line::of(spec, report)?;
     let laws = Laws { chord: spec.chord.as_ref(), named: &spec.stiffness, elements: line.elements(), report };
+    let chords = spec.chord.as_ref().map(|chord| laws.chords(&line.points_at(0.5), &chord.place));
+    if let Some(None) = chords {
+        return None;
+    }
     let beams = beams(spec, &line, &laws);
     let mut bays = Some(Vec::new());
     let mut strips = Some(Vec::new());

@@ -37,7 +37,7 @@ enum Form {
 #[derive(Clone)]
 pub(super) struct Law {
     form: Form,
-    place: Place,
+    pub(super) place: Place,
     allowed: &'static Allowed,
 }
 

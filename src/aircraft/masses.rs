@@ -56,8 +56,8 @@ fn shares(part: &MassPartSpec, line: &Line, middles: &[Point], laws: &Laws) -> O
     };
     let weights: Vec<f64> = middles.iter().zip(&chords).map(weight).collect();
     let sum: f64 = weights.iter().sum();
-    if sum > 0.0 {
-        return Some(weights.iter().map(|weight| part.total * weight / sum).collect());
+    if sum > 0.0 && sum.is_finite() {
+        return Some(weights.iter().map(|weight| part.total * (weight / sum)).collect());
     }
     let found = format!("found from = {} and to = {}", part.from, part.to);
     let allowed = "a stretch that holds the middle of at least one element is allowed";
@@ -126,5 +126,6 @@ fn principal_moments(inertia: &Matrix3<f64>) -> Result<(), String> {
     if least >= -slack && greatest <= least + middle + slack {
         return Ok(());
     }
-    Err(format!("{least}, {middle}, {greatest}"))
+    let digits = (5.0 - libm::log10(greatest.abs())).clamp(0.0, 12.0) as usize;
+    Err(format!("{least:.digits$}, {middle:.digits$}, {greatest:.digits$}"))
 }

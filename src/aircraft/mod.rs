@@ -1,4 +1,19 @@
 //! The aircraft as engineers describe it, expanded to elements, bays, strips and engines [3.1, 4.1].
+//!
+//! [`Aircraft`] is what the rest of the program sees: plain data in body axes, origin O at node 0, which is
+//! clamped in the body frame. Nothing here knows of modes or of flight, and nothing else in the library reads
+//! files. An aircraft file passes through these stages, each of which complains about all that it finds:
+//!
+//! | module | takes | gives |
+//! | --- | --- | --- |
+//! | `document`, `read` | TOML text | `schema`: the fields, each allowed by itself, with their places |
+//! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
+//! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
+//! | `check` | the whole | names, symmetry, mass, propulsion |
+//!
+//! The rest of this page is the description of the format for those who write such files.
+//!
+#![doc = include_str!("../../aircraft/README.md")]
 
 mod check;
 mod document;

@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 use toml::de::DeTable;
 
 use super::document::{
-    ANGLE_DEG, ANY, Allowed, FRACTION, INSIDE_THE_CHORD, Located, NEAR_THE_CHORD, NOT_NEGATIVE, POSITIVE,
-    Table, Value,
+    ANGLE_DEG, ANY, Allowed, FRACTION, INSIDE_THE_CHORD, LENGTH, Located, NEAR_THE_CHORD, NOT_NEGATIVE,
+    POSITIVE, POSITIVE_LENGTH, Table, Value,
 };
 use super::error::{Place, Problem, Report};
 use super::law::Law;
@@ -140,7 +140,7 @@ fn read_component(table: &Table) -> Option<ComponentSpec> {
     let elements = table.required("elements").and_then(|v| read_elements(&v, segments?));
     let y_axis = table.required("y_axis").and_then(|v| v.located(Value::direction));
     let stiffness = STIFFNESS.map(|f| Some((f, table.required(f).and_then(|v| Law::read(&v, &POSITIVE))?)));
-    let chord = table.optional("chord_m").and_then(|v| Law::read(&v, &POSITIVE));
+    let chord = table.optional("chord_m").and_then(|v| Law::read(&v, &POSITIVE_LENGTH));
     let distributed: Vec<_> =
         table.tables("distributed_mass", DISTRIBUTED_MASS).iter().map(read_distributed_mass).collect();
     let points: Vec<_> = table.tables("point_masses", POINT_MASSES).iter().map(read_point_masses).collect();
@@ -176,7 +176,7 @@ fn read_corners(value: &Value) -> Option<Vec<Vector3<f64>>> {
     if points.len() < 2 {
         return value.wrong(what);
     }
-    let points: Vec<_> = points.iter().map(|point| point.vector(&ANY)).collect();
+    let points: Vec<_> = points.iter().map(|point| point.vector(&LENGTH)).collect();
     points.into_iter().collect()
 }
 
@@ -202,7 +202,10 @@ fn one_per_segment(segments: usize) -> String {
 }
 
 fn read_distributed_mass(table: &Table) -> Option<DistributedMassSpec> {
-    table.required("parts");
+    table
+        .required("parts")
+        .filter(Value::is_empty_list)
+        .and_then(|v| v.wrong::<()>("a list of at least one table"));
     let parts = table.tables("parts", &["total_kg", "chord_power", "from", "to"]);
     let parts: Vec<_> = parts.iter().map(read_mass_part).collect();
     let located = |field, allowed| table.optional(field).and_then(|v| v.located(|v| v.vector(allowed)));
@@ -210,7 +213,7 @@ fn read_distributed_mass(table: &Table) -> Option<DistributedMassSpec> {
         place: table.place.clone(),
         parts: parts.into_iter().collect::<Option<_>>()?,
         offset_chords: located("offset_chords", &ANY),
-        offset: vector_or_zero(table, "offset_m", &ANY),
+        offset: vector_or_zero(table, "offset_m", &LENGTH),
         gyration_chords: located("gyration_chords", &NOT_NEGATIVE),
         gyration_lengths: vector_or_zero(table, "gyration_lengths", &NOT_NEGATIVE),
         added_inertia: vector_or_zero(table, "added_inertia_kg_m2", &NOT_NEGATIVE),
@@ -230,7 +233,7 @@ fn read_point_masses(table: &Table) -> Option<PointMassesSpec> {
     Some(PointMassesSpec {
         masses: read_masses(table)?,
         along: along?,
-        offset: vector_or_zero(table, "offset_m", &ANY),
+        offset: vector_or_zero(table, "offset_m", &LENGTH),
         inertia,
         products: vector_or_zero(table, "products_kg_m2", &ANY),
         inertia_place,
@@ -255,7 +258,9 @@ fn read_masses(table: &Table) -> Option<Located<Vec<f64>>> {
     let shares = shares.numbers(&POSITIVE)?;
     let whole = number_or(table, "shares_of", &POSITIVE, shares.iter().sum());
     let total = total?;
-    Some(Located { value: shares.iter().map(|share| total * share / whole).collect(), place })
+    let masses: Vec<f64> = shares.iter().map(|share| total * (share / whole)).collect();
+    let allowed = masses.iter().all(|mass| POSITIVE.check(*mass, &place, table.report));
+    allowed.then_some(Located { value: masses, place })
 }
 
 /// Radii of gyration or moments; a mass without either is a point.
@@ -290,10 +295,10 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
         position: number_or(table, "position_in_element", &FRACTION, 0.5),
         from,
         to,
-        chord: law("chord_m", &POSITIVE),
+        chord: law("chord_m", &POSITIVE_LENGTH),
         span_axis: table.optional("span_axis").and_then(|v| v.direction()),
         incidence: number_or(table, "incidence_deg", &ANGLE_DEG, 0.0).to_radians(),
-        width: law("width_m", &POSITIVE),
+        width: law("width_m", &POSITIVE_LENGTH),
         zero_lift_offset: number_or(table, "zero_lift_offset_deg", &ANGLE_DEG, 0.0).to_radians(),
         leading_edge_suction: number_or(table, "leading_edge_suction", &FRACTION, 0.0),
         flap: flap.and_then(|v| read_flap(&v)),
@@ -327,7 +332,7 @@ fn read_engine(table: &Table) -> Option<EngineSpec> {
         name: name?,
         component: component?,
         along: along?,
-        offset: vector_or_zero(table, "offset_m", &ANY),
+        offset: vector_or_zero(table, "offset_m", &LENGTH),
         direction: direction?,
     })
 }

@@ -9,6 +9,7 @@ use crate::aerodynamics::{Air, PetersInflow};
 use crate::aircraft::Support;
 use crate::structure::{ModalIntegrals, ReducedModel, StrainEnergy};
 
+use super::apparent_mass::ApparentMass;
 use super::attitude::{Attitude, quaternion_rate};
 use super::controls::Controls;
 use super::fidelity::{Fidelity, Terms};
@@ -163,6 +164,11 @@ impl EquationsOfMotion {
         controls.wind + self.tunnel_flow
     }
 
+    /// Room for the apparent mass of these equations.
+    pub(super) fn apparent_mass(&self) -> ApparentMass {
+        ApparentMass::new(self.strips.len(), self.layout.modes(), self.symmetric)
+    }
+
     /// Altitude of O, m.
     pub fn altitude(&self, state: &[f64]) -> f64 {
         -state[self.layout.position().end - 1]
@@ -180,7 +186,7 @@ impl EquationsOfMotion {
         let q = &state[self.layout.coordinates()];
         let q_dot = &state[self.layout.coordinate_rates()];
         let motion = self.motion(state);
-        let Workspace { inertia, force, elastic_force, mass, rows, reversed, .. } = workspace;
+        let Workspace { inertia, force, elastic_force, mass, apparent, reversed, .. } = workspace;
         self.assemble_inertia(&motion, q, q_dot, inertia, mass, force);
 
         self.elastic(q, elastic_force);
@@ -199,8 +205,9 @@ impl EquationsOfMotion {
 
         *reversed = None;
         let around = self.surroundings(state, (q, q_dot), attitude, controls);
-        let mut sums = StripSums { force, mass, symmetric: self.symmetric, rows, reversed };
+        let mut sums = StripSums { force, apparent: &mut *apparent, reversed };
         self.strips.add_loads(&around, &self.layout, state, rates, &mut sums);
+        apparent.add_to(mass);
     }
 
     /// Mass matrix and inertial forcing of the fidelity level.

@@ -1,5 +1,6 @@
 //! The equations of motion of the flexible aircraft at five fidelity levels, and its trim [2; physics.md §2–6].
 
+mod apparent_mass;
 mod attitude;
 mod controls;
 mod equations;

@@ -9,7 +9,7 @@ const SERIES_LIMIT: f64 = 0.25;
 pub fn exponential(rotation: &Vector3<f64>) -> Matrix3<f64> {
     let square = rotation.norm_squared();
     let (sine, versine) = if square < SERIES_LIMIT {
-        (alternating_series(square, 2.0), alternating_series(square, 3.0) * 0.5)
+        (alternating_series(square, &SINE), alternating_series(square, &VERSINE) * 0.5)
     } else {
         let angle = libm::sqrt(square);
         let (sin, cos) = libm::sincos(angle);
@@ -19,12 +19,17 @@ pub fn exponential(rotation: &Vector3<f64>) -> Matrix3<f64> {
     Matrix3::identity() * (1.0 - versine * square) + cross * sine + rotation * rotation.transpose() * versine
 }
 
-/// 1 − x/(k(k+1)) (1 − x/((k+2)(k+3)) (1 − …)): sin φ/φ for k = 2 and 2(1 − cos φ)/φ² for k = 3, x = φ².
-fn alternating_series(x: f64, k: f64) -> f64 {
-    (0..8).rev().fold(1.0, |tail, term| {
-        let k = k + 2.0 * f64::from(term);
-        1.0 - tail * x / (k * (k + 1.0))
-    })
+/// 1/(k(k+1)) for k = 2, 4, … 16: the ratios of successive terms of sin φ/φ in φ².
+const SINE: [f64; 8] =
+    [1.0 / 6.0, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0, 1.0 / 156.0, 1.0 / 210.0, 1.0 / 272.0];
+
+/// 1/(k(k+1)) for k = 3, 5, … 17: the ratios of successive terms of 2(1 − cos φ)/φ² in φ².
+const VERSINE: [f64; 8] =
+    [1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0, 1.0 / 132.0, 1.0 / 182.0, 1.0 / 240.0, 1.0 / 306.0];
+
+/// 1 − r₀x (1 − r₁x (1 − …)).
+fn alternating_series(x: f64, ratios: &[f64; 8]) -> f64 {
+    ratios.iter().rev().fold(1.0, |tail, ratio| 1.0 - ratio * x * tail)
 }
 
 #[cfg(test)]

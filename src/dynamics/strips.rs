@@ -6,8 +6,9 @@
 use nalgebra::Vector3;
 
 use crate::aerodynamics::{FlapEffect, LocalFlow, PetersInflow, Section};
-use crate::structure::{ReducedModel, ReducedStrip};
+use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
 
+use super::apparent_mass::{ApparentMass, LANES, Lanes, padded};
 use super::controls::Controls;
 use super::inertia::{RigidMotion, add};
 use super::layout::StateLayout;
@@ -28,10 +29,10 @@ struct PlacedSection {
 pub struct Strips {
     placed: Vec<PlacedSection>,
     modes: usize,
-    /// Per strip: the rows Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z.
-    by_axis: Vec<f64>,
-    /// The same, six numbers for each mode.
-    by_mode: Vec<f64>,
+    /// Per strip: the rows Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z, each padded with zeros to whole lanes.
+    by_axis: Vec<Lanes>,
+    /// Per strip and mode: the same six numbers.
+    by_mode: Vec<[f64; 6]>,
 }
 
 /// The state of the aircraft and of the air that all strips share.
@@ -60,12 +61,8 @@ pub struct Surroundings<'a> {
 pub struct StripSums<'a> {
     /// Generalised forces on ν.
     pub force: &'a mut [f64],
-    /// Mass matrix, row-major, to which apparent mass is added.
-    pub mass: &'a mut [f64],
-    /// Whether only the lower triangle of `mass` matters.
-    pub symmetric: bool,
-    /// Rows G_w − dG_Ω, G_Ω, G_m − dG_Ω of the strip at hand, each as long as ν.
-    pub rows: &'a mut [Vec<f64>; 3],
+    /// Apparent mass, as the rows that make it up.
+    pub apparent: &'a mut ApparentMass,
     /// The first lifting strip in reverse flow, if any.
     pub reversed: &'a mut Option<usize>,
 }
@@ -84,15 +81,15 @@ impl Strips {
     /// The strips of a model.
     pub fn new(model: &ReducedModel) -> Self {
         let modes = model.modes.len();
-        let by_axis: Vec<f64> = model
-            .strips
-            .iter()
-            .flat_map(|strip| strip.shapes.translation.iter().chain(&strip.shapes.rotation).copied())
-            .collect();
-        let by_mode = by_axis
-            .chunks_exact(6 * modes.max(1))
-            .flat_map(|rows| (0..6 * modes).map(move |i| rows[(i % 6) * modes + i / 6]))
-            .collect();
+        let mut by_axis = Vec::new();
+        let mut by_mode = Vec::new();
+        for ModeShapes { translation, rotation } in model.strips.iter().map(|strip| &strip.shapes) {
+            let rows: [&[f64]; 6] = std::array::from_fn(|i| {
+                &(if i < 3 { translation } else { rotation })[i % 3 * modes..][..modes]
+            });
+            by_axis.extend(rows.iter().flat_map(|row| padded(row)));
+            by_mode.extend((0..modes).map(|mode| rows.map(|row| row[mode])));
+        }
         Strips { placed: model.strips.iter().map(PlacedSection::new).collect(), modes, by_axis, by_mode }
     }
 
@@ -174,9 +171,9 @@ impl Strips {
 
     /// Ψᵘq, Ψᵠq, Ψᵘq̇, Ψᵠq̇.
     fn elastic_motion(&self, index: usize, q: &[f64], q_dot: &[f64]) -> [Vector3<f64>; 4] {
-        let shapes = &self.by_mode[6 * self.modes * index..6 * self.modes * (index + 1)];
+        let shapes = &self.by_mode[self.modes * index..self.modes * (index + 1)];
         let (mut place, mut motion) = ([0.0; 6], [0.0; 6]);
-        for ((shape, q), q_dot) in shapes.chunks_exact(6).zip(q).zip(q_dot) {
+        for ((shape, q), q_dot) in shapes.iter().zip(q).zip(q_dot) {
             for axis in 0..6 {
                 place[axis] += shape[axis] * q;
                 motion[axis] += shape[axis] * q_dot;
@@ -195,60 +192,48 @@ impl Strips {
         let moment = moving.span * (loads.pitching * strip.width);
         add(&mut sums.force[0..3], &force);
         add(&mut sums.force[3..6], &(arm.cross(&force) + moment));
-        self.project(index, &force, &moment, |mode, work| sums.force[6 + mode] += work);
+        let elastic = sums.force[6..].chunks_mut(LANES);
+        for (sums, work) in elastic.zip(self.work(index, &force, &moment)) {
+            for (sum, work) in sums.iter_mut().zip(work) {
+                *sum += work;
+            }
+        }
 
         let d = strip.section.elastic_axis_aft_of_midchord;
-        let [heave, pitch, acceleration] = &mut *sums.rows;
         let torque = moving.span * -d;
-        self.fill_row(index, heave, &moving.normal, &(arm.cross(&moving.normal) + torque), &torque);
-        self.fill_row(index, pitch, &Vector3::zeros(), &moving.span, &moving.span);
+        let row = |row: &mut [Lanes], axis: &Vector3<f64>, place: &Vector3<f64>, torque: &Vector3<f64>| {
+            ApparentMass::write_row(row, axis, &(place.cross(axis) + torque), self.work(index, axis, torque));
+        };
         let mass = strip.section.apparent_mass(around.density) * strip.width;
         let inertia = 0.125 * strip.section.semichord * strip.section.semichord * mass;
-        if sums.symmetric {
-            add_symmetric(sums.mass, mass, heave, inertia, pitch);
-        } else {
-            let axis = moving.normal + moving.forward * strip.section.zero_lift_offset;
-            self.fill_row(index, acceleration, &axis, &(moving.place.cross(&axis) + torque), &torque);
-            add_outer(sums.mass, mass, heave, acceleration);
-            add_outer(sums.mass, inertia, pitch, pitch);
-        }
+        sums.apparent.add(index, mass, inertia, |heave, pitch, acceleration| {
+            row(heave, &moving.normal, &arm, &torque);
+            row(pitch, &Vector3::zeros(), &arm, &moving.span);
+            if let Some(acceleration) = acceleration {
+                let axis = moving.normal + moving.forward * strip.section.zero_lift_offset;
+                row(acceleration, &axis, &moving.place, &torque);
+            }
+        });
     }
 
     /// Work per unit of each generalised coordinate of a force and a moment at the strip.
-    fn project(
-        &self,
-        index: usize,
-        force: &Vector3<f64>,
-        moment: &Vector3<f64>,
-        mut receive: impl FnMut(usize, f64),
-    ) {
-        let n = self.modes;
-        let rows = &self.by_axis[6 * n * index..6 * n * (index + 1)];
-        let (ux, rest) = rows.split_at(n);
-        let (uy, rest) = rest.split_at(n);
-        let (uz, rest) = rest.split_at(n);
-        let (rx, rest) = rest.split_at(n);
-        let (ry, rz) = rest.split_at(n);
-        for mode in 0..n {
-            let translation = ux[mode] * force.x + uy[mode] * force.y + uz[mode] * force.z;
-            let rotation = rx[mode] * moment.x + ry[mode] * moment.y + rz[mode] * moment.z;
-            receive(mode, translation + rotation);
-        }
-    }
-
-    /// A row on ν: force direction, moment about O, and the elastic part of both with its own moment.
-    fn fill_row(
-        &self,
-        index: usize,
-        row: &mut [f64],
-        force: &Vector3<f64>,
-        moment_about_origin: &Vector3<f64>,
-        moment: &Vector3<f64>,
-    ) {
-        row[0..3].copy_from_slice(force.as_slice());
-        row[3..6].copy_from_slice(moment_about_origin.as_slice());
-        let elastic = &mut row[6..];
-        self.project(index, force, moment, |mode, work| elastic[mode] = work);
+    fn work(&self, index: usize, force: &Vector3<f64>, moment: &Vector3<f64>) -> impl Iterator<Item = Lanes> {
+        let lanes = self.modes.div_ceil(LANES);
+        let rows = &self.by_axis[6 * lanes * index..6 * lanes * (index + 1)];
+        let (ux, rest) = rows.split_at(lanes);
+        let (uy, rest) = rest.split_at(lanes);
+        let (uz, rest) = rest.split_at(lanes);
+        let (rx, rest) = rest.split_at(lanes);
+        let (ry, rz) = rest.split_at(lanes);
+        let (force, moment) = (*force, *moment);
+        let translations = ux.iter().zip(uy).zip(uz);
+        let rotations = rx.iter().zip(ry).zip(rz);
+        translations.zip(rotations).map(move |(((ux, uy), uz), ((rx, ry), rz))| {
+            std::array::from_fn(|i| {
+                (ux[i] * force.x + uy[i] * force.y + uz[i] * force.z)
+                    + (rx[i] * moment.x + ry[i] * moment.y + rz[i] * moment.z)
+            })
+        })
     }
 }
 
@@ -268,26 +253,6 @@ impl PlacedSection {
                 leading_edge_suction: strip.leading_edge_suction,
                 flap: strip.flap.as_ref().map(FlapEffect::new),
             },
-        }
-    }
-}
-
-/// Lower triangle of A += α x xᵀ + β y yᵀ.
-fn add_symmetric(matrix: &mut [f64], alpha: f64, x: &[f64], beta: f64, y: &[f64]) {
-    let n = x.len();
-    for (i, row) in matrix.chunks_exact_mut(n).enumerate() {
-        let (a, b) = (alpha * x[i], beta * y[i]);
-        for ((target, x), y) in row[..=i].iter_mut().zip(x).zip(y) {
-            *target += a * x + b * y;
-        }
-    }
-}
-
-/// A += α x yᵀ.
-fn add_outer(matrix: &mut [f64], alpha: f64, x: &[f64], y: &[f64]) {
-    for (row, x) in matrix.chunks_exact_mut(y.len()).zip(x) {
-        for (target, y) in row.iter_mut().zip(y) {
-            *target += alpha * x * y;
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Scratch memory of the equations of motion, allocated once.
 
+use super::apparent_mass::ApparentMass;
 use super::equations::EquationsOfMotion;
 use super::inertia::DeformedInertia;
 
@@ -14,8 +15,8 @@ pub struct Workspace {
     pub(super) elastic_force: Vec<f64>,
     /// Mass matrix with apparent mass, row-major.
     pub(super) mass: Vec<f64>,
-    /// Rows of the strip at hand.
-    pub(super) rows: [Vec<f64>; 3],
+    /// Rows of the strips' apparent mass.
+    pub(super) apparent: ApparentMass,
     /// ν̇ of the last evaluation.
     pub(super) accelerations: Vec<f64>,
     /// First lifting strip in reverse flow at the last evaluation.
@@ -31,7 +32,7 @@ impl Workspace {
             force: vec![0.0; size],
             elastic_force: vec![0.0; size - 6],
             mass: vec![0.0; size * size],
-            rows: [vec![0.0; size], vec![0.0; size], vec![0.0; size]],
+            apparent: equations.apparent_mass(),
             accelerations: vec![0.0; size],
             reversed: None,
         }

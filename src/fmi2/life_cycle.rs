@@ -140,6 +140,12 @@ const TABLE: [(Function, &str, &[State]); 40] = {
 };
 
 impl Function {
+    /// All functions.
+    #[cfg(test)]
+    pub fn all() -> impl Iterator<Item = Function> {
+        TABLE.into_iter().map(|(function, _, _)| function)
+    }
+
     /// Its name in C.
     pub fn name(self) -> &'static str {
         TABLE[self as usize].1

@@ -1,5 +1,7 @@
 //! What a user chooses before the flight.
 
+use std::fmt::Display;
+
 use crate::aerodynamics::PetersInflow;
 use crate::dynamics::Fidelity;
 use crate::structure::{ModeFamily, ReducedModel};
@@ -128,6 +130,6 @@ impl Settings {
     }
 }
 
-fn refuse<T>(setting: &'static str, found: impl ToString, allowed: &str) -> Result<T, SimulationError> {
+fn refuse<T>(setting: &'static str, found: impl Display, allowed: &str) -> Result<T, SimulationError> {
     Err(SimulationError::Setting { setting, found: found.to_string(), allowed: allowed.to_owned() })
 }

@@ -22,7 +22,7 @@ const SIGN: [f64; 6] = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
 impl Mirror {
     /// The mirror of an aircraft, `None` when its nodes, stiffness or mass have no mirror plane y = 0.
     pub fn find(aircraft: &Aircraft, stiffness: &DMatrix<f64>, mass: &DMatrix<f64>) -> Option<Self> {
-        let size = aircraft.nodes.iter().map(|node| node.norm()).fold(0.0, f64::max);
+        let size = aircraft.nodes.iter().map(nalgebra::Vector3::norm).fold(0.0, f64::max);
         let image = aircraft
             .nodes
             .iter()

@@ -248,12 +248,14 @@ fn monomials(n: usize, degree: usize) -> usize {
 /// All ascending index tuples a ≤ b ≤ … < n, in lexicographic order.
 fn ascending_tuples<const DEGREE: usize>(n: usize) -> Vec<[usize; DEGREE]> {
     let mut tuples = Vec::with_capacity(monomials(n, DEGREE));
-    let mut tuple = [0; DEGREE];
-    while n > 0 {
+    let mut next = (n > 0).then_some([0; DEGREE]);
+    while let Some(mut tuple) = next {
         tuples.push(tuple);
-        let Some(place) = (0..DEGREE).rev().find(|&place| tuple[place] + 1 < n) else { break };
-        let following = tuple[place] + 1;
-        tuple[place..].fill(following);
+        next = (0..DEGREE).rev().find(|&place| tuple[place] + 1 < n).map(|place| {
+            let following = tuple[place] + 1;
+            tuple[place..].fill(following);
+            tuple
+        });
     }
     tuples
 }

@@ -140,4 +140,4 @@ impl VariableTable {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -1,1 +1,159 @@
+use std::collections::HashSet;
+use std::sync::OnceLock;
 
+use super::*;
+use crate::aircraft::Aircraft;
+use crate::simulation::{Fidelity, Inputs, Settings};
+
+/// The shipped jet with its 12 lowest modes.
+pub(crate) fn jet() -> &'static ReducedModel {
+    static JET: OnceLock<ReducedModel> = OnceLock::new();
+    JET.get_or_init(|| {
+        let text = include_str!("../../aircraft/generic-business-jet.toml");
+        ReducedModel::new(&Aircraft::parse(text, "generic-business-jet.toml").unwrap(), 12).unwrap()
+    })
+}
+
+fn table() -> VariableTable {
+    VariableTable::new(jet())
+}
+
+fn row(name: &str) -> Variable {
+    let table = table();
+    let reference = table.reference(name).unwrap_or_else(|| panic!("no variable `{name}`"));
+    table.get(reference).unwrap().clone()
+}
+
+#[test]
+fn the_jet_has_exactly_the_variables_of_the_contract() {
+    let mut expected: Vec<String> = [
+        "elevator aileron rudder thrust_left thrust_right wind_north wind_east wind_down input_reference model",
+        "airspeed altitude heading stiffness_scale structural_damping mode_family mode_count inflow_states",
+        "tolerance position.north position.east position.down attitude.roll attitude.pitch attitude.yaw",
+        "velocity.x velocity.y velocity.z rate.x rate.y rate.z acceleration.x acceleration.y acceleration.z",
+        "load_factor.x load_factor.y load_factor.z air.speed air.alpha air.beta air.mach air.density",
+        "air.dynamic_pressure surface.elevator surface.aileron surface.rudder engine.left.thrust",
+        "engine.right.thrust trim.pitch trim.elevator trim.thrust",
+    ]
+    .iter()
+    .flat_map(|line| line.split(' ').map(str::to_owned))
+    .collect();
+    for station in ["wing_tip_right", "wing_tip_left", "htail_tip_right", "htail_tip_left", "vtail_tip"] {
+        expected.extend(["x", "y", "z", "up", "twist"].map(|c| format!("deflection.{station}.{c}")));
+    }
+    for mode in 1..=12 {
+        expected.extend([format!("modal.q[{mode}]"), format!("modal.q_dot[{mode}]")]);
+    }
+    let mut found: Vec<String> = table().iter().map(|(_, variable)| variable.name.clone()).collect();
+    expected.sort();
+    found.sort();
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn names_are_unique_and_every_real_has_a_unit() {
+    let table = table();
+    let mut names = HashSet::new();
+    for (_, variable) in table.iter() {
+        assert!(names.insert(variable.name.clone()), "{} twice", variable.name);
+        assert_eq!(variable.unit.is_some(), variable.kind == Type::Real, "{}", variable.name);
+        assert!(!variable.description.is_empty(), "{}", variable.name);
+    }
+}
+
+#[test]
+fn starts_are_those_of_the_contract_and_are_allowed() {
+    let starts = [("airspeed", 127.0), ("altitude", 7620.0), ("stiffness_scale", 1.0), ("elevator", 0.0)];
+    for (name, start) in starts {
+        assert_eq!(row(name).start, Some(Value::Real(start)), "{name}");
+    }
+    for (name, start) in [("model", 1), ("input_reference", 1), ("mode_count", 12), ("inflow_states", 5)] {
+        assert_eq!(row(name).start, Some(Value::Integer(start)), "{name}");
+    }
+    for (_, variable) in table().iter() {
+        assert!(variable.start.is_none_or(|start| variable.allows(start)), "{}", variable.name);
+    }
+}
+
+#[test]
+fn every_parameter_reads_back_what_was_set() {
+    let mut settings = Settings::default();
+    for (_, variable) in table().iter() {
+        let Slot::Parameter(slot) = variable.slot else { continue };
+        let value = match variable.kind {
+            Type::Real => Value::Real(0.03),
+            Type::Integer => Value::Integer(3),
+            Type::Enumeration(enumeration) => Value::Integer(enumeration.items().len() as i32),
+        };
+        assert_ne!(
+            slot.get(&settings),
+            value,
+            "{}: the test needs a value other than the start",
+            variable.name
+        );
+        slot.set(&mut settings, value);
+        assert_eq!(slot.get(&settings), value, "{}", variable.name);
+    }
+    assert_eq!(settings.fidelity, Fidelity::Rigid);
+}
+
+#[test]
+fn every_input_has_its_own_place() {
+    let mut inputs = Inputs::zero(2);
+    let slots: Vec<_> = table()
+        .iter()
+        .filter_map(|(_, variable)| if let Slot::Input(slot) = variable.slot { Some(slot) } else { None })
+        .collect();
+    for (i, slot) in slots.iter().enumerate() {
+        *slot.of(&mut inputs) = 1.0 + i as f64;
+    }
+    for (i, slot) in slots.iter().enumerate() {
+        assert_eq!(slot.get(&inputs), 1.0 + i as f64, "{slot:?}");
+    }
+}
+
+#[test]
+fn enumerations_list_their_items_and_refuse_others() {
+    let model = row("model");
+    let names: Vec<_> = EnumerationType::Model.items().iter().map(|(name, _)| *name).collect();
+    assert_eq!(names, ["exact", "consistently_linearised", "inconsistent", "ruthlessly_linearised", "rigid"]);
+    assert!(model.allowed().contains("5 (rigid)"), "{}", model.allowed());
+    for (value, allowed) in [(0, false), (1, true), (5, true), (6, false)] {
+        assert_eq!(model.allows(Value::Integer(value)), allowed, "{value}");
+    }
+}
+
+#[test]
+fn nothing_allows_a_number_that_is_not_finite() {
+    for (_, variable) in table().iter() {
+        for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(!variable.allows(Value::Real(number)), "{}: {number}", variable.name);
+        }
+    }
+}
+
+#[test]
+fn states_do_not_depend_directly_on_inputs_but_accelerations_depend_on_all() {
+    let table = table();
+    let direct = |name: &str| {
+        let Slot::Output(slot) = row(name).slot else { panic!("{name} is no output") };
+        let names = table.dependencies(slot).into_iter().map(|r| table.get(r).unwrap().name.clone());
+        names.collect::<Vec<_>>()
+    };
+    for state in
+        ["position.down", "velocity.x", "rate.y", "deflection.wing_tip_left.up", "modal.q[1]", "trim.pitch"]
+    {
+        assert!(direct(state).is_empty(), "{state}");
+    }
+    assert_eq!(direct("acceleration.z").len(), 8);
+    assert_eq!(direct("air.alpha"), ["wind_north", "wind_east", "wind_down"]);
+    assert_eq!(direct("engine.right.thrust"), ["thrust_right"]);
+}
+
+#[test]
+fn the_trim_depends_at_initialisation_on_what_defines_steady_flight() {
+    let table = table();
+    let dependencies = table.initial_dependencies(OutputSlot::TrimPitch);
+    let names: Vec<_> = dependencies.iter().map(|r| table.get(*r).unwrap().name.as_str()).collect();
+    assert_eq!(names, ["model", "airspeed", "altitude", "stiffness_scale", "mode_family", "mode_count"]);
+}

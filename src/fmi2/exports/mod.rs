@@ -20,6 +20,9 @@ use super::instance::{Instance, Refusal};
 use super::life_cycle::Function;
 use super::types::{CString, Component, Status};
 
+#[cfg(test)]
+pub(super) use {co_simulation::*, common::*, model_exchange::*, states::*, variables::*};
+
 type Outcome = Result<(), Refusal>;
 
 /// Runs `body` on the instance behind a component.

@@ -1,1 +1,257 @@
-//!
+//! The C ABI driven as an importer drives it, through the exported functions.
+
+mod allocation;
+mod flight;
+mod identity;
+mod instantiation;
+mod life_cycle;
+mod state;
+mod variables;
+
+use std::cell::RefCell;
+use std::ffi::{CStr, CString, c_char, c_int, c_void};
+use std::path::PathBuf;
+use std::ptr::{null, null_mut};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use super::exports::*;
+use super::types::{CallbackFunctions, CallbackLogger, Component, FmuState, Status};
+use super::{RESOURCE_FILE, guid};
+use crate::variables::VariableTable;
+use crate::variables::tests::jet;
+
+/// A message as the importer's logger gets it.
+#[derive(Clone, Debug, PartialEq)]
+struct Message {
+    instance: String,
+    status: Status,
+    category: String,
+    format: String,
+}
+
+type Log = RefCell<Vec<Message>>;
+
+extern "C" fn logger(
+    environment: *mut c_void,
+    instance: *const c_char,
+    status: Status,
+    category: *const c_char,
+    format: *const c_char,
+) {
+    // SAFETY: the FMU passes NUL-terminated strings, and as environment what the tests gave it: a `Log`.
+    let (log, [instance, category, format]) = unsafe {
+        let texts =
+            [instance, category, format].map(|text| CStr::from_ptr(text).to_str().unwrap().to_owned());
+        (&*environment.cast::<Log>(), texts)
+    };
+    log.borrow_mut().push(Message { instance, status, category, format });
+}
+
+fn variadic_logger() -> CallbackLogger {
+    let plain = logger as *const ();
+    // SAFETY: on the platforms that the tests run on, a caller that passes no variadic arguments calls a
+    // variadic function like any other; importers with ctypes rely on the same.
+    unsafe { std::mem::transmute::<*const (), CallbackLogger>(plain) }
+}
+
+/// A directory that is removed in the end, with the model in `resources/`.
+struct Unpacked(PathBuf);
+
+impl Unpacked {
+    fn new(name: &str) -> Self {
+        static COUNT: AtomicUsize = AtomicUsize::new(0);
+        let unique = format!("fmi2-{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
+        let root = std::env::temp_dir().join(unique);
+        let resources = root.join(name).join("resources");
+        std::fs::create_dir_all(&resources).unwrap();
+        static BYTES: OnceLock<Vec<u8>> = OnceLock::new();
+        std::fs::write(resources.join(RESOURCE_FILE), BYTES.get_or_init(|| jet().to_bytes())).unwrap();
+        Unpacked(root)
+    }
+
+    fn uri(&self, name: &str) -> String {
+        format!("file://{}/{name}/resources", self.0.display())
+    }
+}
+
+impl Drop for Unpacked {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// An instance with its log.
+struct Fmu {
+    component: Component,
+    log: Box<Log>,
+}
+
+/// What `fmi2Instantiate` is given.
+struct Request<'a> {
+    name: Option<&'a str>,
+    kind: c_int,
+    guid: Option<&'a str>,
+    uri: Option<&'a str>,
+    logging_on: bool,
+}
+
+impl Fmu {
+    /// Calls `fmi2Instantiate`; the component may be NULL.
+    fn request(request: &Request) -> Fmu {
+        let log: Box<Log> = Box::default();
+        let callbacks = CallbackFunctions {
+            logger: Some(variadic_logger()),
+            allocate_memory: None,
+            free_memory: None,
+            step_finished: None,
+            component_environment: (&raw const *log).cast_mut().cast(),
+        };
+        let [name, guid, uri] = [request.name, request.guid, request.uri]
+            .map(|text| text.map(|text| CString::new(text).unwrap()));
+        let pointer = |text: &Option<CString>| text.as_ref().map_or(null(), |text| text.as_ptr());
+        let (name, guid, uri) = (pointer(&name), pointer(&guid), pointer(&uri));
+        // SAFETY: strings and callbacks live during the call, the log as long as the instance.
+        let component = unsafe {
+            fmi2Instantiate(name, request.kind, guid, uri, &callbacks, 0, c_int::from(request.logging_on))
+        };
+        Fmu { component, log }
+    }
+
+    /// In the state instantiated.
+    fn new() -> Fmu {
+        let unpacked = Unpacked::new("jet");
+        let request = Request {
+            name: Some("jet"),
+            kind: 1,
+            guid: Some(&guid(jet())),
+            uri: Some(&unpacked.uri("jet")),
+            logging_on: false,
+        };
+        let fmu = Fmu::request(&request);
+        assert!(!fmu.component.is_null(), "{:?}", fmu.log);
+        fmu
+    }
+
+    /// In initialisation mode.
+    fn initialising() -> Fmu {
+        let fmu = Fmu::new();
+        assert_eq!(fmu.set_up(None, 0.0, None), Status::Ok);
+        assert_eq!(fmu.enter(), Status::Ok);
+        fmu
+    }
+
+    /// At the first communication point.
+    fn flying() -> Fmu {
+        let fmu = Fmu::initialising();
+        assert_eq!(fmu.exit(), Status::Ok, "{:?}", fmu.log);
+        fmu
+    }
+
+    fn set_up(&self, tolerance: Option<f64>, start: f64, stop: Option<f64>) -> Status {
+        let flag = |option: Option<f64>| c_int::from(option.is_some());
+        let (tolerance_defined, stop_defined) = (flag(tolerance), flag(stop));
+        let (tolerance, stop) = (tolerance.unwrap_or_default(), stop.unwrap_or_default());
+        // SAFETY: the component is alive.
+        unsafe {
+            fmi2SetupExperiment(self.component, tolerance_defined, tolerance, start, stop_defined, stop)
+        }
+    }
+
+    fn enter(&self) -> Status {
+        // SAFETY: the component is alive.
+        unsafe { fmi2EnterInitializationMode(self.component) }
+    }
+
+    fn exit(&self) -> Status {
+        // SAFETY: the component is alive.
+        unsafe { fmi2ExitInitializationMode(self.component) }
+    }
+
+    fn step(&self, point: f64, size: f64) -> Status {
+        // SAFETY: the component is alive.
+        unsafe { fmi2DoStep(self.component, point, size, 1) }
+    }
+
+    fn terminate(&self) -> Status {
+        // SAFETY: the component is alive.
+        unsafe { fmi2Terminate(self.component) }
+    }
+
+    fn reset(&self) -> Status {
+        // SAFETY: the component is alive.
+        unsafe { fmi2Reset(self.component) }
+    }
+
+    fn set_references(&self, references: &[u32], values: &[f64]) -> Status {
+        // SAFETY: the component is alive, the arrays are equally long.
+        unsafe { fmi2SetReal(self.component, references.as_ptr(), references.len(), values.as_ptr()) }
+    }
+
+    fn set(&self, pairs: &[(&str, f64)]) -> Status {
+        let references: Vec<u32> = pairs.iter().map(|(name, _)| reference(name)).collect();
+        let values: Vec<f64> = pairs.iter().map(|(_, value)| *value).collect();
+        self.set_references(&references, &values)
+    }
+
+    fn set_integer(&self, name: &str, value: c_int) -> Status {
+        // SAFETY: the component is alive, the arrays have one element.
+        unsafe { fmi2SetInteger(self.component, &reference(name), 1, &value) }
+    }
+
+    fn get_references(&self, references: &[u32]) -> Result<Vec<f64>, Status> {
+        let mut values = vec![0.0; references.len()];
+        // SAFETY: the component is alive, the arrays are equally long.
+        let status = unsafe {
+            fmi2GetReal(self.component, references.as_ptr(), references.len(), values.as_mut_ptr())
+        };
+        if status == Status::Ok { Ok(values) } else { Err(status) }
+    }
+
+    fn get(&self, name: &str) -> f64 {
+        self.get_references(&[reference(name)])
+            .unwrap_or_else(|status| panic!("{name}: {status:?} {:?}", self.log))[0]
+    }
+
+    fn get_integer(&self, name: &str) -> Result<c_int, Status> {
+        let mut value = 0;
+        // SAFETY: the component is alive, the arrays have one element.
+        let status = unsafe { fmi2GetInteger(self.component, &reference(name), 1, &mut value) };
+        if status == Status::Ok { Ok(value) } else { Err(status) }
+    }
+
+    /// All outputs, bit for bit.
+    fn outputs(&self) -> Vec<u64> {
+        let table = VariableTable::new(jet());
+        let outputs: Vec<u32> = table
+            .iter()
+            .filter(|(_, v)| matches!(v.slot, crate::variables::Slot::Output(_)))
+            .map(|(r, _)| r)
+            .collect();
+        self.get_references(&outputs).unwrap().into_iter().map(f64::to_bits).collect()
+    }
+
+    fn last_message(&self) -> Message {
+        self.log.borrow().last().expect("nothing was logged").clone()
+    }
+
+    /// The last message is an error and contains all these parts.
+    fn assert_refused(&self, parts: &[&str]) {
+        let message = self.last_message();
+        assert_eq!((message.status, message.category.as_str()), (Status::Error, "logStatusError"));
+        for part in parts {
+            assert!(message.format.contains(part), "`{part}` is missing in: {}", message.format);
+        }
+    }
+}
+
+impl Drop for Fmu {
+    fn drop(&mut self) {
+        // SAFETY: the component is NULL or alive, and not used after this.
+        unsafe { fmi2FreeInstance(self.component) };
+    }
+}
+
+fn reference(name: &str) -> u32 {
+    VariableTable::new(jet()).reference(name).unwrap_or_else(|| panic!("no variable `{name}`"))
+}

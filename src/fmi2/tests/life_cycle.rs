@@ -1,0 +1,184 @@
+use super::*;
+use crate::fmi2::instance::{Experiment, Instance};
+use crate::fmi2::life_cycle::{Function, State};
+
+fn state(fmu: &Fmu) -> State {
+    // SAFETY: a component is an `Instance`.
+    unsafe { &*fmu.component.cast::<Instance>() }.state
+}
+
+#[test]
+fn an_experiment_out_of_reason_is_refused() {
+    let fmu = Fmu::new();
+    for (tolerance, start, stop, part) in [
+        (Some(0.0), 0.0, None, "tolerance"),
+        (Some(f64::NAN), 0.0, None, "tolerance"),
+        (None, -1.0, None, "start time: found -1"),
+        (None, f64::INFINITY, None, "start time"),
+        (None, 1.0, Some(0.5), "stop time: found 0.5"),
+        (None, 0.0, Some(f64::NAN), "stop time"),
+        (None, 0.0, Some(f64::INFINITY), "stop time"),
+    ] {
+        assert_eq!(fmu.set_up(tolerance, start, stop), Status::Error, "{part}");
+        fmu.assert_refused(&[part]);
+    }
+    assert_eq!(fmu.set_up(Some(1e-5), 1.0, Some(1.0)), Status::Ok);
+}
+
+#[test]
+fn calls_in_the_wrong_state_are_refused_and_change_nothing() {
+    let fmu = Fmu::new();
+    assert_eq!(fmu.exit(), Status::Error);
+    fmu.assert_refused(&["fmi2ExitInitializationMode", "instantiated", "initializationMode"]);
+    assert_eq!(fmu.step(0.0, 0.1), Status::Error);
+    assert_eq!(fmu.terminate(), Status::Error);
+    assert_eq!(fmu.get_references(&[0]), Err(Status::Error));
+    assert_eq!(state(&fmu), State::Instantiated);
+    assert_eq!(fmu.enter(), Status::Ok);
+    assert_eq!(fmu.enter(), Status::Error);
+    assert_eq!(fmu.set_up(None, 0.0, None), Status::Error);
+    assert_eq!(state(&fmu), State::InitializationMode);
+    assert_eq!(fmu.reset(), Status::Ok);
+    assert_eq!(state(&fmu), State::Instantiated);
+}
+
+#[test]
+fn model_exchange_is_refused_with_the_reason() {
+    let fmu = Fmu::initialising();
+    // SAFETY: the component is alive; refused calls use no pointers.
+    let statuses = unsafe {
+        [
+            fmi2EnterEventMode(fmu.component),
+            fmi2NewDiscreteStates(fmu.component, null_mut()),
+            fmi2EnterContinuousTimeMode(fmu.component),
+            fmi2CompletedIntegratorStep(fmu.component, 0, null_mut(), null_mut()),
+            fmi2SetTime(fmu.component, 0.0),
+            fmi2SetContinuousStates(fmu.component, null(), 0),
+            fmi2GetDerivatives(fmu.component, null_mut(), 0),
+            fmi2GetEventIndicators(fmu.component, null_mut(), 0),
+            fmi2GetContinuousStates(fmu.component, null_mut(), 0),
+            fmi2GetNominalsOfContinuousStates(fmu.component, null_mut(), 0),
+        ]
+    };
+    assert_eq!(statuses, [Status::Error; 10]);
+    assert_eq!(fmu.log.borrow().len(), 10);
+    fmu.assert_refused(&["co-simulation"]);
+}
+
+#[test]
+fn a_panic_is_fatal_and_then_only_free_is_accepted() {
+    let fmu = Fmu::new();
+    // SAFETY: a component is an `Instance`, and no other reference to it is alive.
+    let instance = unsafe { &mut *fmu.component.cast::<Instance>() };
+    assert_eq!(instance.call(Function::Reset, |_| panic!("100% broken")), Status::Fatal);
+    let message = fmu.last_message();
+    assert_eq!((message.status, message.category.as_str()), (Status::Fatal, "logStatusFatal"));
+    assert!(message.format.contains("100%% broken"), "{}", message.format);
+    assert_eq!((fmu.reset(), fmu.enter(), fmu.step(0.0, 1.0)), (Status::Error, Status::Error, Status::Error));
+    assert_eq!(state(&fmu), State::Fatal);
+}
+
+#[test]
+fn reset_forgets_experiment_and_values() {
+    let fmu = Fmu::new();
+    assert_eq!(fmu.set_up(Some(1e-5), 2.0, Some(3.0)), Status::Ok);
+    assert_eq!(fmu.set(&[("elevator", 0.1), ("airspeed", 150.0)]), Status::Ok);
+    assert_eq!(fmu.reset(), Status::Ok);
+    // SAFETY: a component is an `Instance`.
+    assert_eq!(unsafe { &*fmu.component.cast::<Instance>() }.experiment, Experiment::default());
+    assert_eq!(fmu.enter(), Status::Ok);
+    assert_eq!((fmu.get("elevator"), fmu.get("airspeed")), (0.0, 127.0));
+}
+
+/// In a state.
+fn fmu_in(state: State) -> Fmu {
+    match state {
+        State::Instantiated => Fmu::new(),
+        State::InitializationMode => Fmu::initialising(),
+        State::StepComplete => Fmu::flying(),
+        State::Terminated => {
+            let fmu = Fmu::flying();
+            assert_eq!(fmu.terminate(), Status::Ok);
+            fmu
+        }
+        State::Fatal => {
+            let fmu = Fmu::new();
+            // SAFETY: a component is an `Instance`, and no other reference to it is alive.
+            let instance = unsafe { &mut *fmu.component.cast::<Instance>() };
+            assert_eq!(instance.call(Function::Reset, |_| panic!("for the test")), Status::Fatal);
+            fmu
+        }
+    }
+}
+
+/// Calls a function with arguments that ask for as little as possible.
+fn call(function: Function, c: Component) -> Status {
+    use Function as F;
+    let (v, r, i, s, b) = (null(), null_mut(), null_mut(), null_mut(), null_mut());
+    // SAFETY: the component is alive, empty arrays may be NULL, and results at NULL are refused.
+    unsafe {
+        match function {
+            F::SetDebugLogging => fmi2SetDebugLogging(c, 0, 0, null()),
+            F::SetupExperiment => fmi2SetupExperiment(c, 0, 0.0, 0.0, 0, 0.0),
+            F::EnterInitializationMode => fmi2EnterInitializationMode(c),
+            F::ExitInitializationMode => fmi2ExitInitializationMode(c),
+            F::Terminate => fmi2Terminate(c),
+            F::Reset => fmi2Reset(c),
+            F::GetReal => fmi2GetReal(c, v, 0, r),
+            F::GetInteger => fmi2GetInteger(c, v, 0, i),
+            F::GetBoolean => fmi2GetBoolean(c, v, 0, b),
+            F::GetString => fmi2GetString(c, v, 0, s),
+            F::SetReal => fmi2SetReal(c, v, 0, null()),
+            F::SetInteger => fmi2SetInteger(c, v, 0, null()),
+            F::SetBoolean => fmi2SetBoolean(c, v, 0, null()),
+            F::SetString => fmi2SetString(c, v, 0, null()),
+            F::GetFMUstate => fmi2GetFMUstate(c, null_mut()),
+            F::SetFMUstate => fmi2SetFMUstate(c, null_mut()),
+            F::FreeFMUstate => fmi2FreeFMUstate(c, null_mut()),
+            F::SerializedFMUstateSize => fmi2SerializedFMUstateSize(c, null_mut(), null_mut()),
+            F::SerializeFMUstate => fmi2SerializeFMUstate(c, null_mut(), null_mut(), 0),
+            F::DeSerializeFMUstate => fmi2DeSerializeFMUstate(c, null(), 0, null_mut()),
+            F::GetDirectionalDerivative => fmi2GetDirectionalDerivative(c, v, 0, v, 0, null(), r),
+            F::SetRealInputDerivatives => fmi2SetRealInputDerivatives(c, v, 0, null(), null()),
+            F::GetRealOutputDerivatives => fmi2GetRealOutputDerivatives(c, v, 0, null(), r),
+            F::DoStep => fmi2DoStep(c, 0.0, 0.0, 1),
+            F::CancelStep => fmi2CancelStep(c),
+            F::GetStatus => fmi2GetStatus(c, 0, null_mut()),
+            F::GetRealStatus => fmi2GetRealStatus(c, 0, r),
+            F::GetIntegerStatus => fmi2GetIntegerStatus(c, 0, i),
+            F::GetBooleanStatus => fmi2GetBooleanStatus(c, 0, b),
+            F::GetStringStatus => fmi2GetStringStatus(c, 0, s),
+            F::EnterEventMode => fmi2EnterEventMode(c),
+            F::NewDiscreteStates => fmi2NewDiscreteStates(c, null_mut()),
+            F::EnterContinuousTimeMode => fmi2EnterContinuousTimeMode(c),
+            F::CompletedIntegratorStep => fmi2CompletedIntegratorStep(c, 0, b, b),
+            F::SetTime => fmi2SetTime(c, 0.0),
+            F::SetContinuousStates => fmi2SetContinuousStates(c, null(), 0),
+            F::GetDerivatives => fmi2GetDerivatives(c, r, 0),
+            F::GetEventIndicators => fmi2GetEventIndicators(c, r, 0),
+            F::GetContinuousStates => fmi2GetContinuousStates(c, r, 0),
+            F::GetNominalsOfContinuousStates => fmi2GetNominalsOfContinuousStates(c, r, 0),
+        }
+    }
+}
+
+#[test]
+fn every_function_obeys_the_table_in_every_state() {
+    for before in State::ALL {
+        for function in Function::all() {
+            let fmu = fmu_in(before);
+            let status = call(function, fmu.component);
+            match function.objection(before) {
+                Some(objection) => {
+                    assert_eq!((status, state(&fmu)), (Status::Error, before), "{function:?} in {before:?}");
+                    fmu.assert_refused(&[&objection]);
+                }
+                None => {
+                    let log = fmu.log.borrow();
+                    let refused = log.iter().any(|message| message.format.contains("not allowed in state"));
+                    assert!(!refused, "{function:?} in {before:?}: {log:?}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,135 @@
+use super::*;
+
+/// A saved state, freed in the end.
+struct Saved<'a> {
+    fmu: &'a Fmu,
+    state: FmuState,
+}
+
+impl<'a> Saved<'a> {
+    fn of(fmu: &'a Fmu) -> Self {
+        let mut state = null_mut();
+        // SAFETY: the component is alive.
+        assert_eq!(unsafe { fmi2GetFMUstate(fmu.component, &mut state) }, Status::Ok);
+        Saved { fmu, state }
+    }
+
+    fn from_bytes(fmu: &'a Fmu, bytes: &[u8]) -> Result<Self, Status> {
+        let mut state = null_mut();
+        // SAFETY: the component is alive, the array is as long as said.
+        let status =
+            unsafe { fmi2DeSerializeFMUstate(fmu.component, bytes.as_ptr(), bytes.len(), &mut state) };
+        if status == Status::Ok { Ok(Saved { fmu, state }) } else { Err(status) }
+    }
+
+    fn bytes(&self) -> Vec<u8> {
+        let mut size = 0;
+        // SAFETY: component and state are alive.
+        assert_eq!(
+            unsafe { fmi2SerializedFMUstateSize(self.fmu.component, self.state, &mut size) },
+            Status::Ok
+        );
+        let mut bytes = vec![0; size];
+        // SAFETY: component and state are alive, the array is as long as said.
+        let status =
+            unsafe { fmi2SerializeFMUstate(self.fmu.component, self.state, bytes.as_mut_ptr(), size) };
+        assert_eq!(status, Status::Ok);
+        bytes
+    }
+
+    fn restore(&self) -> Status {
+        // SAFETY: component and state are alive.
+        unsafe { fmi2SetFMUstate(self.fmu.component, self.state) }
+    }
+}
+
+impl Drop for Saved<'_> {
+    fn drop(&mut self) {
+        // SAFETY: component and state are alive; the state is not used after this.
+        assert_eq!(unsafe { fmi2FreeFMUstate(self.fmu.component, &mut self.state) }, Status::Ok);
+        assert!(self.state.is_null());
+    }
+}
+
+#[test]
+fn a_state_before_the_flight_brings_values_and_life_cycle_back() {
+    let fmu = Fmu::initialising();
+    assert_eq!(fmu.set(&[("elevator", 0.1), ("airspeed", 150.0)]), Status::Ok);
+    let saved = Saved::of(&fmu);
+    assert_eq!(fmu.reset(), Status::Ok);
+    assert_eq!(saved.restore(), Status::Ok);
+    assert_eq!((fmu.get("elevator"), fmu.get("airspeed")), (0.1, 150.0));
+}
+
+#[test]
+fn damaged_truncated_and_foreign_bytes_are_refused_with_a_reason() {
+    let fmu = Fmu::initialising();
+    let bytes = Saved::of(&fmu).bytes();
+    for i in 0..bytes.len() {
+        let mut damaged = bytes.clone();
+        damaged[i] ^= 0x10;
+        assert!(Saved::from_bytes(&fmu, &damaged).is_err(), "byte {i}");
+        assert!(Saved::from_bytes(&fmu, &bytes[..i]).is_err(), "length {i}");
+    }
+    assert!(Saved::from_bytes(&fmu, &bytes[..bytes.len() - 1]).is_err());
+    fmu.assert_refused(&["serialised state", &bytes.len().to_string()]);
+    let mut longer = bytes.clone();
+    longer.push(0);
+    assert!(Saved::from_bytes(&fmu, &longer).is_err());
+    assert!(Saved::from_bytes(&fmu, &bytes).is_ok());
+}
+
+#[test]
+fn a_buffer_too_small_and_null_states_are_refused() {
+    let fmu = Fmu::initialising();
+    let saved = Saved::of(&fmu);
+    let mut byte = 0;
+    // SAFETY: component and state are alive; NULL is what is tested.
+    unsafe {
+        assert_eq!(fmi2SerializeFMUstate(fmu.component, saved.state, &mut byte, 1), Status::Error);
+        assert_eq!(fmi2SetFMUstate(fmu.component, null_mut()), Status::Error);
+        assert_eq!(fmi2GetFMUstate(fmu.component, null_mut()), Status::Error);
+        assert_eq!(fmi2FreeFMUstate(fmu.component, null_mut()), Status::Ok);
+    }
+}
+
+#[test]
+fn saving_into_a_present_state_replaces_it() {
+    let fmu = Fmu::initialising();
+    let mut saved = Saved::of(&fmu);
+    let present = saved.state;
+    assert_eq!(fmu.set(&[("rudder", 0.2)]), Status::Ok);
+    // SAFETY: component and state are alive.
+    assert_eq!(unsafe { fmi2GetFMUstate(fmu.component, &mut saved.state) }, Status::Ok);
+    assert_eq!(saved.state, present);
+    assert_eq!(fmu.set(&[("rudder", 0.0)]), Status::Ok);
+    assert_eq!(saved.restore(), Status::Ok);
+    assert_eq!(fmu.get("rudder"), 0.2);
+}
+
+#[test]
+fn a_flight_goes_on_from_a_saved_state_bit_for_bit() {
+    let fmu = Fmu::flying();
+    let step = |fmu: &Fmu, i: u32| {
+        assert_eq!(fmu.set(&[("elevator", 0.01 * f64::from(i % 3))]), Status::Ok);
+        assert_eq!(fmu.step(0.01 * f64::from(i), 0.01), Status::Ok, "{:?}", fmu.log);
+    };
+    (0..10).for_each(|i| step(&fmu, i));
+    let saved = Saved::of(&fmu);
+    let bytes = saved.bytes();
+    let at_saving = fmu.outputs();
+    (10..20).for_each(|i| step(&fmu, i));
+    let expected = fmu.outputs();
+    assert_ne!(at_saving, expected);
+
+    assert_eq!(saved.restore(), Status::Ok, "{:?}", fmu.log);
+    assert_eq!(fmu.outputs(), at_saving);
+    (10..20).for_each(|i| step(&fmu, i));
+    assert_eq!(fmu.outputs(), expected);
+
+    let other = Fmu::new();
+    let carried = Saved::from_bytes(&other, &bytes).unwrap();
+    assert_eq!(carried.restore(), Status::Ok, "{:?}", other.log);
+    (10..20).for_each(|i| step(&other, i));
+    assert_eq!(other.outputs(), expected);
+}

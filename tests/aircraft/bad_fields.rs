@@ -1,0 +1,332 @@
+//! Files whose fields are wrong each by itself.
+
+use flexible_aircraft::aircraft::Aircraft;
+
+use super::{GOOD, assert_messages};
+
+#[test]
+fn negative_stiffness() {
+    assert_messages(
+        &[("EA_N = 1e7", "EA_N = -1e7")],
+        &["small.toml:17:8: component.wing_right.EA_N: found -10000000; a number greater than 0 is allowed"],
+    );
+}
+
+#[test]
+fn stiffness_zero() {
+    assert_messages(
+        &[("EA_N = 1e7", "EA_N = 0")],
+        &["small.toml:17:8: component.wing_right.EA_N: found 0; a number greater than 0 is allowed"],
+    );
+}
+
+#[test]
+fn negative_mass() {
+    assert_messages(
+        &[("mass_kg = [300, 80]", "mass_kg = [300, -80]")],
+        &[
+            "small.toml:49:17: component.fuselage.point_masses[1].mass_kg[2]: found -80; a number greater than 0 is allowed",
+        ],
+    );
+}
+
+#[test]
+fn mass_zero() {
+    assert_messages(
+        &[("total_kg = 100", "total_kg = 0.0")],
+        &[
+            "small.toml:23:23: component.wing_right.distributed_mass[1].parts[1].total_kg: found 0; a number greater than 0 is allowed",
+        ],
+    );
+}
+
+#[test]
+fn negative_chord() {
+    assert_messages(
+        &[("chord_m = 1.5", "chord_m = -1.5")],
+        &[
+            "small.toml:16:11: component.wing_right.chord_m: found -1.5; a length in metres greater than 0, at most 1000, is allowed",
+        ],
+    );
+}
+
+#[test]
+fn chord_zero() {
+    assert_messages(
+        &[("chord_m = 1.5", "chord_m = 0")],
+        &[
+            "small.toml:16:11: component.wing_right.chord_m: found 0; a length in metres greater than 0, at most 1000, is allowed",
+        ],
+    );
+}
+
+#[test]
+fn unknown_field() {
+    assert_messages(
+        &[("chord_m = 1.5", "chord_m = 1.5\nsweep_deg = 3")],
+        &[
+            "small.toml:17:1: component.wing_right.sweep_deg: found the unknown field \"sweep_deg\"; allowed here: name, mirror, attached_to, axis_m, elements, y_axis, EA_N, GJ_N_m2, EI_y_N_m2, EI_z_N_m2, chord_m, distributed_mass, point_masses, surface",
+        ],
+    );
+}
+
+#[test]
+fn unknown_field_in_an_inline_table() {
+    assert_messages(
+        &[("hinge = 0.75", "hinges = 0.75")],
+        &[
+            "small.toml:30:8: component.wing_right.surface[1].flap.hinge: the field \"hinge\" is missing; it is needed; allowed here: lift_slope_per_rad, hinge",
+            "small.toml:30:34: component.wing_right.surface[1].flap.hinges: found the unknown field \"hinges\"; allowed here: lift_slope_per_rad, hinge",
+        ],
+    );
+}
+
+#[test]
+fn missing_field() {
+    assert_messages(
+        &[("EI_z_N_m2 = 1e6\n", "")],
+        &[
+            "small.toml:52:1: component.fin.EI_z_N_m2: the field \"EI_z_N_m2\" is missing; it is needed; allowed here: name, mirror, attached_to, axis_m, elements, y_axis, EA_N, GJ_N_m2, EI_y_N_m2, EI_z_N_m2, chord_m, distributed_mass, point_masses, surface",
+        ],
+    );
+}
+
+#[test]
+fn missing_top_field() {
+    assert_messages(
+        &[("support = \"free\"\n", "")],
+        &[
+            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, inflow_states, symmetric, component, engine, station",
+        ],
+    );
+}
+
+#[test]
+fn no_elements() {
+    assert_messages(
+        &[("elements = 4", "elements = 0")],
+        &[
+            "small.toml:14:12: component.wing_right.elements: found 0; a whole number from 1 to 1000 is allowed",
+        ],
+    );
+}
+
+#[test]
+fn name_that_no_variable_can_have() {
+    assert_messages(
+        &[("name = \"tip\"", "name = \"left tip\"")],
+        &[
+            "small.toml:70:8: station.left tip.name: found the text \"left tip\"; a name of letters, digits and underscores that does not begin with a digit is allowed",
+        ],
+    );
+}
+
+#[test]
+fn hinge_outside_the_chord() {
+    assert_messages(
+        &[("hinge = 0.75", "hinge = 1.2")],
+        &[
+            "small.toml:30:42: component.wing_right.surface[1].flap.hinge: found 1.2; a fraction of the chord behind the leading edge is allowed, greater than 0 and less than 1",
+        ],
+    );
+}
+
+#[test]
+fn hinge_at_the_trailing_edge() {
+    assert_messages(
+        &[("hinge = 0.75", "hinge = 1")],
+        &[
+            "small.toml:30:42: component.wing_right.surface[1].flap.hinge: found 1; a fraction of the chord behind the leading edge is allowed, greater than 0 and less than 1",
+        ],
+    );
+}
+
+#[test]
+fn not_a_number() {
+    assert_messages(
+        &[("chord_m = 1.5", "chord_m = nan")],
+        &[
+            "small.toml:16:11: component.wing_right.chord_m: found NaN; a length in metres greater than 0, at most 1000, is allowed",
+        ],
+    );
+}
+
+#[test]
+fn infinite_number() {
+    assert_messages(
+        &[("[[0, 0, 0], [-6, 0, 0]]", "[[0, 0, 0], [-inf, 0, 0]]")],
+        &[
+            "small.toml:39:23: component.fuselage.axis_m[2][1]: found -inf; a length in metres from -1000 to 1000 is allowed",
+        ],
+    );
+}
+
+#[test]
+fn syntax_error() {
+    assert_messages(
+        &[("elements = 4", "elements = ")],
+        &[
+            "small.toml:14:12: syntax: found \"elements =\": string values must be quoted, expected literal string; TOML is allowed (https://toml.io)",
+        ],
+    );
+}
+
+#[test]
+fn field_given_twice() {
+    assert_messages(
+        &[("elements = 4", "elements = 4\nelements = 5")],
+        &[
+            "small.toml:15:1: syntax: found \"elements = 5\": duplicate key; TOML is allowed (https://toml.io)",
+        ],
+    );
+}
+
+#[test]
+fn wrong_type() {
+    assert_messages(
+        &[("EA_N = 1e7", "EA_N = \"1e7\"")],
+        &[
+            "small.toml:17:8: component.wing_right.EA_N: found the text \"1e7\"; a number or a table of one form ({ per_element }, { at, values }, { polynomial }, { root, chord_power }, { multiple_of, factor }) is allowed",
+        ],
+    );
+}
+
+#[test]
+fn vector_of_two() {
+    assert_messages(
+        &[("y_axis = [1, 0, 0]", "y_axis = [1, 0]")],
+        &[
+            "small.toml:15:10: component.wing_right.y_axis: found a list of 2; a list of three numbers is allowed",
+        ],
+    );
+}
+
+#[test]
+fn unknown_word() {
+    assert_messages(
+        &[("mode_basis = \"bending_torsion\"", "mode_basis = \"bending\"")],
+        &[
+            "small.toml:5:14: mode_basis: found the text \"bending\"; \"bending_torsion\" or \"full\" is allowed",
+        ],
+    );
+}
+
+#[test]
+fn unknown_format() {
+    assert_messages(
+        &[("format = 1", "format = 2")],
+        &["small.toml:1:10: format: found 2; the number 1 is allowed"],
+    );
+}
+
+#[test]
+fn too_many_inflow_states() {
+    assert_messages(
+        &[("inflow_states = 5", "inflow_states = 9")],
+        &["small.toml:6:17: inflow_states: found 9; a whole number from 0 to 8 is allowed"],
+    );
+}
+
+#[test]
+fn two_forms_of_a_law() {
+    assert_messages(
+        &[("polynomial = [3e6, -2e6]", "polynomial = [3e6, -2e6], factor = 2")],
+        &[
+            "small.toml:20:41: component.wing_right.EI_z_N_m2.factor: found the unknown field \"factor\"; allowed here: polynomial",
+        ],
+    );
+}
+
+#[test]
+fn control_without_flap() {
+    assert_messages(
+        &[("flap = { lift_slope_per_rad = 3, hinge = 0.75 }\n", "")],
+        &[
+            "small.toml:26:1: component.wing_right.surface[1].flap: found a control and no flap; it is needed; allowed: { lift_slope_per_rad, hinge }",
+        ],
+    );
+}
+
+#[test]
+fn all_mistakes_of_a_file_are_told_at_once() {
+    assert_messages(
+        &[
+            ("chord_m = 1.5", "chord_m = -1.5"),
+            ("elements = 3", "elements = 2.5"),
+            ("hinge = 0.75", "hinge = 7.5"),
+            ("name = \"tip\"\n", ""),
+        ],
+        &[
+            "small.toml:16:11: component.wing_right.chord_m: found -1.5; a length in metres greater than 0, at most 1000, is allowed",
+            "small.toml:30:42: component.wing_right.surface[1].flap.hinge: found 7.5; a fraction of the chord behind the leading edge is allowed, greater than 0 and less than 1",
+            "small.toml:40:12: component.fuselage.elements: found 2.5; a whole number from 1 to 1000 is allowed",
+            "small.toml:69:1: station[1].name: the field \"name\" is missing; it is needed; allowed here: name, component, at_m, at",
+        ],
+    );
+}
+
+#[test]
+fn distributed_mass_without_parts() {
+    assert_messages(
+        &[("[{ total_kg = 100, chord_power = 2 }]", "[]")],
+        &[
+            "small.toml:23:9: component.wing_right.distributed_mass[1].parts: found a list of 0; a list of at least one table is allowed",
+        ],
+    );
+}
+
+#[test]
+fn length_in_millimetres() {
+    assert_messages(
+        &[("[[0, 0, 0], [-6, 0, 0]]", "[[0, 0, 0], [-6000, 0, 0]]")],
+        &[
+            "small.toml:39:23: component.fuselage.axis_m[2][1]: found -6000; a length in metres from -1000 to 1000 is allowed",
+        ],
+    );
+}
+
+/// Every value of the good file replaced by everything odd: a refusal or an aircraft of finite numbers.
+#[test]
+fn odd_values_neither_panic_nor_get_through() {
+    let odd = [
+        "-1",
+        "0",
+        "1",
+        "1e300",
+        "-1e300",
+        "1e-300",
+        "nan",
+        "inf",
+        "99999999999999999999",
+        "\"x\"",
+        "true",
+        "[]",
+        "{}",
+        "[0, 0, 0]",
+        "[1e300, 1e300, 1e300]",
+        "[[1, 0]]",
+        "{ at = [0, 0], values = [1, 1] }",
+        "2020-01-01",
+        "{ polynomial = [1e300, 1e300] }",
+        "{ root = 1e-300, chord_power = 1e9 }",
+        "{ per_element = [] }",
+    ];
+    let lines: Vec<&str> = GOOD.lines().collect();
+    for (number, line) in lines.iter().enumerate() {
+        let Some((field, _)) = line.split_once(" = ") else { continue };
+        for value in odd {
+            let edited = format!("{field} = {value}");
+            let text = [&lines[..number], &[edited.as_str()], &lines[number + 1..]].concat().join("\n");
+            match Aircraft::parse(&text, "odd.toml") {
+                Err(error) => assert!(!error.diagnostics().is_empty(), "{edited}"),
+                Ok(aircraft) => {
+                    let numbers = format!("{aircraft:?}");
+                    assert!(
+                        !["NaN", "inf,", "inf]"].iter().any(|odd| numbers.contains(odd)),
+                        "{edited}: {numbers}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! What good files mean, beyond the jet: mirror images, laws, and errors as data.
+
+use std::path::Path;
+
+use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Problem, Strip};
+use nalgebra::Vector3;
+
+use super::{GOOD, edited};
+
+fn aircraft(edits: &[(&str, &str)]) -> Aircraft {
+    edited(edits).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The strips of a component.
+fn strips<'a>(aircraft: &'a Aircraft, component: &str) -> Vec<&'a Strip> {
+    let on_it = |strip: &&Strip| aircraft.beams[strip.attachment.beam].component == component;
+    aircraft.strips.iter().filter(on_it).collect()
+}
+
+#[test]
+fn small_aircraft_has_the_parts_that_it_lists() {
+    let aircraft = aircraft(&[]);
+    assert_eq!((aircraft.nodes.len(), aircraft.beams.len()), (14, 13));
+    assert_eq!((aircraft.bays.len(), aircraft.strips.len()), (10, 8));
+    assert_eq!((aircraft.engines.len(), aircraft.stations.len()), (1, 1));
+}
+
+#[test]
+fn left_wing_mirrors_the_right_one_and_counts_nose_up_alike() {
+    let aircraft = aircraft(&[("elastic_axis = 0.35", "elastic_axis = 0.35\nincidence_deg = 3")]);
+    let (right, left) = (strips(&aircraft, "wing_right"), strips(&aircraft, "wing_left"));
+    for (right, left) in right.iter().zip(&left) {
+        assert_eq!((right.span, left.span), (Vector3::y(), Vector3::y()));
+        assert_eq!(right.forward, left.forward);
+        assert!(
+            (right.forward.z + 3_f64.to_radians().sin()).abs() < 1e-15,
+            "nose-up is towards -z: {right:?}"
+        );
+    }
+}
+
+#[test]
+fn mirrored_aileron_and_rudder_change_sign_and_the_elevator_does_not() {
+    for (input, sign) in [("elevator", 1.0), ("aileron", -1.0), ("rudder", -1.0)] {
+        let aircraft = aircraft(&[("input = \"aileron\"", &format!("input = \"{input}\""))]);
+        let gain = |component: &str| {
+            let gains = strips(&aircraft, component)[3].flap.unwrap().gains;
+            [gains.elevator, gains.aileron, gains.rudder]
+        };
+        assert_eq!(gain("wing_left"), gain("wing_right").map(|gain| sign * gain), "{input}");
+        assert_eq!(gain("wing_right").iter().sum::<f64>(), -1.0);
+    }
+}
+
+#[test]
+fn control_moves_only_the_strips_of_its_stretch() {
+    let aircraft = aircraft(&[]);
+    let gains: Vec<f64> =
+        strips(&aircraft, "wing_right").iter().map(|strip| strip.flap.unwrap().gains.aileron).collect();
+    assert_eq!(gains, [0.0, 0.0, -1.0, -1.0]);
+}
+
+#[test]
+fn laws_are_evaluated_at_the_middle_of_each_element() {
+    let aircraft = aircraft(&[]);
+    let root = &aircraft.beams[0];
+    let near = |one: f64, other: f64| assert!((one / other - 1.0).abs() < 1e-14, "{one} instead of {other}");
+    near(root.bending_stiffness_y, 1e6 - 0.125 * 9e5);
+    near(root.torsional_stiffness, 2.0 * root.bending_stiffness_y);
+    near(root.bending_stiffness_z, 3e6 - 0.125 * 2e6);
+    near(aircraft.beams[10].bending_stiffness_z, 8e6);
+}
+
+#[test]
+fn kinked_axis_takes_its_elements_from_each_segment() {
+    let aircraft = aircraft(&[
+        ("[[0, 0, 0], [0, 5, 0]]", "[[0, 0, 0], [0, 1, 0], [0, 5, -3]]"),
+        ("elements = 4", "elements = [2, 5]"),
+    ]);
+    assert_eq!(aircraft.nodes[2], Vector3::new(0.0, 1.0, 0.0));
+    assert!((aircraft.nodes[3] - Vector3::new(0.0, 1.8, -0.6)).norm() < 1e-15);
+    assert_eq!(aircraft.nodes[7], Vector3::new(0.0, 5.0, -3.0));
+}
+
+#[test]
+fn distributed_mass_follows_length_where_elements_differ() {
+    let aircraft = aircraft(&[
+        ("[[0, 0, 0], [0, 5, 0]]", "[[0, 0, 0], [0, 1, 0], [0, 5, 0]]"),
+        ("elements = 4", "elements = [1, 1]"),
+    ]);
+    assert_eq!((aircraft.bays[0].mass, aircraft.bays[1].mass), (20.0, 80.0));
+}
+
+#[test]
+fn mirrored_tail_hangs_on_the_mirrored_parent() {
+    let tail = "[[component]]\nname = \"fin\"\nmirror = \"fin_left\"";
+    let edits =
+        [("[[component]]\nname = \"fin\"", tail), ("\"fuselage\", at = 1", "\"wing_right\", at = 0.5")];
+    let aircraft = aircraft(&edits);
+    let first = |component: &str| {
+        let beam = aircraft.beams.iter().find(|beam| beam.component == component).unwrap();
+        aircraft.nodes[beam.nodes[0]].y
+    };
+    assert_eq!((first("fin"), first("fin_left")), (2.5, -2.5));
+}
+
+#[test]
+fn clamped_wing_needs_no_engine() {
+    let engine = GOOD.split("[[engine]]").nth(1).unwrap().split("[[station]]").next().unwrap();
+    let engine = format!("[[engine]]{engine}");
+    assert!(aircraft(&[("\"free\"", "\"clamped\""), (&engine, "")]).engines.is_empty());
+}
+
+#[test]
+fn diagnostic_underlines_the_text_that_it_is_about() {
+    let error = edited(&[("chord_m = 1.5", "chord_m = -1.5")]).expect_err("a bad file");
+    let AircraftFileError::Rejected { text, diagnostics, .. } = error else { panic!("{error}") };
+    let [diagnostic] = diagnostics.as_slice() else { panic!("{diagnostics:?}") };
+    assert_eq!(&text[diagnostic.span.clone()], "-1.5");
+    assert_eq!(diagnostic.problem, Problem::OutOfRange);
+}
+
+#[test]
+fn file_that_is_not_there_is_named() {
+    let error = Aircraft::read(Path::new("no/such/aircraft.toml")).expect_err("no such file");
+    assert!(
+        error.to_string().starts_with("no/such/aircraft.toml: cannot read the aircraft file: "),
+        "{error}"
+    );
+}
+
+/// The first TOML block of a document for people.
+fn first_example(document: &str) -> &str {
+    document.split("```toml\n").nth(1).unwrap().split("```").next().unwrap()
+}
+
+#[test]
+fn example_of_the_readme_is_an_aircraft() {
+    let readme = include_str!("../../aircraft/README.md");
+    let aircraft = Aircraft::parse(first_example(readme), "README.md").unwrap_or_else(|e| panic!("{e}"));
+    assert!(!aircraft.strips.is_empty() && !aircraft.engines.is_empty());
+}
