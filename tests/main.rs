@@ -2,5 +2,7 @@
 
 #[cfg(test)]
 mod aircraft;
+#[cfg(test)]
 mod fmu;
+#[cfg(test)]
 mod tidy;

@@ -8,10 +8,10 @@ use flexible_aircraft::aircraft::AircraftFileError;
 /// The report for people: one block per mistake, coloured on a terminal.
 pub fn render(error: &AircraftFileError) -> String {
     let coloured = std::io::stderr().is_terminal();
-    render_with(error, if coloured { Renderer::styled() } else { Renderer::plain() })
+    render_with(error, &if coloured { Renderer::styled() } else { Renderer::plain() })
 }
 
-fn render_with(error: &AircraftFileError, renderer: Renderer) -> String {
+fn render_with(error: &AircraftFileError, renderer: &Renderer) -> String {
     match error {
         AircraftFileError::Unreadable { .. } => format!("error: {error}"),
         AircraftFileError::Rejected { file_name, text, diagnostics } => {

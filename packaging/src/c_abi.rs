@@ -12,8 +12,8 @@ use std::sync::{Mutex, PoisonError};
 use libloading::{Library, Symbol};
 use tempfile::TempDir;
 
-use crate::{FmuError, Platform};
 use crate::model_description::ModelDescription;
+use crate::{FmuError, Platform};
 
 /// A value reference: the address of a variable.
 pub type ValueReference = u32;

@@ -2,7 +2,7 @@
 
 import fmpy
 import pytest
-from fmpy.fmi2 import FMICallException
+from fmpy.fmi1 import FMICallException
 
 
 def refusal(fmu, **simulation):
