@@ -22,6 +22,7 @@ pub mod aircraft;
 pub mod dynamics;
 #[cfg(feature = "fmi")]
 pub mod fmi2;
+mod lanes;
 pub mod simulation;
 pub mod structure;
 pub mod variables;

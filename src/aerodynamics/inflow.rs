@@ -3,12 +3,16 @@
 //! A λ̇ + (U/b) λ = c ẇ₃ with w₃ = w + (b/2 − d)Ω and λ₀ = ½ bᵀλ is, in the eigenbasis of A⁻¹ and with each
 //! eigenvector scaled so that ẇ₃ enters with unit gain, a sum of independent lags: with η = η̃ + w₃,
 //!
-//!     η̃' = −(U/b) μ (η̃ + w₃),      λ₀ = Σ weight · (η̃ + w₃).
+//! ```text
+//! η̃' = −(U/b) μ (η̃ + w₃),      λ₀ = Σ weight · (η̃ + w₃).
+//! ```
 //!
 //! The state is η̃: no acceleration on the right-hand side, and a jump of the flow makes no impulse.
 //! Complex eigenvalues come in pairs; the real and the imaginary part of one of them are stored.
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
+
+use crate::lanes::{LANES, Lanes, load};
 
 /// A real eigenvalue.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,41 +76,47 @@ impl PetersInflow {
         self.lags.len() + 2 * self.pairs.len()
     }
 
-    /// λ₀, m/s, from a strip's states and its w₃ = w + (b/2 − d)Ω.
-    pub fn induced_velocity(&self, states: &[f64], w3: f64) -> f64 {
-        let (real, complex) = states.split_at(self.lags.len());
-        let lags: f64 = self.lags.iter().zip(real).map(|(lag, state)| lag.weight * (state + w3)).sum();
-        let pairs: f64 = self
-            .pairs
-            .iter()
-            .zip(complex.chunks_exact(2))
-            .map(|(pair, state)| 2.0 * (pair.weight.re * (state[0] + w3) - pair.weight.im * state[1]))
-            .sum();
-        lags + pairs
+    /// λ₀, m/s, from the states of four strips (N × 4 numbers) and their w₃ = w + (b/2 − d)Ω.
+    pub fn induced_velocity(&self, states: &[f64], w3: Lanes) -> Lanes {
+        let (real, complex) = states.split_at(LANES * self.lags.len());
+        let mut induced = Lanes::splat(0.0);
+        for (lag, state) in self.lags.iter().zip(real.chunks_exact(LANES)) {
+            induced += Lanes::splat(lag.weight) * (load(state) + w3);
+        }
+        for (pair, state) in self.pairs.iter().zip(complex.chunks_exact(2 * LANES)) {
+            let (re, im) = (load(state) + w3, load(&state[LANES..]));
+            induced += Lanes::splat(2.0 * pair.weight.re) * re - Lanes::splat(2.0 * pair.weight.im) * im;
+        }
+        induced
     }
 
-    /// Rates of a strip's states, m/s²; `passing` is U/b, 1/s.
-    pub fn rates(&self, states: &[f64], w3: f64, passing: f64, rates: &mut [f64]) {
-        let (real, complex) = states.split_at(self.lags.len());
-        let (real_rates, complex_rates) = rates.split_at_mut(self.lags.len());
-        for ((lag, state), rate) in self.lags.iter().zip(real).zip(real_rates) {
-            *rate = -passing * lag.rate * (state + w3);
+    /// Rates of the states of four strips, m/s²; `passing` is U/b, 1/s.
+    pub fn rates(&self, states: &[f64], w3: Lanes, passing: Lanes, rates: &mut [f64]) {
+        let (real, complex) = states.split_at(LANES * self.lags.len());
+        let (real_rates, complex_rates) = rates.split_at_mut(LANES * self.lags.len());
+        let real = real.chunks_exact(LANES).zip(real_rates.chunks_exact_mut(LANES));
+        for (lag, (state, rate)) in self.lags.iter().zip(real) {
+            let slope = -passing * Lanes::splat(lag.rate) * (load(state) + w3);
+            rate.copy_from_slice(&slope.to_array());
         }
-        let complex = complex.chunks_exact(2).zip(complex_rates.chunks_exact_mut(2));
+        let complex = complex.chunks_exact(2 * LANES).zip(complex_rates.chunks_exact_mut(2 * LANES));
         for (pair, (state, rate)) in self.pairs.iter().zip(complex) {
-            let (re, im) = (state[0] + w3, state[1]);
-            rate[0] = -passing * (pair.decay * re - pair.frequency * im);
-            rate[1] = -passing * (pair.frequency * re + pair.decay * im);
+            let (re, im) = (load(state) + w3, load(&state[LANES..]));
+            let (decay, frequency) = (Lanes::splat(pair.decay), Lanes::splat(pair.frequency));
+            rate[..LANES].copy_from_slice(&(-passing * (decay * re - frequency * im)).to_array());
+            rate[LANES..].copy_from_slice(&(-passing * (frequency * re + decay * im)).to_array());
         }
     }
 
-    /// Sets a strip's states to a wake long at rest: λ = 0.
-    pub fn settle(&self, w3: f64, states: &mut [f64]) {
-        let (real, complex) = states.split_at_mut(self.lags.len());
-        real.fill(-w3);
-        for state in complex.chunks_exact_mut(2) {
-            state[0] = -w3;
-            state[1] = 0.0;
+    /// Sets the states of four strips to a wake long at rest: λ = 0.
+    pub fn settle(&self, w3: Lanes, states: &mut [f64]) {
+        states.fill(0.0);
+        let pairs_begin = self.lags.len();
+        for (index, state) in states.chunks_exact_mut(LANES).enumerate() {
+            let is_imaginary = index >= pairs_begin && (index - pairs_begin) % 2 == 1;
+            if !is_imaginary {
+                state.copy_from_slice(&(-w3).to_array());
+            }
         }
     }
 }
@@ -214,11 +224,12 @@ mod tests {
     #[test]
     fn a_settled_wake_induces_nothing_and_stays_settled() {
         let inflow = PetersInflow::new(5);
-        let mut states = [0.0; 5];
-        inflow.settle(3.5, &mut states);
-        let mut rates = [1.0; 5];
-        inflow.rates(&states, 3.5, 100.0, &mut rates);
-        assert_eq!(inflow.induced_velocity(&states, 3.5), 0.0);
-        assert_eq!(rates, [0.0; 5]);
+        let (w3, passing) = (Lanes::splat(3.5), Lanes::splat(100.0));
+        let mut states = [0.0; 5 * LANES];
+        inflow.settle(w3, &mut states);
+        let mut rates = [1.0; 5 * LANES];
+        inflow.rates(&states, w3, passing, &mut rates);
+        assert_eq!(inflow.induced_velocity(&states, w3).to_array(), [0.0; LANES]);
+        assert_eq!(rates, [0.0; 5 * LANES]);
     }
 }

@@ -1,73 +1,68 @@
-//! Lift, moment, suction and drag of an aerofoil section [4.1; physics.md §4].
+//! Lift, moment, suction and drag of aerofoil sections, four side by side [4.1; physics.md §4].
 //!
 //! Symbols: U `chordwise`, w `upwash`, Ω `pitch_rate`, λ₀ `induced`. Loads are per unit width and leave out
 //! the apparent-mass part that is proportional to accelerations, which the equations of motion carry on
 //! their left-hand side.
 
-use super::FlapEffect;
+use crate::lanes::Lanes;
 
-/// What an aerofoil section is, apart from its place.
-#[derive(Clone, Debug, PartialEq)]
+/// What four aerofoil sections are, apart from their places.
+#[derive(Clone, Debug)]
 pub struct Section {
     /// b, m.
-    pub semichord: f64,
+    pub semichord: Lanes,
     /// d, m.
-    pub elastic_axis_aft_of_midchord: f64,
+    pub elastic_axis_aft_of_midchord: Lanes,
     /// CLα, 1/rad.
-    pub lift_slope: f64,
-    /// α0, rad.
-    pub zero_lift_offset: f64,
+    pub lift_slope: Lanes,
     /// CD0.
-    pub profile_drag: f64,
+    pub profile_drag: Lanes,
     /// η.
-    pub leading_edge_suction: f64,
-    /// The flap, when there is one.
-    pub flap: Option<FlapEffect>,
+    pub leading_edge_suction: Lanes,
+    /// CLδ c1, 1/rad, see [`FlapEffect`](super::FlapEffect); zero without a flap.
+    pub flap_lift: Lanes,
+    /// CLδ c4, 1/rad.
+    pub flap_moment: Lanes,
 }
 
-/// The air as the section meets it.
+/// The air as the sections meet it.
 #[derive(Clone, Copy, Debug)]
 pub struct LocalFlow {
     /// ρ, kg/m³.
-    pub density: f64,
+    pub density: Lanes,
     /// U = f·V, m/s.
-    pub chordwise: f64,
+    pub chordwise: Lanes,
     /// n·V, m/s.
-    pub normal: f64,
+    pub normal: Lanes,
     /// w = n·V + U α0, m/s.
-    pub upwash: f64,
+    pub upwash: Lanes,
     /// Ω, rad/s.
-    pub pitch_rate: f64,
+    pub pitch_rate: Lanes,
     /// The part of ẇ that no acceleration makes, m/s².
-    pub upwash_drift: f64,
+    pub upwash_drift: Lanes,
     /// The part of Ω̇ that no acceleration makes, rad/s².
-    pub pitch_drift: f64,
+    pub pitch_drift: Lanes,
     /// λ₀, m/s.
-    pub induced: f64,
+    pub induced: Lanes,
     /// δ, rad.
-    pub flap_angle: f64,
+    pub flap_angle: Lanes,
 }
 
 /// Loads at the elastic axis per unit width.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct SectionLoads {
     /// Along f, N/m.
-    pub forward: f64,
+    pub forward: Lanes,
     /// Along n ("down" for a wing), N/m.
-    pub down: f64,
+    pub down: Lanes,
     /// About s, nose-up, N.
-    pub pitching: f64,
+    pub pitching: Lanes,
 }
 
 impl Section {
     /// w₃ = w + (b/2 − d) Ω: the upwash at three-quarter chord, m/s.
-    pub fn three_quarter_chord_upwash(&self, upwash: f64, pitch_rate: f64) -> f64 {
-        upwash + (0.5 * self.semichord - self.elastic_axis_aft_of_midchord) * pitch_rate
-    }
-
-    /// πρb², the apparent mass per unit width, kg/m.
-    pub fn apparent_mass(&self, density: f64) -> f64 {
-        std::f64::consts::PI * density * self.semichord * self.semichord
+    pub fn three_quarter_chord_upwash(&self, upwash: Lanes, pitch_rate: Lanes) -> Lanes {
+        upwash + (half(self.semichord) - self.elastic_axis_aft_of_midchord) * pitch_rate
     }
 
     /// The loads, without the apparent-mass terms in the accelerations.
@@ -76,32 +71,30 @@ impl Section {
         let LocalFlow { density: rho, chordwise, normal, upwash, pitch_rate, induced, .. } = *flow;
 
         let effective_upwash = self.three_quarter_chord_upwash(upwash, pitch_rate) - induced;
-        let (flap_lift, flap_moment) = match &self.flap {
-            Some(flap) => {
-                let pressure = rho * b * chordwise * chordwise * flow.flap_angle;
-                (pressure * flap.lift, pressure * b * flap.moment)
-            }
-            None => (0.0, 0.0),
-        };
-        let lift = self.lift_slope * rho * chordwise * b * effective_upwash + flap_lift;
+        let flap_pressure = rho * b * chordwise * chordwise * flow.flap_angle;
+        let lift = self.lift_slope * rho * chordwise * b * effective_upwash + flap_pressure * self.flap_lift;
 
-        let apparent = self.apparent_mass(rho);
+        let apparent = Lanes::splat(std::f64::consts::PI) * rho * b * b;
         let apparent_lift = apparent * (flow.upwash_drift - d * flow.pitch_drift);
         let apparent_moment = apparent
             * (d * flow.upwash_drift
-                - 0.5 * b * chordwise * pitch_rate
-                - (d * d + 0.125 * b * b) * flow.pitch_drift);
+                - half(b) * chordwise * pitch_rate
+                - (d * d + Lanes::splat(0.125) * b * b) * flow.pitch_drift);
 
         let suction_velocity = upwash - d * pitch_rate - induced;
         let suction =
             self.leading_edge_suction * self.lift_slope * rho * b * suction_velocity * suction_velocity;
         let drag_per_velocity =
-            self.profile_drag * rho * b * libm::sqrt(chordwise * chordwise + normal * normal);
+            self.profile_drag * rho * b * (chordwise * chordwise + normal * normal).sqrt();
 
         SectionLoads {
             forward: suction - drag_per_velocity * chordwise,
             down: -(lift + apparent_lift) - drag_per_velocity * normal,
-            pitching: (0.5 * b + d) * lift + apparent_moment + flap_moment,
+            pitching: (half(b) + d) * lift + apparent_moment + flap_pressure * b * self.flap_moment,
         }
     }
+}
+
+fn half(value: Lanes) -> Lanes {
+    value * Lanes::splat(0.5)
 }

@@ -9,7 +9,6 @@ use crate::aerodynamics::{Air, PetersInflow};
 use crate::aircraft::Support;
 use crate::structure::{ModalIntegrals, ReducedModel, StrainEnergy};
 
-use super::apparent_mass::ApparentMass;
 use super::attitude::{Attitude, quaternion_rate};
 use super::controls::Controls;
 use super::fidelity::{Fidelity, Terms};
@@ -17,7 +16,8 @@ use super::inertia::{DeformedInertia, RigidMotion, add, write_undeformed_mass_ma
 use super::layout::StateLayout;
 use super::linear_solve::{solve_cholesky, solve_lu};
 use super::propulsion::Engines;
-use super::strips::{StripSums, Strips, Surroundings};
+use super::strip_sums::StripSums;
+use super::strips::{Strips, Surroundings};
 use super::workspace::Workspace;
 
 /// What distinguishes one set of equations of the same reduced model from another.
@@ -62,7 +62,7 @@ impl EquationsOfMotion {
         let scale = libm::sqrt(configuration.stiffness_scale);
         let damping = |frequency: f64| 2.0 * configuration.structural_damping * scale * frequency;
         EquationsOfMotion {
-            layout: StateLayout::new(model.modes.len(), strips.len(), inflow.states()),
+            layout: StateLayout::new(model.modes.len(), strips.groups(), inflow.states()),
             terms: configuration.fidelity.terms(),
             support: model.support,
             gravity: model.gravity,
@@ -82,7 +82,7 @@ impl EquationsOfMotion {
     /// The same equations with steady aerodynamics: the same trim, fewer states.
     pub fn with_steady_inflow(&self) -> Self {
         EquationsOfMotion {
-            layout: StateLayout::new(self.layout.modes(), self.strips.len(), 0),
+            layout: StateLayout::new(self.layout.modes(), self.strips.groups(), 0),
             inflow: PetersInflow::new(0),
             ..self.clone()
         }
@@ -164,9 +164,9 @@ impl EquationsOfMotion {
         controls.wind + self.tunnel_flow
     }
 
-    /// Room for the apparent mass of these equations.
-    pub(super) fn apparent_mass(&self) -> ApparentMass {
-        ApparentMass::new(self.strips.len(), self.layout.modes(), self.symmetric)
+    /// Room for the loads of the strips of these equations.
+    pub(super) fn strip_sums(&self) -> StripSums {
+        StripSums::new(self.strips.groups(), self.layout.modes(), self.symmetric)
     }
 
     /// Altitude of O, m.
@@ -186,7 +186,7 @@ impl EquationsOfMotion {
         let q = &state[self.layout.coordinates()];
         let q_dot = &state[self.layout.coordinate_rates()];
         let motion = self.motion(state);
-        let Workspace { inertia, force, elastic_force, mass, apparent, reversed, .. } = workspace;
+        let Workspace { inertia, force, elastic_force, mass, strip_sums, .. } = workspace;
         self.assemble_inertia(&motion, q, q_dot, inertia, mass, force);
 
         self.elastic(q, elastic_force);
@@ -203,11 +203,9 @@ impl EquationsOfMotion {
         }
         self.engines.add_thrust(&controls.thrust, q, self.terms.deformed_forcing, force);
 
-        *reversed = None;
         let around = self.surroundings(state, (q, q_dot), attitude, controls);
-        let mut sums = StripSums { force, apparent: &mut *apparent, reversed };
-        self.strips.add_loads(&around, &self.layout, state, rates, &mut sums);
-        apparent.add_to(mass);
+        self.strips.sum_loads(&around, &self.layout, state, rates, strip_sums);
+        strip_sums.add_to(force, mass);
     }
 
     /// Mass matrix and inertial forcing of the fidelity level.

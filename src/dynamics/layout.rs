@@ -2,18 +2,21 @@
 
 use std::ops::Range;
 
-/// Where each part of the state stands: position, attitude quaternion, v, ω, q, q̇, inflow strip by strip.
+use crate::lanes::LANES;
+
+/// Where each part of the state stands: position, attitude quaternion, v, ω, q, q̇, inflow group by group of
+/// four strips.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StateLayout {
     modes: usize,
-    strips: usize,
+    strip_groups: usize,
     inflow_states: usize,
 }
 
 impl StateLayout {
-    /// Of `modes` generalised coordinates and `strips` strips with `inflow_states` each.
-    pub fn new(modes: usize, strips: usize, inflow_states: usize) -> Self {
-        StateLayout { modes, strips, inflow_states }
+    /// Of `modes` generalised coordinates and groups of four strips with `inflow_states` each.
+    pub fn new(modes: usize, strip_groups: usize, inflow_states: usize) -> Self {
+        StateLayout { modes, strip_groups, inflow_states }
     }
 
     /// Number of states.
@@ -69,13 +72,14 @@ impl StateLayout {
     /// η̃ of all strips, m/s.
     pub fn inflow(&self) -> Range<usize> {
         let start = 13 + 2 * self.modes;
-        start..start + self.strips * self.inflow_states
+        start..start + self.strip_groups * self.inflow_states * LANES
     }
 
-    /// η̃ of one strip, m/s.
-    pub fn strip_inflow(&self, strip: usize) -> Range<usize> {
-        let start = 13 + 2 * self.modes + strip * self.inflow_states;
-        start..start + self.inflow_states
+    /// η̃ of one group of strips, state by state, m/s.
+    pub fn group_inflow(&self, group: usize) -> Range<usize> {
+        let numbers = self.inflow_states * LANES;
+        let start = 13 + 2 * self.modes + group * numbers;
+        start..start + numbers
     }
 
     /// The groups of states that share a unit, for error norms.

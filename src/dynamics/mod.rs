@@ -1,6 +1,5 @@
 //! The equations of motion of the flexible aircraft at five fidelity levels, and its trim [2; physics.md §2–6].
 
-mod apparent_mass;
 mod attitude;
 mod controls;
 mod equations;
@@ -11,6 +10,7 @@ mod linear_solve;
 mod mechanics;
 mod propulsion;
 mod rotation;
+mod strip_sums;
 mod strips;
 mod trim;
 mod workspace;

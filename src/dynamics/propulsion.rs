@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use crate::structure::{ModeShapes, ReducedEngine, ReducedModel};
 
 use super::inertia::add;
-use super::rotation::exponential;
+use super::rotation::turned;
 
 /// All engines of an aircraft.
 #[derive(Clone, Debug)]
@@ -29,7 +29,7 @@ impl Engines {
     pub fn add_thrust(&self, thrust: &[f64], q: &[f64], deformed_arms: bool, force: &mut [f64]) {
         for (engine, &thrust) in self.engines.iter().zip(thrust) {
             let ModeShapes { translation, rotation } = &engine.shapes;
-            let axis = exponential(&combine(rotation, q)) * engine.direction;
+            let axis = turned(&combine(rotation, q), &engine.direction);
             let displacement = if deformed_arms { combine(translation, q) } else { Vector3::zeros() };
             let push = axis * thrust;
             add(&mut force[0..3], &push);

@@ -1,23 +1,11 @@
 //! The rotation exp(φ×) of a section by its elastic rotation vector (Rodrigues).
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
+
+use crate::lanes::{LANES, LaneVector, Lanes};
 
 /// Below this φ² the series are exact to rounding, and cheaper than a sine.
 const SERIES_LIMIT: f64 = 0.25;
-
-/// exp(φ×) = 1 + (sin φ/φ) φ× + ((1 − cos φ)/φ²) φ×φ×.
-pub fn exponential(rotation: &Vector3<f64>) -> Matrix3<f64> {
-    let square = rotation.norm_squared();
-    let (sine, versine) = if square < SERIES_LIMIT {
-        (alternating_series(square, &SINE), alternating_series(square, &VERSINE) * 0.5)
-    } else {
-        let angle = libm::sqrt(square);
-        let (sin, cos) = libm::sincos(angle);
-        (sin / angle, (1.0 - cos) / square)
-    };
-    let cross = rotation.cross_matrix();
-    Matrix3::identity() * (1.0 - versine * square) + cross * sine + rotation * rotation.transpose() * versine
-}
 
 /// 1/(k(k+1)) for k = 2, 4, … 16: the ratios of successive terms of sin φ/φ in φ².
 const SINE: [f64; 8] =
@@ -27,9 +15,53 @@ const SINE: [f64; 8] =
 const VERSINE: [f64; 8] =
     [1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0, 1.0 / 132.0, 1.0 / 182.0, 1.0 / 240.0, 1.0 / 306.0];
 
+/// exp(φ×) = 1 + (sin φ/φ) φ× + ((1 − cos φ)/φ²) φ×φ×, ready to be applied.
+#[derive(Clone, Copy, Debug)]
+pub struct Rotation {
+    vector: LaneVector,
+    /// sin φ/φ.
+    sine: Lanes,
+    /// (1 − cos φ)/φ².
+    versine: Lanes,
+}
+
+impl Rotation {
+    /// By the vectors φ, rad.
+    pub fn new(vector: LaneVector) -> Self {
+        let square = vector.dot(&vector);
+        let mut sine = alternating_series(square, &SINE);
+        let mut versine = alternating_series(square, &VERSINE) * Lanes::splat(0.5);
+        let squares = square.to_array();
+        if squares.iter().any(|&square| square >= SERIES_LIMIT) {
+            let (mut sines, mut versines) = (sine.to_array(), versine.to_array());
+            for lane in (0..LANES).filter(|&lane| squares[lane] >= SERIES_LIMIT) {
+                let angle = libm::sqrt(squares[lane]);
+                let (sin, cos) = libm::sincos(angle);
+                (sines[lane], versines[lane]) = (sin / angle, (1.0 - cos) / squares[lane]);
+            }
+            (sine, versine) = (Lanes::new(sines), Lanes::new(versines));
+        }
+        Rotation { vector, sine, versine }
+    }
+
+    /// The turned vectors.
+    pub fn apply(&self, vectors: &LaneVector) -> LaneVector {
+        let once = self.vector.cross(vectors);
+        let twice = self.vector.cross(&once);
+        *vectors + once * self.sine + twice * self.versine
+    }
+}
+
+/// A single vector turned by a single rotation vector.
+pub fn turned(rotation: &Vector3<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
+    let turned = Rotation::new(LaneVector::splat(rotation)).apply(&LaneVector::splat(vector));
+    Vector3::new(turned.x.to_array()[0], turned.y.to_array()[0], turned.z.to_array()[0])
+}
+
 /// 1 − r₀x (1 − r₁x (1 − …)).
-fn alternating_series(x: f64, ratios: &[f64; 8]) -> f64 {
-    ratios.iter().rev().fold(1.0, |tail, ratio| 1.0 - ratio * x * tail)
+fn alternating_series(x: Lanes, ratios: &[f64; 8]) -> Lanes {
+    let one = Lanes::splat(1.0);
+    ratios.iter().rev().fold(one, |tail, &ratio| one - Lanes::splat(ratio) * x * tail)
 }
 
 #[cfg(test)]
@@ -38,12 +70,20 @@ mod tests {
 
     #[test]
     fn the_exponential_is_a_rotation_about_the_vector_on_both_sides_of_the_series_limit() {
+        let arm = Vector3::new(0.3, -1.0, 0.7);
         for length in [0.0, 1e-9, 0.3, 0.499_999, 0.500_001, 2.0] {
             let vector = Vector3::new(0.6, -0.48, 0.64) * length;
-            let matrix = exponential(&vector);
-            let reference = nalgebra::Rotation3::new(vector);
-            assert!((matrix - reference.matrix()).norm() < 1e-15 * 4.0, "{length}");
-            assert!((matrix * matrix.transpose() - Matrix3::identity()).norm() < 1e-15 * 4.0);
+            let reference = nalgebra::Rotation3::new(vector) * arm;
+            assert!((turned(&vector, &arm) - reference).norm() < 1e-15 * 4.0, "{length}");
         }
+    }
+
+    #[test]
+    fn a_lane_does_not_depend_on_its_neighbours() {
+        let small = Vector3::new(0.1, 0.2, -0.1);
+        let mixed = LaneVector::new([small, small * 10.0, Vector3::zeros(), small]);
+        let arm = LaneVector::splat(&Vector3::y());
+        let together = Rotation::new(mixed).apply(&arm);
+        assert_eq!(together.x.to_array()[3], turned(&small, &Vector3::y()).x);
     }
 }

@@ -1,38 +1,41 @@
 //! How strips move with the deformed aircraft and where their loads go [4.1; physics.md §4].
 //!
 //! Symbols: f, s, n the deformed triad, R = r + Ψᵘq, V the velocity relative to the air, m = n + α0 f, and
-//! the rows G_w = nᵀ[1, −R×, Ψᵘ], G_Ω = sᵀ[0, 1, Ψᵠ] on ν = [v; ω; q̇].
+//! the rows G_w = nᵀ[1, −R×, Ψᵘ], G_Ω = sᵀ[0, 1, Ψᵠ] on ν = [v; ω; q̇]. Strips are computed four at a time;
+//! the last group is filled up with strips of no size.
 
 use nalgebra::Vector3;
 
 use crate::aerodynamics::{FlapEffect, LocalFlow, PetersInflow, Section};
+use crate::aircraft::ControlGains;
+use crate::lanes::{LANES, LaneVector, Lanes};
 use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
 
-use super::apparent_mass::{ApparentMass, LANES, Lanes, padded};
 use super::controls::Controls;
-use super::inertia::{RigidMotion, add};
+use super::inertia::RigidMotion;
 use super::layout::StateLayout;
-use super::rotation::exponential;
+use super::rotation::Rotation;
+use super::strip_sums::{GroupRows, StripSums};
 
-/// A strip as the equations of motion see it.
+/// Four strips.
 #[derive(Clone, Debug)]
-struct PlacedSection {
-    position: Vector3<f64>,
-    forward: Vector3<f64>,
-    span: Vector3<f64>,
-    width: f64,
+struct Group {
+    position: LaneVector,
+    forward: LaneVector,
+    span: LaneVector,
+    width: Lanes,
+    zero_lift_offset: Lanes,
     section: Section,
+    /// Flap angle per elevator, aileron, rudder.
+    gains: [Lanes; 3],
+    /// Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z of each mode.
+    shapes: Vec<[Lanes; 6]>,
 }
 
-/// All strips of an aircraft, with their mode shapes laid out for the two ways in which they are read.
+/// All strips of an aircraft.
 #[derive(Clone, Debug)]
 pub struct Strips {
-    placed: Vec<PlacedSection>,
-    modes: usize,
-    /// Per strip: the rows Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z, each padded with zeros to whole lanes.
-    by_axis: Vec<Lanes>,
-    /// Per strip and mode: the same six numbers.
-    by_mode: Vec<[f64; 6]>,
+    groups: Vec<Group>,
 }
 
 /// The state of the aircraft and of the air that all strips share.
@@ -57,23 +60,13 @@ pub struct Surroundings<'a> {
     pub deformed_arms: bool,
 }
 
-/// Where the loads of the strips are summed.
-pub struct StripSums<'a> {
-    /// Generalised forces on ν.
-    pub force: &'a mut [f64],
-    /// Apparent mass, as the rows that make it up.
-    pub apparent: &'a mut ApparentMass,
-    /// The first lifting strip in reverse flow, if any.
-    pub reversed: &'a mut Option<usize>,
-}
-
-/// A deformed section in its flow.
-struct MovingSection {
-    forward: Vector3<f64>,
-    span: Vector3<f64>,
-    normal: Vector3<f64>,
+/// Four deformed sections in their flow.
+struct MovingGroup {
+    forward: LaneVector,
+    span: LaneVector,
+    normal: LaneVector,
     /// R.
-    place: Vector3<f64>,
+    place: LaneVector,
     flow: LocalFlow,
 }
 
@@ -81,30 +74,21 @@ impl Strips {
     /// The strips of a model.
     pub fn new(model: &ReducedModel) -> Self {
         let modes = model.modes.len();
-        let mut by_axis = Vec::new();
-        let mut by_mode = Vec::new();
-        for ModeShapes { translation, rotation } in model.strips.iter().map(|strip| &strip.shapes) {
-            let rows: [&[f64]; 6] = std::array::from_fn(|i| {
-                &(if i < 3 { translation } else { rotation })[i % 3 * modes..][..modes]
-            });
-            by_axis.extend(rows.iter().flat_map(|row| padded(row)));
-            by_mode.extend((0..modes).map(|mode| rows.map(|row| row[mode])));
-        }
-        Strips { placed: model.strips.iter().map(PlacedSection::new).collect(), modes, by_axis, by_mode }
+        Strips { groups: model.strips.chunks(LANES).map(|strips| Group::new(strips, modes)).collect() }
     }
 
-    /// Number of strips.
-    pub fn len(&self) -> usize {
-        self.placed.len()
+    /// Number of groups of four strips.
+    pub fn groups(&self) -> usize {
+        self.groups.len()
     }
 
     /// Whether ẇ and the loads are linear in the same rows, so that apparent mass is symmetric.
     pub fn zero_lift_lines_are_chords(&self) -> bool {
-        self.placed.iter().all(|strip| strip.section.zero_lift_offset == 0.0)
+        self.groups.iter().all(|group| group.zero_lift_offset.to_array() == [0.0; LANES])
     }
 
-    /// Adds the loads and the apparent mass of all strips, and writes the rates of the inflow states.
-    pub fn add_loads(
+    /// Sums the loads and the rows of apparent mass of all strips, and writes the rates of the inflow states.
+    pub fn sum_loads(
         &self,
         around: &Surroundings,
         layout: &StateLayout,
@@ -112,147 +96,174 @@ impl Strips {
         rates: &mut [f64],
         sums: &mut StripSums,
     ) {
-        for (index, strip) in self.placed.iter().enumerate() {
-            let mut moving = self.moving_section(index, around);
-            let states = &state[layout.strip_inflow(index)];
+        sums.clear();
+        for (index, group) in self.groups.iter().enumerate() {
+            let mut moving = group.deform(around);
             let flow = &mut moving.flow;
-            if flow.chordwise <= 0.0 && strip.section.lift_slope > 0.0 && sums.reversed.is_none() {
-                *sums.reversed = Some(index);
+            if sums.reversed.is_none() {
+                sums.reversed = group.reversed(flow).map(|lane| index * LANES + lane);
             }
-            let w3 = strip.section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
+            let states = &state[layout.group_inflow(index)];
+            let w3 = group.section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
             flow.induced = around.inflow.induced_velocity(states, w3);
-            let passing = flow.chordwise / strip.section.semichord;
-            around.inflow.rates(states, w3, passing, &mut rates[layout.strip_inflow(index)]);
-            self.distribute(index, around, &moving, sums);
+            let passing = flow.chordwise / group.section.semichord;
+            around.inflow.rates(states, w3, passing, &mut rates[layout.group_inflow(index)]);
+            let (force, rows) = sums.group(index);
+            group.distribute(around, &moving, force, rows);
         }
     }
 
     /// Sets the inflow states of every strip to a wake long at rest.
     pub fn settle_inflow(&self, around: &Surroundings, layout: &StateLayout, state: &mut [f64]) {
-        for (index, strip) in self.placed.iter().enumerate() {
-            let flow = self.moving_section(index, around).flow;
-            let w3 = strip.section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
-            around.inflow.settle(w3, &mut state[layout.strip_inflow(index)]);
+        for (index, group) in self.groups.iter().enumerate() {
+            let flow = group.deform(around).flow;
+            let w3 = group.section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
+            around.inflow.settle(w3, &mut state[layout.group_inflow(index)]);
+        }
+    }
+}
+
+impl Group {
+    /// Up to four strips of a model with `modes` modes.
+    fn new(strips: &[ReducedStrip], modes: usize) -> Self {
+        let lanes = |value: &dyn Fn(&ReducedStrip) -> f64, empty: f64| {
+            Lanes::new(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
+        };
+        let vectors = |value: &dyn Fn(&ReducedStrip) -> Vector3<f64>| {
+            LaneVector::new(std::array::from_fn(|lane| strips.get(lane).map_or(Vector3::zeros(), value)))
+        };
+        let flap = |value: &dyn Fn(&FlapEffect) -> f64| {
+            lanes(&|strip| strip.flap.as_ref().map_or(0.0, |flap| value(&FlapEffect::new(flap))), 0.0)
+        };
+        let gain = |value: &dyn Fn(&ControlGains) -> f64| flap(&|effect| value(&effect.gains));
+        let shape = |mode: usize, row: usize| {
+            lanes(
+                &|ReducedStrip { shapes: ModeShapes { translation, rotation }, .. }| {
+                    (if row < 3 { translation } else { rotation })[row % 3 * modes + mode]
+                },
+                0.0,
+            )
+        };
+        Group {
+            position: vectors(&|strip| strip.position),
+            forward: vectors(&|strip| strip.forward),
+            span: vectors(&|strip| strip.span),
+            width: lanes(&|strip| strip.width, 0.0),
+            zero_lift_offset: lanes(&|strip| strip.zero_lift_offset, 0.0),
+            section: Section {
+                semichord: lanes(&|strip| strip.semichord, 1.0),
+                elastic_axis_aft_of_midchord: lanes(&|strip| strip.elastic_axis_aft_of_midchord, 0.0),
+                lift_slope: lanes(&|strip| strip.lift_slope, 0.0),
+                profile_drag: lanes(&|strip| strip.profile_drag, 0.0),
+                leading_edge_suction: lanes(&|strip| strip.leading_edge_suction, 0.0),
+                flap_lift: flap(&|effect| effect.lift),
+                flap_moment: flap(&|effect| effect.moment),
+            },
+            gains: [gain(&|g| g.elevator), gain(&|g| g.aileron), gain(&|g| g.rudder)],
+            shapes: (0..modes).map(|mode| std::array::from_fn(|row| shape(mode, row))).collect(),
         }
     }
 
-    /// Deforms a section and finds its flow; the induced velocity is left at zero.
-    fn moving_section(&self, index: usize, around: &Surroundings) -> MovingSection {
-        let strip = &self.placed[index];
-        let RigidMotion { velocity, rate } = &around.motion;
-        let [displacement, rotation, elastic_velocity, elastic_rate] =
-            self.elastic_motion(index, around.q, around.q_dot);
+    /// Deforms the sections and finds their flow; the induced velocity is left at zero.
+    fn deform(&self, around: &Surroundings) -> MovingGroup {
+        let velocity = LaneVector::splat(&around.motion.velocity);
+        let rate = LaneVector::splat(&around.motion.rate);
+        let wind = LaneVector::splat(&around.wind);
+        let [displacement, rotation] = self.combine(around.q);
+        let [elastic_velocity, elastic_rate] = self.combine(around.q_dot);
 
-        let turn = exponential(&rotation);
-        let (forward, span) = (turn * strip.forward, turn * strip.span);
+        let turn = Rotation::new(rotation);
+        let (forward, span) = (turn.apply(&self.forward), turn.apply(&self.span));
         let normal = forward.cross(&span);
-        let place = strip.position + displacement;
-        let air_velocity = velocity + rate.cross(&place) + elastic_velocity - around.wind;
+        let place = self.position + displacement;
+        let air_velocity = velocity + rate.cross(&place) + elastic_velocity - wind;
         let spin = rate + elastic_rate;
-        let zero_lift = strip.section.zero_lift_offset;
-        let zero_lift_normal = normal + forward * zero_lift;
+        let zero_lift_normal = normal + forward * self.zero_lift_offset;
 
         let (chordwise, across) = (forward.dot(&air_velocity), normal.dot(&air_velocity));
-        let transport = rate.cross(&(elastic_velocity + around.wind)) - around.wind_rate;
+        let transport = rate.cross(&(elastic_velocity + wind)) - LaneVector::splat(&around.wind_rate);
+        let Controls { elevator, aileron, rudder, .. } = *around.controls;
         let flow = LocalFlow {
-            density: around.density,
+            density: Lanes::splat(around.density),
             chordwise,
             normal: across,
-            upwash: across + chordwise * zero_lift,
+            upwash: across + chordwise * self.zero_lift_offset,
             pitch_rate: span.dot(&spin),
             upwash_drift: zero_lift_normal.dot(&transport)
                 + elastic_rate.cross(&zero_lift_normal).dot(&air_velocity),
             pitch_drift: elastic_rate.cross(&span).dot(&spin),
-            induced: 0.0,
-            flap_angle: strip.section.flap.map_or(0.0, |flap| around.controls.flap_angle(&flap.gains)),
+            induced: Lanes::splat(0.0),
+            flap_angle: self.gains[0] * Lanes::splat(elevator)
+                + self.gains[1] * Lanes::splat(aileron)
+                + self.gains[2] * Lanes::splat(rudder),
         };
-        MovingSection { forward, span, normal, place, flow }
+        MovingGroup { forward, span, normal, place, flow }
     }
 
-    /// Ψᵘq, Ψᵠq, Ψᵘq̇, Ψᵠq̇.
-    fn elastic_motion(&self, index: usize, q: &[f64], q_dot: &[f64]) -> [Vector3<f64>; 4] {
-        let shapes = &self.by_mode[self.modes * index..self.modes * (index + 1)];
-        let (mut place, mut motion) = ([0.0; 6], [0.0; 6]);
-        for ((shape, q), q_dot) in shapes.iter().zip(q).zip(q_dot) {
-            for axis in 0..6 {
-                place[axis] += shape[axis] * q;
-                motion[axis] += shape[axis] * q_dot;
+    /// Ψᵘ and Ψᵠ times generalised coordinates or their rates.
+    fn combine(&self, coordinates: &[f64]) -> [LaneVector; 2] {
+        let mut sums = [Lanes::splat(0.0); 6];
+        for (shape, &coordinate) in self.shapes.iter().zip(coordinates) {
+            let coordinate = Lanes::splat(coordinate);
+            for (sum, shape) in sums.iter_mut().zip(shape) {
+                *sum += *shape * coordinate;
             }
         }
-        let vector = |values: &[f64]| Vector3::new(values[0], values[1], values[2]);
-        [vector(&place[..3]), vector(&place[3..]), vector(&motion[..3]), vector(&motion[3..])]
+        let [ux, uy, uz, rx, ry, rz] = sums;
+        [LaneVector { x: ux, y: uy, z: uz }, LaneVector { x: rx, y: ry, z: rz }]
     }
 
-    /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and the apparent mass of one strip.
-    fn distribute(&self, index: usize, around: &Surroundings, moving: &MovingSection, sums: &mut StripSums) {
-        let strip = &self.placed[index];
-        let arm = if around.deformed_arms { moving.place } else { strip.position };
-        let loads = strip.section.loads(&moving.flow);
-        let force = (moving.forward * loads.forward + moving.normal * loads.down) * strip.width;
-        let moment = moving.span * (loads.pitching * strip.width);
-        add(&mut sums.force[0..3], &force);
-        add(&mut sums.force[3..6], &(arm.cross(&force) + moment));
-        let elastic = sums.force[6..].chunks_mut(LANES);
-        for (sums, work) in elastic.zip(self.work(index, &force, &moment)) {
-            for (sum, work) in sums.iter_mut().zip(work) {
-                *sum += work;
-            }
+    /// The first lane whose lifting strip meets the air from behind.
+    fn reversed(&self, flow: &LocalFlow) -> Option<usize> {
+        let (chordwise, slope) = (flow.chordwise.to_array(), self.section.lift_slope.to_array());
+        (0..LANES).find(|&lane| chordwise[lane] <= 0.0 && slope[lane] > 0.0)
+    }
+
+    /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and fills the rows of apparent mass.
+    fn distribute(&self, around: &Surroundings, moving: &MovingGroup, force: &mut [Lanes], rows: GroupRows) {
+        let MovingGroup { forward, span, normal, place, flow } = moving;
+        let arm = if around.deformed_arms { place } else { &self.position };
+        let loads = self.section.loads(flow);
+        let (along, across) = (loads.forward * self.width, loads.down * self.width);
+        let pitching = loads.pitching * self.width;
+        let push = *forward * along + *normal * across;
+        let moment = arm.cross(&push) + *span * pitching;
+        for (sum, value) in force.iter_mut().zip([push.x, push.y, push.z, moment.x, moment.y, moment.z]) {
+            *sum += value;
         }
 
-        let d = strip.section.elastic_axis_aft_of_midchord;
-        let torque = moving.span * -d;
-        let row = |row: &mut [Lanes], axis: &Vector3<f64>, place: &Vector3<f64>, torque: &Vector3<f64>| {
-            ApparentMass::write_row(row, axis, &(place.cross(axis) + torque), self.work(index, axis, torque));
-        };
-        let mass = strip.section.apparent_mass(around.density) * strip.width;
-        let inertia = 0.125 * strip.section.semichord * strip.section.semichord * mass;
-        sums.apparent.add(index, mass, inertia, |heave, pitch, acceleration| {
-            row(heave, &moving.normal, &arm, &torque);
-            row(pitch, &Vector3::zeros(), &arm, &moving.span);
-            if let Some(acceleration) = acceleration {
-                let axis = moving.normal + moving.forward * strip.section.zero_lift_offset;
-                row(acceleration, &axis, &moving.place, &torque);
+        let (b, d) = (self.section.semichord, self.section.elastic_axis_aft_of_midchord);
+        let root_mass = b * (Lanes::splat(std::f64::consts::PI * around.density) * self.width).sqrt();
+        let root_inertia = b * root_mass * Lanes::splat(std::f64::consts::FRAC_1_SQRT_2 * 0.5);
+        let lever = *span * d;
+        let GroupRows { heave, pitch, mut acceleration } = rows;
+        rigid_row(heave, normal, &(arm.cross(normal) - lever), root_mass);
+        rigid_row(pitch, &LaneVector::splat(&Vector3::zeros()), span, root_inertia);
+        let alpha0 = self.zero_lift_offset;
+        if let Some((kinematic, twist)) = &mut acceleration {
+            let axis = *normal + *forward * alpha0;
+            rigid_row(kinematic, &axis, &(place.cross(&axis) - lever), root_mass);
+            twist[..6].copy_from_slice(&pitch[..6]);
+        }
+        for (mode, [ux, uy, uz, rx, ry, rz]) in self.shapes.iter().enumerate() {
+            let down = *ux * normal.x + *uy * normal.y + *uz * normal.z;
+            let ahead = *ux * forward.x + *uy * forward.y + *uz * forward.z;
+            let nose_up = *rx * span.x + *ry * span.y + *rz * span.z;
+            force[6 + mode] += down * across + ahead * along + nose_up * pitching;
+            heave[6 + mode] = (down - nose_up * d) * root_mass;
+            pitch[6 + mode] = nose_up * root_inertia;
+            if let Some((kinematic, twist)) = &mut acceleration {
+                kinematic[6 + mode] = (down + ahead * alpha0 - nose_up * d) * root_mass;
+                twist[6 + mode] = pitch[6 + mode];
             }
-        });
-    }
-
-    /// Work per unit of each generalised coordinate of a force and a moment at the strip.
-    fn work(&self, index: usize, force: &Vector3<f64>, moment: &Vector3<f64>) -> impl Iterator<Item = Lanes> {
-        let lanes = self.modes.div_ceil(LANES);
-        let rows = &self.by_axis[6 * lanes * index..6 * lanes * (index + 1)];
-        let (ux, rest) = rows.split_at(lanes);
-        let (uy, rest) = rest.split_at(lanes);
-        let (uz, rest) = rest.split_at(lanes);
-        let (rx, rest) = rest.split_at(lanes);
-        let (ry, rz) = rest.split_at(lanes);
-        let (force, moment) = (*force, *moment);
-        let translations = ux.iter().zip(uy).zip(uz);
-        let rotations = rx.iter().zip(ry).zip(rz);
-        translations.zip(rotations).map(move |(((ux, uy), uz), ((rx, ry), rz))| {
-            std::array::from_fn(|i| {
-                (ux[i] * force.x + uy[i] * force.y + uz[i] * force.z)
-                    + (rx[i] * moment.x + ry[i] * moment.y + rz[i] * moment.z)
-            })
-        })
+        }
     }
 }
 
-impl PlacedSection {
-    fn new(strip: &ReducedStrip) -> Self {
-        PlacedSection {
-            position: strip.position,
-            forward: strip.forward,
-            span: strip.span,
-            width: strip.width,
-            section: Section {
-                semichord: strip.semichord,
-                elastic_axis_aft_of_midchord: strip.elastic_axis_aft_of_midchord,
-                lift_slope: strip.lift_slope,
-                zero_lift_offset: strip.zero_lift_offset,
-                profile_drag: strip.profile_drag,
-                leading_edge_suction: strip.leading_edge_suction,
-                flap: strip.flap.as_ref().map(FlapEffect::new),
-            },
-        }
+/// The part of a row on v and ω.
+fn rigid_row(row: &mut [Lanes], force: &LaneVector, moment: &LaneVector, scale: Lanes) {
+    let values = [force.x, force.y, force.z, moment.x, moment.y, moment.z];
+    for (entry, value) in row.iter_mut().zip(values) {
+        *entry = value * scale;
     }
 }

@@ -1,8 +1,8 @@
 //! Scratch memory of the equations of motion, allocated once.
 
-use super::apparent_mass::ApparentMass;
 use super::equations::EquationsOfMotion;
 use super::inertia::DeformedInertia;
+use super::strip_sums::StripSums;
 
 /// Everything that evaluating the equations of motion overwrites.
 #[derive(Clone, Debug)]
@@ -15,12 +15,10 @@ pub struct Workspace {
     pub(super) elastic_force: Vec<f64>,
     /// Mass matrix with apparent mass, row-major.
     pub(super) mass: Vec<f64>,
-    /// Rows of the strips' apparent mass.
-    pub(super) apparent: ApparentMass,
+    /// Loads and apparent mass of the strips.
+    pub(super) strip_sums: StripSums,
     /// ν̇ of the last evaluation.
     pub(super) accelerations: Vec<f64>,
-    /// First lifting strip in reverse flow at the last evaluation.
-    pub(super) reversed: Option<usize>,
 }
 
 impl Workspace {
@@ -32,9 +30,8 @@ impl Workspace {
             force: vec![0.0; size],
             elastic_force: vec![0.0; size - 6],
             mass: vec![0.0; size * size],
-            apparent: equations.apparent_mass(),
+            strip_sums: equations.strip_sums(),
             accelerations: vec![0.0; size],
-            reversed: None,
         }
     }
 
@@ -50,6 +47,6 @@ impl Workspace {
 
     /// The first lifting strip that met the air backwards at the last evaluation.
     pub fn reversed_strip(&self) -> Option<usize> {
-        self.reversed
+        self.strip_sums.reversed
     }
 }
