@@ -24,7 +24,7 @@ mod saved_state;
 mod types;
 mod values;
 
-use crate::structure::ReducedModel;
+use crate::structure::{ReducedModel, fnv1a};
 
 /// Name of the reduced model's file in the FMU's `resources/`.
 pub const RESOURCE_FILE: &str = "model.bin";
@@ -51,15 +51,7 @@ pub fn guid(model: &ReducedModel) -> String {
 /// that an importer relies on.
 fn identity(model: &ReducedModel) -> u128 {
     let description = model_description::with_guid(model, "");
-    let content = model.content_hash().to_le_bytes();
-    fnv1a(content.iter().chain(description.as_bytes()))
-}
-
-/// FNV-1a, 128 bits (G. Fowler, L. C. Noll, K.-P. Vo; offset basis and prime from their publication).
-fn fnv1a<'a>(bytes: impl IntoIterator<Item = &'a u8>) -> u128 {
-    const OFFSET_BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
-    const PRIME: u128 = (1 << 88) + 0x13b;
-    bytes.into_iter().fold(OFFSET_BASIS, |hash, byte| (hash ^ u128::from(*byte)).wrapping_mul(PRIME))
+    fnv1a(&[&model.content_hash().to_le_bytes(), description.as_bytes()].concat())
 }
 
 #[cfg(test)]

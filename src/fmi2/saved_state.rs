@@ -5,10 +5,10 @@
 //! snapshot when there is one, checksum of all that. The identity changes with aircraft, variables and
 //! version, so foreign bytes are noticed without a version number of their own.
 
-use super::fnv1a;
 use super::instance::{Experiment, Instance, Refusal};
 use super::life_cycle::State;
 use crate::simulation::{Inputs, Settings};
+use crate::structure::fnv1a;
 use crate::variables::{Slot, Type, Value};
 
 /// What `fmi2FMUstate` points to.

@@ -49,7 +49,7 @@ impl Instance {
         }
         let Instance { table, inputs, settings, flight, time, .. } = self;
         let present = flight.as_mut().filter(|_| any_output).map(|flight| {
-            let trim = flight.trim().clone();
+            let trim = *flight.trim();
             (trim, flight.outputs())
         });
         let values = references.iter().filter_map(|reference| table.get(*reference)).map(|variable| {

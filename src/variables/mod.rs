@@ -29,7 +29,7 @@ pub enum Type {
     Enumeration(EnumerationType),
 }
 
-/// How the value at the start of initialisation comes about.
+/// When a value may change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variability {
     /// Constant after initialisation.
@@ -51,7 +51,7 @@ pub struct Variable {
     pub kind: Type,
     /// When its value changes.
     pub variability: Variability,
-    /// None for integers, enumerations and the like.
+    /// Every Real has one.
     pub unit: Option<Unit>,
     /// Value before it is set; inputs and parameters have one, outputs are calculated.
     pub start: Option<Value>,

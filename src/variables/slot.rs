@@ -222,7 +222,7 @@ impl ParameterSlot {
     pub fn set(self, settings: &mut Settings, value: Value) {
         match (self, value) {
             (ParameterSlot::InputReference, Value::Integer(1)) => {
-                settings.input_reference = InputReference::Trim
+                settings.input_reference = InputReference::Trim;
             }
             (ParameterSlot::InputReference, Value::Integer(2)) => {
                 settings.input_reference = InputReference::Absolute;
@@ -233,7 +233,7 @@ impl ParameterSlot {
             }
             (ParameterSlot::ModeFamily, Value::Integer(1)) => settings.mode_selection = ModeSelection::All,
             (ParameterSlot::ModeFamily, Value::Integer(2)) => {
-                settings.mode_selection = ModeSelection::Symmetric
+                settings.mode_selection = ModeSelection::Symmetric;
             }
             (ParameterSlot::ModeCount, Value::Integer(i)) => {
                 settings.mode_count = usize::try_from(i).unwrap_or(settings.mode_count);
@@ -276,7 +276,7 @@ impl OutputSlot {
                 let deflection = &outputs.deflections[station];
                 match component {
                     DeflectionComponent::Along(axis) => deflection.displacement[axis.index()],
-                    DeflectionComponent::Up => -deflection.displacement.z,
+                    DeflectionComponent::Up => 0.0 - deflection.displacement.z,
                     DeflectionComponent::Twist => deflection.twist,
                 }
             }

@@ -36,10 +36,17 @@ fn names_of_people_are_escaped_in_the_xml() {
     assert!(model_description::write(&model).contains("A&lt;B &amp; &quot;C&quot;"));
 }
 
-/// For a look with FMPy: `FMI2_XML=/tmp/modelDescription.xml cargo test -- --ignored model_description`.
+/// Rewritten with `UPDATE_GOLDEN=1 cargo test model_description`.
 #[test]
-#[ignore = "writes a file to look at"]
-fn write_the_model_description_of_the_jet() {
-    let path = std::env::var("FMI2_XML").unwrap();
-    std::fs::write(path, model_description::write(jet())).unwrap();
+fn the_checked_in_model_description_of_the_jet_is_current() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/modelDescription/modelDescription.xml");
+    let current = model_description::write(jet());
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        std::fs::write(path, &current).unwrap();
+    }
+    let checked_in = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(
+        checked_in == current,
+        "{path} is stale: rewrite it with UPDATE_GOLDEN=1 cargo test model_description"
+    );
 }

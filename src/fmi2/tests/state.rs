@@ -25,10 +25,8 @@ impl<'a> Saved<'a> {
     fn bytes(&self) -> Vec<u8> {
         let mut size = 0;
         // SAFETY: component and state are alive.
-        assert_eq!(
-            unsafe { fmi2SerializedFMUstateSize(self.fmu.component, self.state, &mut size) },
-            Status::Ok
-        );
+        let status = unsafe { fmi2SerializedFMUstateSize(self.fmu.component, self.state, &mut size) };
+        assert_eq!(status, Status::Ok);
         let mut bytes = vec![0; size];
         // SAFETY: component and state are alive, the array is as long as said.
         let status =
