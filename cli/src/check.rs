@@ -180,7 +180,48 @@ impl fmt::Display for CheckFlight {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
+    use flexible_aircraft_packaging::{Package, Platform};
+
     use super::*;
+
+    /// The check flight of the generic business jet, free or clamped, with the library that cargo built
+    /// beside this test.
+    fn jet(support: Support) -> CheckFlight {
+        let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let folder = tempfile::tempdir().unwrap();
+        let [aircraft, fmu] = ["aircraft.toml", "aircraft.fmu"].map(|name| folder.path().join(name));
+        let text = std::fs::read_to_string(workspace.join("aircraft/generic-business-jet.toml")).unwrap();
+        let text = match support {
+            Support::Free => text,
+            Support::Clamped => text.replace("support = \"free\"", "support = \"clamped\""),
+        };
+        std::fs::write(&aircraft, text).unwrap();
+        let name =
+            format!("{}flexible_aircraft{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
+        let library = std::env::current_exe().unwrap().with_file_name(name);
+        let binaries = vec![(Platform::host().unwrap(), library)];
+        Package { aircraft, mode_count: 20, binaries, workspace }.write(&fmu).unwrap();
+        CheckFlight::fly(&Fmu::open(&fmu).unwrap(), support).unwrap()
+    }
+
+    #[test]
+    fn a_free_aircraft_is_trimmed_and_answers_the_elevator() {
+        let flight = jet(Support::Free);
+        assert!(flight.load_factor.contains(&0.9) && flight.load_factor.contains(&1.05), "{flight:?}");
+        assert!(flight.pitch.contains(&flight.trim.pitch) && flight.trim.thrust > 1e4);
+        let peak = flight.deflection.unwrap();
+        assert!(peak.station.starts_with("wing_tip") && peak.up > peak.trimmed + 0.01, "{peak:?}");
+    }
+
+    #[test]
+    fn a_clamped_aircraft_holds_still_and_bends_in_the_gust() {
+        let flight = jet(Support::Clamped);
+        assert_eq!(flight.pitch.start(), flight.pitch.end());
+        let peak = flight.deflection.unwrap();
+        assert!((peak.up - peak.trimmed).abs() > 0.01 && peak.time > 1.0, "{peak:?}");
+    }
 
     #[test]
     fn the_largest_deflection_is_found_with_its_station_and_time() {

@@ -25,3 +25,25 @@ fn render_with(error: &AircraftFileError, renderer: &Renderer) -> String {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use flexible_aircraft::aircraft::Aircraft;
+
+    use super::*;
+
+    #[test]
+    fn a_mistake_is_shown_with_its_line_and_underlined() {
+        let error = Aircraft::parse("format = 1\nwings = 2\n", "jet.toml").unwrap_err();
+        let report = render_with(&error, &Renderer::plain());
+        assert!(report.contains(" --> jet.toml:2:1\n"), "{report}");
+        assert!(report.contains("2 | wings = 2\n  | ^^^^^ allowed here: "), "{report}");
+    }
+
+    #[test]
+    fn a_missing_file_is_named() {
+        let error = Aircraft::read(std::path::Path::new("no/such.toml")).unwrap_err();
+        let report = render_with(&error, &Renderer::plain());
+        assert!(report.starts_with("error: no/such.toml: cannot read the aircraft file: "), "{report}");
+    }
+}
