@@ -18,7 +18,9 @@ pub struct StripSums {
     symmetric: bool,
     /// Generalised forces on ν, per lane.
     pub force: Vec<Lanes>,
-    /// X: two rows per group, padded to whole blocks.
+    /// Groups of strips.
+    groups: usize,
+    /// X by component of ν (padded to whole blocks): heave of every group, then pitch of every group.
     distribution: Vec<Lanes>,
     /// Y, where it differs from X.
     acceleration: Vec<Lanes>,
@@ -26,14 +28,15 @@ pub struct StripSums {
     pub reversed: Option<usize>,
 }
 
-/// The rows of one group of strips on ν.
-pub struct GroupRows<'a> {
+/// One component of ν of the rows of one group of strips.
+#[derive(Clone, Copy, Debug)]
+pub struct RowEntry {
     /// √(πρb²Δy) (G_w − dG_Ω).
-    pub heave: &'a mut [Lanes],
+    pub heave: Lanes,
     /// √(πρb⁴Δy/8) G_Ω.
-    pub pitch: &'a mut [Lanes],
-    /// √(πρb²Δy) (G_m − dG_Ω), where it differs from `heave`, and `pitch` again.
-    pub acceleration: Option<(&'a mut [Lanes], &'a mut [Lanes])>,
+    pub pitch: Lanes,
+    /// √(πρb²Δy) (G_m − dG_Ω); read only where it differs from `heave`.
+    pub acceleration: Lanes,
 }
 
 impl StripSums {
@@ -44,6 +47,7 @@ impl StripSums {
         StripSums {
             size,
             symmetric,
+            groups,
             force: vec![Lanes::splat(0.0); size],
             acceleration: if symmetric { Vec::new() } else { rows.clone() },
             distribution: rows,
@@ -57,15 +61,16 @@ impl StripSums {
         self.reversed = None;
     }
 
-    /// The forces, and the rows of one group, to be filled.
-    pub fn group(&mut self, group: usize) -> (&mut [Lanes], GroupRows<'_>) {
-        let width = self.size.next_multiple_of(BLOCK);
-        let size = self.size;
-        let range = 2 * group * width..2 * (group + 1) * width;
-        let (heave, pitch) = pair(&mut self.distribution[range.clone()], size);
-        let acceleration =
-            if self.symmetric { None } else { Some(pair(&mut self.acceleration[range], size)) };
-        (&mut self.force, GroupRows { heave, pitch, acceleration })
+    /// Writes one component of ν of a group's rows.
+    pub fn write(&mut self, group: usize, component: usize, entry: &RowEntry) {
+        let heave = 2 * self.groups * component + group;
+        let pitch = heave + self.groups;
+        self.distribution[heave] = entry.heave;
+        self.distribution[pitch] = entry.pitch;
+        if !self.symmetric {
+            self.acceleration[heave] = entry.acceleration;
+            self.acceleration[pitch] = entry.pitch;
+        }
     }
 
     /// Adds the forces, and XᵀY to a row-major mass matrix; of a symmetric one only the lower triangle.
@@ -90,22 +95,16 @@ impl StripSums {
 
     /// One block of XᵀY, per lane.
     fn block(&self, acceleration: &[Lanes], row: usize, column: usize) -> [[Lanes; BLOCK]; BLOCK] {
-        let width = self.size.next_multiple_of(BLOCK);
+        let length = 2 * self.groups;
+        let (x0, x1) = self.distribution[row * length..(row + BLOCK) * length].split_at(length);
+        let (y0, y1) = acceleration[column * length..(column + BLOCK) * length].split_at(length);
         let mut sums = [[Lanes::splat(0.0); BLOCK]; BLOCK];
-        for (x, y) in self.distribution.chunks_exact(width).zip(acceleration.chunks_exact(width)) {
-            let (x, y) = (&x[row..row + BLOCK], &y[column..column + BLOCK]);
-            for (sums, x) in sums.iter_mut().zip(x) {
-                for (sum, y) in sums.iter_mut().zip(y) {
-                    *sum += *x * *y;
-                }
-            }
+        for (((x0, x1), y0), y1) in x0.iter().zip(x1).zip(y0).zip(y1) {
+            sums[0][0] += *x0 * *y0;
+            sums[0][1] += *x0 * *y1;
+            sums[1][0] += *x1 * *y0;
+            sums[1][1] += *x1 * *y1;
         }
         sums
     }
-}
-
-/// Cuts two padded rows apart, to `size` entries each.
-fn pair(rows: &mut [Lanes], size: usize) -> (&mut [Lanes], &mut [Lanes]) {
-    let (first, second) = rows.split_at_mut(rows.len() / 2);
-    (&mut first[..size], &mut second[..size])
 }

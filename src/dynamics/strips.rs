@@ -15,7 +15,7 @@ use super::controls::Controls;
 use super::inertia::RigidMotion;
 use super::layout::StateLayout;
 use super::rotation::Rotation;
-use super::strip_sums::{GroupRows, StripSums};
+use super::strip_sums::{RowEntry, StripSums};
 
 /// Four strips.
 #[derive(Clone, Debug)]
@@ -108,8 +108,7 @@ impl Strips {
             flow.induced = around.inflow.induced_velocity(states, w3);
             let passing = flow.chordwise / group.section.semichord;
             around.inflow.rates(states, w3, passing, &mut rates[layout.group_inflow(index)]);
-            let (force, rows) = sums.group(index);
-            group.distribute(around, &moving, force, rows);
+            group.distribute(index, around, &moving, sums);
         }
     }
 
@@ -219,51 +218,70 @@ impl Group {
         (0..LANES).find(|&lane| chordwise[lane] <= 0.0 && slope[lane] > 0.0)
     }
 
-    /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and fills the rows of apparent mass.
-    fn distribute(&self, around: &Surroundings, moving: &MovingGroup, force: &mut [Lanes], rows: GroupRows) {
+    /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
+    fn distribute(&self, index: usize, around: &Surroundings, moving: &MovingGroup, sums: &mut StripSums) {
         let MovingGroup { forward, span, normal, place, flow } = moving;
         let arm = if around.deformed_arms { place } else { &self.position };
         let loads = self.section.loads(flow);
         let (along, across) = (loads.forward * self.width, loads.down * self.width);
         let pitching = loads.pitching * self.width;
-        let push = *forward * along + *normal * across;
-        let moment = arm.cross(&push) + *span * pitching;
-        for (sum, value) in force.iter_mut().zip([push.x, push.y, push.z, moment.x, moment.y, moment.z]) {
-            *sum += value;
-        }
 
         let (b, d) = (self.section.semichord, self.section.elastic_axis_aft_of_midchord);
-        let root_mass = b * (Lanes::splat(std::f64::consts::PI * around.density) * self.width).sqrt();
-        let root_inertia = b * root_mass * Lanes::splat(std::f64::consts::FRAC_1_SQRT_2 * 0.5);
-        let lever = *span * d;
-        let GroupRows { heave, pitch, mut acceleration } = rows;
-        rigid_row(heave, normal, &(arm.cross(normal) - lever), root_mass);
-        rigid_row(pitch, &LaneVector::splat(&Vector3::zeros()), span, root_inertia);
         let alpha0 = self.zero_lift_offset;
-        if let Some((kinematic, twist)) = &mut acceleration {
-            let axis = *normal + *forward * alpha0;
-            rigid_row(kinematic, &axis, &(place.cross(&axis) - lever), root_mass);
-            twist[..6].copy_from_slice(&pitch[..6]);
+        let root_mass = b * (Lanes::splat(std::f64::consts::PI * around.density) * self.width).sqrt();
+        let root_inertia = b * root_mass * Lanes::splat(0.5 * std::f64::consts::FRAC_1_SQRT_2);
+        let mut write = |component: usize, work: &Work| {
+            let Work { down, ahead, nose_up, moving_down } = *work;
+            sums.force[component] += down * across + ahead * along + nose_up * pitching;
+            let entry = RowEntry {
+                heave: (down - nose_up * d) * root_mass,
+                pitch: nose_up * root_inertia,
+                acceleration: (moving_down - nose_up * d) * root_mass,
+            };
+            sums.write(index, component, &entry);
+        };
+        let axis = *normal + *forward * alpha0;
+        let zero = LaneVector::splat(&Vector3::zeros());
+        let translation = Work::on_axes(normal, forward, &zero, &axis);
+        let rotation = Work::on_axes(&arm.cross(normal), &arm.cross(forward), span, &place.cross(&axis));
+        for (component, work) in translation.iter().chain(&rotation).enumerate() {
+            write(component, work);
         }
         for (mode, [ux, uy, uz, rx, ry, rz]) in self.shapes.iter().enumerate() {
             let down = *ux * normal.x + *uy * normal.y + *uz * normal.z;
             let ahead = *ux * forward.x + *uy * forward.y + *uz * forward.z;
             let nose_up = *rx * span.x + *ry * span.y + *rz * span.z;
-            force[6 + mode] += down * across + ahead * along + nose_up * pitching;
-            heave[6 + mode] = (down - nose_up * d) * root_mass;
-            pitch[6 + mode] = nose_up * root_inertia;
-            if let Some((kinematic, twist)) = &mut acceleration {
-                kinematic[6 + mode] = (down + ahead * alpha0 - nose_up * d) * root_mass;
-                twist[6 + mode] = pitch[6 + mode];
-            }
+            write(6 + mode, &Work { down, ahead, nose_up, moving_down: down + ahead * alpha0 });
         }
     }
 }
 
-/// The part of a row on v and ω.
-fn rigid_row(row: &mut [Lanes], force: &LaneVector, moment: &LaneVector, scale: Lanes) {
-    let values = [force.x, force.y, force.z, moment.x, moment.y, moment.z];
-    for (entry, value) in row.iter_mut().zip(values) {
-        *entry = value * scale;
+/// Work of unit loads of a strip per unit of one component of ν.
+struct Work {
+    /// G_w: of a force along n.
+    down: Lanes,
+    /// G_f: of a force along f.
+    ahead: Lanes,
+    /// G_Ω: of a moment about s.
+    nose_up: Lanes,
+    /// G_m: velocity along m, where the strip is.
+    moving_down: Lanes,
+}
+
+impl Work {
+    /// On the three axes of v or of ω.
+    fn on_axes(
+        down: &LaneVector,
+        ahead: &LaneVector,
+        nose_up: &LaneVector,
+        moving_down: &LaneVector,
+    ) -> [Work; 3] {
+        let axis = |pick: fn(&LaneVector) -> Lanes| Work {
+            down: pick(down),
+            ahead: pick(ahead),
+            nose_up: pick(nose_up),
+            moving_down: pick(moving_down),
+        };
+        [axis(|vector| vector.x), axis(|vector| vector.y), axis(|vector| vector.z)]
     }
 }
