@@ -71,54 +71,83 @@ impl PetersInflow {
         inflow
     }
 
-    /// N.
-    pub fn states(&self) -> usize {
-        self.lags.len() + 2 * self.pairs.len()
+    /// Number of real states of a strip.
+    pub fn real_lags(&self) -> usize {
+        self.lags.len()
     }
 
-    /// λ₀, m/s, from the states of four strips (N × 4 numbers) and their w₃ = w + (b/2 − d)Ω.
-    pub fn induced_velocity(&self, states: &[f64], w3: Lanes) -> Lanes {
-        let (real, complex) = states.split_at(LANES * self.lags.len());
+    /// Number of complex states of a strip, each of which stands for a conjugate pair.
+    pub fn lag_pairs(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// λ₀, m/s, of four strips from their states and w₃ = w + (b/2 − d)Ω.
+    pub fn induced_velocity(&self, states: &InflowStates<&[f64]>, w3: Lanes) -> Lanes {
         let mut induced = Lanes::splat(0.0);
-        for (lag, state) in self.lags.iter().zip(real.chunks_exact(LANES)) {
+        for (lag, state) in self.lags.iter().zip(states.real.chunks_exact(LANES)) {
             induced += Lanes::splat(lag.weight) * (load(state) + w3);
         }
-        for (pair, state) in self.pairs.iter().zip(complex.chunks_exact(2 * LANES)) {
-            let (re, im) = (load(state) + w3, load(&state[LANES..]));
+        let complex = states.re.chunks_exact(LANES).zip(states.im.chunks_exact(LANES));
+        for (pair, (re, im)) in self.pairs.iter().zip(complex) {
+            let (re, im) = (load(re) + w3, load(im));
             induced += Lanes::splat(2.0 * pair.weight.re) * re - Lanes::splat(2.0 * pair.weight.im) * im;
         }
         induced
     }
 
     /// Rates of the states of four strips, m/s²; `passing` is U/b, 1/s.
-    pub fn rates(&self, states: &[f64], w3: Lanes, passing: Lanes, rates: &mut [f64]) {
-        let (real, complex) = states.split_at(LANES * self.lags.len());
-        let (real_rates, complex_rates) = rates.split_at_mut(LANES * self.lags.len());
-        let real = real.chunks_exact(LANES).zip(real_rates.chunks_exact_mut(LANES));
+    pub fn rates(
+        &self,
+        states: &InflowStates<&[f64]>,
+        w3: Lanes,
+        passing: Lanes,
+        rates: &mut InflowStates<&mut [f64]>,
+    ) {
+        let real = states.real.chunks_exact(LANES).zip(rates.real.chunks_exact_mut(LANES));
         for (lag, (state, rate)) in self.lags.iter().zip(real) {
             let slope = -passing * Lanes::splat(lag.rate) * (load(state) + w3);
             rate.copy_from_slice(&slope.to_array());
         }
-        let complex = complex.chunks_exact(2 * LANES).zip(complex_rates.chunks_exact_mut(2 * LANES));
-        for (pair, (state, rate)) in self.pairs.iter().zip(complex) {
-            let (re, im) = (load(state) + w3, load(&state[LANES..]));
+        let complex = states.re.chunks_exact(LANES).zip(states.im.chunks_exact(LANES));
+        let complex_rates = rates.re.chunks_exact_mut(LANES).zip(rates.im.chunks_exact_mut(LANES));
+        for ((pair, (re, im)), (re_rate, im_rate)) in self.pairs.iter().zip(complex).zip(complex_rates) {
+            let (re, im) = (load(re) + w3, load(im));
             let (decay, frequency) = (Lanes::splat(pair.decay), Lanes::splat(pair.frequency));
-            rate[..LANES].copy_from_slice(&(-passing * (decay * re - frequency * im)).to_array());
-            rate[LANES..].copy_from_slice(&(-passing * (frequency * re + decay * im)).to_array());
+            re_rate.copy_from_slice(&(-passing * (decay * re - frequency * im)).to_array());
+            im_rate.copy_from_slice(&(-passing * (frequency * re + decay * im)).to_array());
+        }
+    }
+
+    /// The coefficients L of η̃' = Lη̃ + … of four strips at a constant U/b, 1/s.
+    pub fn linear_part(&self, passing: Lanes, linear: &mut InflowStates<&mut [f64]>) {
+        for (lag, coefficient) in self.lags.iter().zip(linear.real.chunks_exact_mut(LANES)) {
+            coefficient.copy_from_slice(&(-passing * Lanes::splat(lag.rate)).to_array());
+        }
+        let complex = linear.re.chunks_exact_mut(LANES).zip(linear.im.chunks_exact_mut(LANES));
+        for (pair, (re, im)) in self.pairs.iter().zip(complex) {
+            re.copy_from_slice(&(-passing * Lanes::splat(pair.decay)).to_array());
+            im.copy_from_slice(&(-passing * Lanes::splat(pair.frequency)).to_array());
         }
     }
 
     /// Sets the states of four strips to a wake long at rest: λ = 0.
-    pub fn settle(&self, w3: Lanes, states: &mut [f64]) {
-        states.fill(0.0);
-        let pairs_begin = self.lags.len();
-        for (index, state) in states.chunks_exact_mut(LANES).enumerate() {
-            let is_imaginary = index >= pairs_begin && (index - pairs_begin) % 2 == 1;
-            if !is_imaginary {
-                state.copy_from_slice(&(-w3).to_array());
-            }
+    pub fn settle(&self, w3: Lanes, states: &mut InflowStates<&mut [f64]>) {
+        for state in states.real.chunks_exact_mut(LANES).chain(states.re.chunks_exact_mut(LANES)) {
+            state.copy_from_slice(&(-w3).to_array());
         }
+        states.im.fill(0.0);
     }
+}
+
+/// The inflow states of four strips, or something that stands for each of them.
+#[derive(Clone, Debug)]
+pub struct InflowStates<T> {
+    /// Real states, lane by lane.
+    pub real: T,
+    /// Real parts of the complex states.
+    pub re: T,
+    /// Imaginary parts of the complex states.
+    pub im: T,
 }
 
 /// A, b, c of [4.1] for N states.
@@ -191,7 +220,7 @@ mod tests {
     fn the_eigenbasis_is_the_same_filter_as_the_matrices_for_every_n() {
         for states in 0..=PetersInflow::MAX_STATES {
             let inflow = PetersInflow::new(states);
-            assert_eq!(inflow.states(), states);
+            assert_eq!(inflow.real_lags() + 2 * inflow.lag_pairs(), states);
             for k in [0.01, 0.1, 0.5, 2.0] {
                 let expected =
                     if states == 0 { Complex::from(1.0) } else { lift_deficiency_of_matrices(states, k) };
@@ -225,11 +254,19 @@ mod tests {
     fn a_settled_wake_induces_nothing_and_stays_settled() {
         let inflow = PetersInflow::new(5);
         let (w3, passing) = (Lanes::splat(3.5), Lanes::splat(100.0));
-        let mut states = [0.0; 5 * LANES];
-        inflow.settle(w3, &mut states);
-        let mut rates = [1.0; 5 * LANES];
-        inflow.rates(&states, w3, passing, &mut rates);
+        let (mut states, mut rates) = ([[0.0; 3 * LANES]; 3], [[1.0; 3 * LANES]; 3]);
+        let [real, re, im] = &mut states;
+        inflow.settle(w3, &mut InflowStates { real, re: &mut re[..LANES], im: &mut im[..LANES] });
+        let [real, re, im] = &states;
+        let states = InflowStates { real: real.as_slice(), re: &re[..LANES], im: &im[..LANES] };
+        let [real_rates, re_rates, im_rates] = &mut rates;
+        let mut slopes = InflowStates {
+            real: real_rates.as_mut_slice(),
+            re: &mut re_rates[..LANES],
+            im: &mut im_rates[..LANES],
+        };
+        inflow.rates(&states, w3, passing, &mut slopes);
         assert_eq!(inflow.induced_velocity(&states, w3).to_array(), [0.0; LANES]);
-        assert_eq!(rates, [0.0; 5 * LANES]);
+        assert!(slopes.real.iter().chain(&*slopes.re).chain(&*slopes.im).all(|&rate| rate == 0.0));
     }
 }

@@ -10,5 +10,5 @@ mod section;
 
 pub use atmosphere::Air;
 pub use flap::FlapEffect;
-pub use inflow::PetersInflow;
+pub use inflow::{InflowStates, PetersInflow};
 pub use section::{LocalFlow, Section, SectionLoads};

@@ -62,7 +62,12 @@ impl EquationsOfMotion {
         let scale = libm::sqrt(configuration.stiffness_scale);
         let damping = |frequency: f64| 2.0 * configuration.structural_damping * scale * frequency;
         EquationsOfMotion {
-            layout: StateLayout::new(model.modes.len(), strips.groups(), inflow.states()),
+            layout: StateLayout::new(
+                model.modes.len(),
+                strips.groups(),
+                inflow.real_lags(),
+                inflow.lag_pairs(),
+            ),
             terms: configuration.fidelity.terms(),
             support: model.support,
             gravity: model.gravity,
@@ -82,7 +87,7 @@ impl EquationsOfMotion {
     /// The same equations with steady aerodynamics: the same trim, fewer states.
     pub fn with_steady_inflow(&self) -> Self {
         EquationsOfMotion {
-            layout: StateLayout::new(self.layout.modes(), self.strips.groups(), 0),
+            layout: StateLayout::new(self.layout.modes(), self.strips.groups(), 0, 0),
             inflow: PetersInflow::new(0),
             ..self.clone()
         }
@@ -133,6 +138,18 @@ impl EquationsOfMotion {
             (state[self.layout.coordinates()].to_vec(), state[self.layout.coordinate_rates()].to_vec());
         let around = self.surroundings(state, (&q, &q_dot), &attitude, controls);
         self.strips.settle_inflow(&around, &self.layout, state);
+    }
+
+    /// Writes the linear part of the inflow's rates at a constant airspeed (m/s) into a vector of the state's
+    /// layout, 1/s; of complex states its real and imaginary part.
+    pub fn inflow_linear_part(&self, airspeed: f64, linear: &mut [f64]) {
+        self.strips.inflow_linear_part(&self.inflow, airspeed, &self.layout, linear);
+    }
+
+    /// Speed of O relative to the air, m/s.
+    pub fn airspeed(&self, state: &[f64], controls: &Controls) -> f64 {
+        let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
+        (self.motion(state).velocity - attitude.body_from_inertial * self.air_motion(controls)).norm()
     }
 
     /// Strain energy at q, J, and its gradient.

@@ -2,21 +2,35 @@
 
 use std::ops::Range;
 
+use crate::aerodynamics::InflowStates;
 use crate::lanes::LANES;
 
-/// Where each part of the state stands: position, attitude quaternion, v, ω, q, q̇, inflow group by group of
-/// four strips.
+/// Where each part of the state stands: position, attitude quaternion, v, ω, q, q̇, then the inflow of groups
+/// of four strips: its real states, and the real and the imaginary parts of its complex ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StateLayout {
     modes: usize,
     strip_groups: usize,
-    inflow_states: usize,
+    real_lags: usize,
+    lag_pairs: usize,
+}
+
+/// The places of one group's inflow states, state by state and lane by lane.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GroupInflow {
+    /// Real states.
+    pub real: Range<usize>,
+    /// Real parts of the complex states.
+    pub re: Range<usize>,
+    /// Imaginary parts of the complex states.
+    pub im: Range<usize>,
 }
 
 impl StateLayout {
-    /// Of `modes` generalised coordinates and groups of four strips with `inflow_states` each.
-    pub fn new(modes: usize, strip_groups: usize, inflow_states: usize) -> Self {
-        StateLayout { modes, strip_groups, inflow_states }
+    /// Of `modes` generalised coordinates and groups of four strips, each strip with `real_lags` real and
+    /// `lag_pairs` complex inflow states.
+    pub fn new(modes: usize, strip_groups: usize, real_lags: usize, lag_pairs: usize) -> Self {
+        StateLayout { modes, strip_groups, real_lags, lag_pairs }
     }
 
     /// Number of states.
@@ -71,15 +85,38 @@ impl StateLayout {
 
     /// η̃ of all strips, m/s.
     pub fn inflow(&self) -> Range<usize> {
-        let start = 13 + 2 * self.modes;
-        start..start + self.strip_groups * self.inflow_states * LANES
+        self.inflow_real().start..self.inflow_im().end
     }
 
-    /// η̃ of one group of strips, state by state, m/s.
-    pub fn group_inflow(&self, group: usize) -> Range<usize> {
-        let numbers = self.inflow_states * LANES;
-        let start = 13 + 2 * self.modes + group * numbers;
-        start..start + numbers
+    /// The real states of all strips.
+    pub fn inflow_real(&self) -> Range<usize> {
+        let start = 13 + 2 * self.modes;
+        start..start + self.strip_groups * self.real_lags * LANES
+    }
+
+    /// The real parts of the complex states of all strips.
+    pub fn inflow_re(&self) -> Range<usize> {
+        let start = self.inflow_real().end;
+        start..start + self.strip_groups * self.lag_pairs * LANES
+    }
+
+    /// The imaginary parts of the complex states of all strips.
+    pub fn inflow_im(&self) -> Range<usize> {
+        let start = self.inflow_re().end;
+        start..start + self.strip_groups * self.lag_pairs * LANES
+    }
+
+    /// η̃ of one group of strips.
+    pub fn group_inflow(&self, group: usize) -> GroupInflow {
+        let part = |range: Range<usize>, states: usize| {
+            let start = range.start + group * states * LANES;
+            start..start + states * LANES
+        };
+        GroupInflow {
+            real: part(self.inflow_real(), self.real_lags),
+            re: part(self.inflow_re(), self.lag_pairs),
+            im: part(self.inflow_im(), self.lag_pairs),
+        }
     }
 
     /// The groups of states that share a unit, for error norms.
@@ -93,5 +130,27 @@ impl StateLayout {
             self.coordinate_rates(),
             self.inflow(),
         ]
+    }
+}
+
+impl GroupInflow {
+    /// The group's part of a state.
+    pub fn read<'a>(&self, state: &'a [f64]) -> InflowStates<&'a [f64]> {
+        InflowStates {
+            real: &state[self.real.clone()],
+            re: &state[self.re.clone()],
+            im: &state[self.im.clone()],
+        }
+    }
+
+    /// The group's part of a vector of the state's layout, to be written.
+    pub fn write<'a>(&self, state: &'a mut [f64]) -> InflowStates<&'a mut [f64]> {
+        let (before_im, im) = state.split_at_mut(self.im.start);
+        let (before_re, re) = before_im.split_at_mut(self.re.start);
+        InflowStates {
+            real: &mut before_re[self.real.clone()],
+            re: &mut re[..self.re.len()],
+            im: &mut im[..self.im.len()],
+        }
     }
 }

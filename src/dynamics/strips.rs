@@ -103,11 +103,12 @@ impl Strips {
             if sums.reversed.is_none() {
                 sums.reversed = group.reversed(flow).map(|lane| index * LANES + lane);
             }
-            let states = &state[layout.group_inflow(index)];
+            let place = layout.group_inflow(index);
+            let states = place.read(state);
             let w3 = group.section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
-            flow.induced = around.inflow.induced_velocity(states, w3);
+            flow.induced = around.inflow.induced_velocity(&states, w3);
             let passing = flow.chordwise / group.section.semichord;
-            around.inflow.rates(states, w3, passing, &mut rates[layout.group_inflow(index)]);
+            around.inflow.rates(&states, w3, passing, &mut place.write(rates));
             group.distribute(index, around, &moving, sums);
         }
     }
@@ -117,7 +118,23 @@ impl Strips {
         for (index, group) in self.groups.iter().enumerate() {
             let flow = group.deform(around).flow;
             let w3 = group.section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
-            around.inflow.settle(w3, &mut state[layout.group_inflow(index)]);
+            around.inflow.settle(w3, &mut layout.group_inflow(index).write(state));
+        }
+    }
+}
+
+impl Strips {
+    /// Writes the inflow's linear part at a constant airspeed (m/s) into a vector of the state's layout, 1/s.
+    pub fn inflow_linear_part(
+        &self,
+        inflow: &PetersInflow,
+        airspeed: f64,
+        layout: &StateLayout,
+        linear: &mut [f64],
+    ) {
+        for (index, group) in self.groups.iter().enumerate() {
+            let passing = Lanes::splat(airspeed) / group.section.semichord;
+            inflow.linear_part(passing, &mut layout.group_inflow(index).write(linear));
         }
     }
 }

@@ -8,11 +8,18 @@ use crate::aircraft::Support;
 use crate::dynamics::{Configuration, Controls, EquationsOfMotion, Trim, TrimCondition, Workspace};
 use crate::structure::ReducedModel;
 
-use super::integrator::{CELL, CellEnd, ErrorScale, MAX_SUBSTEPS, Stages};
+use super::integrator::{CellEnd, ErrorScale, Integrator, MAX_SUBSTEPS};
 use super::{InputReference, Inputs, Outputs, Settings, SimulationError, outputs};
+
+/// Width of a grid cell, s.
+const CELL: f64 = 5e-3;
 
 /// Communication points this close to a grid point (in cells) are on it.
 const ON_GRID: f64 = 1e-6;
+
+/// The inflow's linear part is taken at a reference airspeed, which follows the flight when the two differ
+/// by more than this share.
+const AIRSPEED_DRIFT: f64 = 0.1;
 
 /// The trimmed flight condition found at construction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +32,36 @@ pub struct TrimPoint {
     pub thrust: f64,
 }
 
+/// A place on the flight path, with what the integrator needs to go on from it.
+#[derive(Clone, Debug)]
+pub(super) struct Point {
+    /// s.
+    pub time: f64,
+    /// All states.
+    pub state: Vec<f64>,
+    /// Sub-steps to try in the next cell.
+    pub substeps: u32,
+    /// f at the time and state under the present inputs.
+    slope: Vec<f64>,
+    /// Whether `slope` is that.
+    pub slope_is_fresh: bool,
+}
+
+impl Point {
+    fn copy_from(&mut self, other: &Point) {
+        self.time = other.time;
+        self.state.copy_from_slice(&other.state);
+        self.substeps = other.substeps;
+        self.slope.copy_from_slice(&other.slope);
+        self.slope_is_fresh = other.slope_is_fresh;
+    }
+}
+
 /// A flight of one aircraft: state, time and everything needed to go on.
+///
+/// Cells of time begin and end on an absolute grid. Where a step ends inside a cell, the present is computed
+/// from the cell's beginning, the anchor, and the next step begins at the anchor again, unless the inputs
+/// have changed: one step of 10 ms and ten of 1 ms are the same computation and give the same bits.
 #[derive(Clone, Debug)]
 pub struct Simulation {
     pub(super) model: Arc<ReducedModel>,
@@ -33,25 +69,23 @@ pub struct Simulation {
     pub(super) identity: u128,
     pub(super) modes: Vec<usize>,
     pub(super) equations: EquationsOfMotion,
-    tolerance: ErrorScale,
     trim: TrimPoint,
     reference: InputReference,
     pub(super) inputs: Inputs,
     pub(super) input_rates: Inputs,
     /// When the inputs were set, s.
     pub(super) input_time: f64,
-    pub(super) time: f64,
-    pub(super) state: Vec<f64>,
-    /// Sub-steps to try in the next cell.
-    pub(super) substeps: u32,
-    /// f at the present time, state and inputs, when `slope_is_fresh`.
-    slope: Vec<f64>,
-    pub(super) slope_is_fresh: bool,
+    /// Where the present cell begins.
+    pub(super) anchor: Point,
+    pub(super) present: Point,
+    /// What the present was before the call, should it fail.
+    before: [Point; 2],
+    /// At which the integrator's linear part was taken, m/s.
+    pub(super) reference_airspeed: f64,
     /// Absolute controls at the last evaluation.
     pub(super) controls: Controls,
     pub(super) workspace: Workspace,
-    stages: Stages,
-    before: Vec<f64>,
+    integrator: Integrator,
     pub(super) outputs: Outputs,
 }
 
@@ -71,25 +105,23 @@ impl Simulation {
         };
         let Trim { pitch, elevator, thrust, state } = equations.trim(&condition)?;
         let engines = model.engines.len();
-        let states = state.len();
+        let present =
+            Point { time: start, slope: vec![0.0; state.len()], state, substeps: 1, slope_is_fresh: false };
         Ok(Simulation {
             identity: super::snapshot::identity(&model, settings),
-            tolerance: error_scale(&reduced, settings.tolerance),
             trim: TrimPoint { pitch, elevator, thrust },
             reference: settings.input_reference,
             inputs: Inputs::zero(engines),
             input_rates: Inputs::zero(engines),
             input_time: start,
-            time: start,
-            substeps: 1,
-            slope: vec![0.0; states],
-            slope_is_fresh: false,
+            anchor: present.clone(),
+            before: [present.clone(), present.clone()],
+            present,
+            reference_airspeed: 0.0,
             controls: Controls::neutral(engines),
             workspace: Workspace::new(&equations),
-            stages: Stages::new(states),
-            before: state.clone(),
+            integrator: Integrator::new(equations.layout(), error_scale(&reduced, settings.tolerance)),
             outputs: Outputs::new(&model),
-            state,
             equations,
             modes,
             model,
@@ -98,7 +130,7 @@ impl Simulation {
 
     /// Time, s.
     pub fn time(&self) -> f64 {
-        self.time
+        self.present.time
     }
 
     /// The trim found at construction.
@@ -108,11 +140,14 @@ impl Simulation {
 
     /// Sets the inputs that act from now on, and their rates of change (zero: held constant).
     pub fn set_inputs(&mut self, inputs: &Inputs, rates: &Inputs) {
-        // The slope at this instant depends on the inputs, and through the wind on their rates.
-        self.slope_is_fresh &= self.inputs == *inputs && self.input_rates.is_zero() && rates.is_zero();
+        if self.inputs == *inputs && self.input_rates.is_zero() && rates.is_zero() {
+            return;
+        }
         self.inputs.clone_from(inputs);
         self.input_rates.clone_from(rates);
-        self.input_time = self.time;
+        self.input_time = self.present.time;
+        self.present.slope_is_fresh = false;
+        self.anchor.copy_from(&self.present);
     }
 
     /// Flies to `end` (s, ≥ [`time`](Self::time)), without allocating.
@@ -120,113 +155,107 @@ impl Simulation {
     /// # Errors
     /// When the flight leaves the model's validity; the simulation is then as it was before the call.
     pub fn advance_to(&mut self, end: f64) -> Result<(), SimulationError> {
-        let (time, substeps) = (self.time, self.substeps);
-        self.before.copy_from_slice(&self.state);
-        let flown = self.fly_cells(end);
+        let reference_airspeed = self.reference_airspeed;
+        self.before[0].copy_from(&self.anchor);
+        self.before[1].copy_from(&self.present);
+        let flown = self.fly(end);
         if flown.is_err() {
-            (self.time, self.substeps, self.slope_is_fresh) = (time, substeps, false);
-            self.state.copy_from_slice(&self.before);
+            let [anchor, present] = &self.before;
+            self.anchor.copy_from(anchor);
+            self.present.copy_from(present);
+            self.present.slope_is_fresh = false;
+            self.take_reference_airspeed(reference_airspeed);
         }
         flown
     }
 
     /// The outputs at the present time under the present inputs, without allocating.
     pub fn outputs(&mut self) -> &Outputs {
-        self.refresh_slope();
+        if !self.present.slope_is_fresh {
+            let acting = acting(self.reference, &self.trim, &self.inputs, &self.input_rates, self.input_time);
+            acting.write(self.present.time, &mut self.controls);
+            let Point { state, slope, .. } = &mut self.present;
+            self.equations.rates(state, &self.controls, slope, &mut self.workspace);
+            self.present.slope_is_fresh = true;
+        }
         outputs::write(self);
         &self.outputs
     }
 
-    fn fly_cells(&mut self, end: f64) -> Result<(), SimulationError> {
-        self.refresh_slope();
-        while end - self.time > ON_GRID * CELL {
-            let position = self.time / CELL;
-            let nearest = libm::round(position);
-            let on_grid = (position - nearest).abs() < ON_GRID;
-            let boundary = CELL * (if on_grid { nearest } else { libm::floor(position) } + 1.0);
-            let (width, next) = if end - boundary < -ON_GRID * CELL {
-                (end - self.time, end)
-            } else if on_grid {
-                (CELL, boundary)
-            } else {
-                (boundary - self.time, boundary)
-            };
-            self.fly_cell(width)?;
-            self.time = next;
-            self.check_validity()?;
+    /// Flies full cells from the anchor as far as `end` allows, then the rest of the way.
+    fn fly(&mut self, end: f64) -> Result<(), SimulationError> {
+        while end - self.present.time > ON_GRID * CELL {
+            let begin = self.anchor.time;
+            let boundary = CELL * (libm::floor(begin / CELL + ON_GRID) + 1.0);
+            let is_full = boundary - end < ON_GRID * CELL;
+            self.follow_airspeed();
+            self.present.copy_from(&self.anchor);
+            self.fly_cell(begin, if is_full { boundary } else { end })?;
+            if is_full {
+                self.anchor.copy_from(&self.present);
+            }
         }
         Ok(())
     }
 
-    /// Flies the state over the next `width` seconds.
-    fn fly_cell(&mut self, width: f64) -> Result<(), SimulationError> {
+    /// Flies the present, which stands at the anchor, over one cell or part of one.
+    fn fly_cell(&mut self, begin: f64, end: f64) -> Result<(), SimulationError> {
         let controls = &mut self.controls;
         let (equations, workspace) = (&self.equations, &mut self.workspace);
-        let acting = Acting {
-            reference: self.reference,
-            trim: &self.trim,
-            inputs: &self.inputs,
-            rates: &self.input_rates,
-            since: self.input_time,
-        };
-        let rates = |time: f64, state: &[f64], rates: &mut [f64]| {
+        let acting = acting(self.reference, &self.trim, &self.inputs, &self.input_rates, self.input_time);
+        let mut rates = |time: f64, state: &[f64], rates: &mut [f64]| {
             acting.write(time, controls);
             equations.rates(state, controls, rates, workspace);
         };
-        let end = self.stages.fly_cell(
-            equations.layout(),
-            &self.tolerance,
-            (self.time, width),
-            self.substeps,
-            &mut self.state,
-            &mut self.slope,
-            rates,
-        );
-        match end {
+        let Point { time, state, substeps, slope, slope_is_fresh } = &mut self.present;
+        if !*slope_is_fresh {
+            rates(begin, state, slope);
+        }
+        match self.integrator.fly_cell((begin, end), *substeps, state, slope, rates) {
             CellEnd::Accepted { next } => {
-                self.substeps = next;
-                Ok(())
+                (*time, *substeps, *slope_is_fresh) = (end, next, true);
+                self.workspace.reversed_strip().map_or(Ok(()), |strip| Err(self.reverse_flow(strip)))
             }
-            CellEnd::Failed => Err(self.failure(width)),
+            CellEnd::Failed => Err(self.failure(end - begin)),
+        }
+    }
+
+    /// Keeps the inflow's linear part near that of the flight.
+    fn follow_airspeed(&mut self) {
+        let acting = acting(self.reference, &self.trim, &self.inputs, &self.input_rates, self.input_time);
+        acting.write(self.anchor.time, &mut self.controls);
+        let airspeed = self.equations.airspeed(&self.anchor.state, &self.controls);
+        if (airspeed - self.reference_airspeed).abs() > AIRSPEED_DRIFT * self.reference_airspeed {
+            self.take_reference_airspeed(airspeed);
+        }
+    }
+
+    /// Takes the inflow's linear part at the given airspeed.
+    pub(super) fn take_reference_airspeed(&mut self, airspeed: f64) {
+        if airspeed != self.reference_airspeed {
+            self.reference_airspeed = airspeed;
+            let equations = &self.equations;
+            self.integrator.set_linear_part(|linear| equations.inflow_linear_part(airspeed, linear));
         }
     }
 
     /// Why a cell could not be flown.
     fn failure(&self, width: f64) -> SimulationError {
-        let time = self.time;
+        let Point { time, state, slope, .. } = &self.present;
+        let time = *time;
         if let Some(strip) = self.workspace.reversed_strip() {
             return self.reverse_flow(strip);
         }
-        if self.state.iter().chain(&self.slope).any(|x| !x.is_finite()) {
+        if state.iter().chain(slope).any(|x| !x.is_finite()) {
             return SimulationError::NotFinite { time };
         }
         let step = width / f64::from(MAX_SUBSTEPS);
-        SimulationError::Tolerance { time, step, tolerance: self.tolerance.tolerance }
-    }
-
-    fn check_validity(&self) -> Result<(), SimulationError> {
-        self.workspace.reversed_strip().map_or(Ok(()), |strip| Err(self.reverse_flow(strip)))
+        SimulationError::Tolerance { time, step, tolerance: self.integrator.tolerance() }
     }
 
     fn reverse_flow(&self, strip: usize) -> SimulationError {
         let component = self.model.strips[strip].component.clone();
-        SimulationError::ReverseFlow { time: self.time, strip, component }
-    }
-
-    fn refresh_slope(&mut self) {
-        if self.slope_is_fresh {
-            return;
-        }
-        let acting = Acting {
-            reference: self.reference,
-            trim: &self.trim,
-            inputs: &self.inputs,
-            rates: &self.input_rates,
-            since: self.input_time,
-        };
-        acting.write(self.time, &mut self.controls);
-        self.equations.rates(&self.state, &self.controls, &mut self.slope, &mut self.workspace);
-        self.slope_is_fresh = true;
+        SimulationError::ReverseFlow { time: self.present.time, strip, component }
     }
 }
 
@@ -237,6 +266,17 @@ struct Acting<'a> {
     inputs: &'a Inputs,
     rates: &'a Inputs,
     since: f64,
+}
+
+/// Gathers the inputs as functions of time, `rates` counting from `since`.
+fn acting<'a>(
+    reference: InputReference,
+    trim: &'a TrimPoint,
+    inputs: &'a Inputs,
+    rates: &'a Inputs,
+    since: f64,
+) -> Acting<'a> {
+    Acting { reference, trim, inputs, rates, since }
 }
 
 impl Acting<'_> {

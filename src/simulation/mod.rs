@@ -1,6 +1,7 @@
 //! A flight in time: the thing a user steps.
 
 mod error;
+mod exponential;
 mod flight;
 mod inputs;
 mod integrator;

@@ -94,7 +94,8 @@ impl Outputs {
 
 /// Writes the outputs of a simulation whose accelerations and controls are up to date.
 pub(super) fn write(simulation: &mut Simulation) {
-    let Simulation { equations, state, controls, workspace, outputs, model, modes, .. } = simulation;
+    let Simulation { equations, present, controls, workspace, outputs, model, modes, .. } = simulation;
+    let state = &present.state;
     let layout = equations.layout();
     let attitude = Attitude::from_quaternion(&state[layout.attitude()]);
     let motion = equations.motion(state);

@@ -1,7 +1,8 @@
 //! The complete state of a flight as bytes: restoring them continues bit for bit.
 //!
 //! Layout, little-endian: 8 bytes of magic with the format's version, identity of model and settings (u128),
-//! sub-steps (u32), number of numbers (u32), the numbers (f64), FNV-1a hash of all before (u128).
+//! sub-steps of anchor and present and number of numbers (u32 each), the numbers (f64), FNV-1a hash of all
+//! before (u128).
 
 use crate::structure::{ReducedModel, fnv1a};
 
@@ -12,7 +13,7 @@ use super::{Settings, Simulation, SimulationError};
 const MAGIC: &[u8; 8] = b"FLXSNP01";
 
 /// Bytes before the numbers.
-const HEADER: usize = 8 + 16 + 4 + 4;
+const HEADER: usize = 8 + 16 + 3 * 4;
 
 /// Identifies the model and the settings that a snapshot belongs to.
 pub(super) fn identity(model: &ReducedModel, settings: &Settings) -> u128 {
@@ -26,17 +27,15 @@ impl Simulation {
         let start = bytes.len();
         bytes.extend_from_slice(MAGIC);
         bytes.extend_from_slice(&self.identity.to_le_bytes());
-        bytes.extend_from_slice(&self.substeps.to_le_bytes());
-        bytes.extend_from_slice(&(self.numbers() as u32).to_le_bytes());
-        for number in [self.time, self.input_time] {
+        for count in [self.anchor.substeps, self.present.substeps, self.numbers() as u32] {
+            bytes.extend_from_slice(&count.to_le_bytes());
+        }
+        for number in [self.anchor.time, self.present.time, self.input_time, self.reference_airspeed] {
             bytes.extend_from_slice(&number.to_le_bytes());
         }
-        for inputs in [&self.inputs, &self.input_rates] {
-            for number in inputs.values() {
-                bytes.extend_from_slice(&number.to_le_bytes());
-            }
-        }
-        for number in &self.state {
+        let inputs = self.inputs.values().chain(self.input_rates.values());
+        let states = self.anchor.state.iter().chain(&self.present.state).copied();
+        for number in inputs.chain(states) {
             bytes.extend_from_slice(&number.to_le_bytes());
         }
         let hash = fnv1a(&bytes[start..]);
@@ -67,32 +66,34 @@ impl Simulation {
         if content[8..24] != self.identity.to_le_bytes() {
             return refuse("it was taken of another aircraft or with other parameters");
         }
-        let substeps = u32::from_le_bytes([content[24], content[25], content[26], content[27]]);
-        if !(1..=MAX_SUBSTEPS).contains(&substeps) {
+        // PROOF: chunks_exact(n) yields slices of n bytes only, here and below.
+        let mut counts = content[24..32]
+            .chunks_exact(4)
+            .map(|bytes| u32::from_le_bytes(bytes.try_into().expect("4 bytes")));
+        let (anchor_substeps, substeps) = (counts.next().unwrap_or(0), counts.next().unwrap_or(0));
+        if [anchor_substeps, substeps].iter().any(|count| !(1..=MAX_SUBSTEPS).contains(count)) {
             return refuse("its number of sub-steps is out of range");
         }
-        // PROOF: chunks_exact(8) yields slices of 8 bytes only.
         let mut numbers = content[HEADER..]
             .chunks_exact(8)
-            .map(|chunk| f64::from_le_bytes(chunk.try_into().expect("8 bytes")));
+            .map(|bytes| f64::from_le_bytes(bytes.try_into().expect("8 bytes")));
         let mut next = || numbers.next().unwrap_or(f64::NAN);
-        self.time = next();
-        self.input_time = next();
-        for inputs in [&mut self.inputs, &mut self.input_rates] {
-            for number in inputs.values_mut() {
-                *number = next();
-            }
-        }
-        for number in &mut self.state {
+        (self.anchor.time, self.present.time, self.input_time) = (next(), next(), next());
+        let reference_airspeed = next();
+        for number in self.inputs.values_mut().chain(self.input_rates.values_mut()) {
             *number = next();
         }
-        self.substeps = substeps;
-        self.slope_is_fresh = false;
+        for number in self.anchor.state.iter_mut().chain(&mut self.present.state) {
+            *number = next();
+        }
+        (self.anchor.substeps, self.present.substeps) = (anchor_substeps, substeps);
+        (self.anchor.slope_is_fresh, self.present.slope_is_fresh) = (false, false);
+        self.take_reference_airspeed(reference_airspeed);
         Ok(())
     }
 
     /// How many floating-point numbers a snapshot holds.
     fn numbers(&self) -> usize {
-        2 + 2 * (6 + self.inputs.thrust.len()) + self.state.len()
+        4 + 2 * (6 + self.inputs.thrust.len()) + 2 * self.present.state.len()
     }
 }
