@@ -7,9 +7,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 target=${CARGO_TARGET_DIR:-target}
 
 if cargo nextest --version >/dev/null 2>&1; then
-    cargo nextest run --workspace --release
+    cargo nextest run --workspace --release --no-fail-fast
 else
-    cargo test --workspace --lib --bins --tests --release
+    cargo test --workspace --lib --bins --tests --release --no-fail-fast
 fi
 cargo test --workspace --doc --release
 
