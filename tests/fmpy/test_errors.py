@@ -6,7 +6,7 @@ from fmpy.fmi1 import FMICallException
 
 
 @pytest.fixture
-def refusal(capsys):
+def refusal(fmu, capsys):
     """A function that runs a simulation which must fail: what was refused, and the errors logged.
 
     It reads what FMPy prints: a logger of our own would be called after its end, by later simulations (FMPy
