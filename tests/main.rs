@@ -3,6 +3,10 @@
 #[cfg(test)]
 mod aircraft;
 #[cfg(test)]
+mod fmu;
+#[cfg(test)]
 mod support;
+#[cfg(test)]
+mod tidy;
 #[cfg(test)]
 mod verification;

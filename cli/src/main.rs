@@ -1,2 +1,90 @@
 //! `flexair`, the command line of flexible-aircraft.
-fn main() {}
+//!
+//! One module per command; this one knows the options and nothing else.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+use flexible_aircraft::structure::ReducedModel;
+use flexible_aircraft_packaging::Platform;
+
+mod check;
+mod diagnostics;
+mod manoeuvre;
+mod package;
+
+/// Nonlinear flight dynamics of flexible aircraft, packaged for simulation tools (FMI 2.0 co-simulation)
+#[derive(Parser)]
+#[command(name = "flexair", version)]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Write an aircraft as an FMU, and prove by a short flight that it works
+    Package(PackageOptions),
+}
+
+/// Options of `flexair package`.
+#[derive(Args)]
+struct PackageOptions {
+    /// The aircraft file (TOML)
+    #[arg(long, value_name = "FILE", default_value = "aircraft/generic-business-jet.toml")]
+    aircraft: PathBuf,
+
+    /// The FMU to write
+    #[arg(long, value_name = "FILE", default_value = "target/fmu/FlexibleAircraft.fmu")]
+    output: PathBuf,
+
+    /// How many natural modes to put into the FMU, lowest frequencies first; its parameter `mode_count`
+    /// chooses among them
+    #[arg(long, value_name = "N", default_value_t = ReducedModel::USUAL_MODES)]
+    modes: usize,
+
+    /// A shared library built elsewhere, for a further platform or in place of the one built here:
+    /// aarch64-linux, darwin64, linux64 or win64, and its file. May be repeated
+    #[arg(long, value_name = "PLATFORM=FILE", value_parser = platform_and_file)]
+    binary: Vec<(Platform, PathBuf)>,
+
+    /// Do not load and fly the FMU afterwards
+    #[arg(long)]
+    no_check: bool,
+}
+
+fn platform_and_file(option: &str) -> Result<(Platform, PathBuf), String> {
+    let (platform, file) = option.split_once('=').ok_or("expected PLATFORM=FILE")?;
+    Ok((platform.parse().map_err(|error| format!("{error}"))?, PathBuf::from(file)))
+}
+
+fn main() -> ExitCode {
+    let Command::Package(options) = CommandLine::parse().command;
+    match package::run(options) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{}", error.report());
+            ExitCode::FAILURE
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_options_do_not_contradict_each_other() {
+        CommandLine::command().debug_assert();
+    }
+
+    #[test]
+    fn a_binary_is_a_platform_and_a_file() {
+        let (platform, file) = platform_and_file("win64=build/FlexibleAircraft.dll").unwrap();
+        assert_eq!((platform, file), (Platform::Win64, PathBuf::from("build/FlexibleAircraft.dll")));
+        assert_eq!(platform_and_file("win64").unwrap_err(), "expected PLATFORM=FILE");
+    }
+}

@@ -1,1 +1,101 @@
-//! Builds the `.fmu` archive of a flexible aircraft.
+//! Builds the `.fmu` archive of a flexible aircraft, and loads one as an importing tool does.
+//!
+//! An FMU is the aircraft, reduced to its modes, with shared libraries for some platforms. [`Package`] says
+//! what goes in; the same input gives the same bytes. [`c_abi`] is the way back: from the archive to an
+//! aircraft that flies.
+
+use std::path::{Path, PathBuf};
+
+use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::fmi2;
+use flexible_aircraft::structure::ReducedModel;
+
+mod archive;
+pub mod c_abi;
+mod documentation;
+mod error;
+mod licences;
+mod model_description;
+mod plan_view;
+mod platform;
+
+pub use error::{FmuError, PackageError};
+pub use platform::{Platform, UnknownPlatform};
+
+use archive::Entry;
+use model_description::ModelDescription;
+
+/// The icon that importing tools show.
+const ICON: &[u8] = include_bytes!("../../modelDescription/model.png");
+
+/// What goes into an FMU.
+#[derive(Clone, Debug)]
+pub struct Package {
+    /// The aircraft file.
+    pub aircraft: PathBuf,
+    /// How many modes the FMU offers, lowest frequencies first.
+    pub mode_count: usize,
+    /// The shared library of each platform.
+    pub binaries: Vec<(Platform, PathBuf)>,
+    /// The folder of flexible-aircraft's own workspace, where cargo finds out what is linked.
+    pub workspace: PathBuf,
+}
+
+impl Package {
+    /// The bytes of the `.fmu`: equal inputs, equal bytes.
+    ///
+    /// # Errors
+    /// When the aircraft file is not right, the structure has not that many modes, or a file cannot be read.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, PackageError> {
+        let aircraft =
+            Aircraft::read(&self.aircraft).map_err(|error| PackageError::Aircraft(Box::new(error)))?;
+        let model = ReducedModel::new(&aircraft, self.mode_count)
+            .map_err(|source| PackageError::Structure { aircraft: self.aircraft.clone(), source })?;
+        let xml = fmi2::model_description::write(&model);
+        let description = ModelDescription::parse(&xml).map_err(PackageError::ModelDescription)?;
+
+        let mut entries = vec![Entry::new("modelDescription.xml", xml), Entry::new("model.png", ICON)];
+        entries.extend(self.libraries(&description.model_identifier)?);
+        entries.push(Entry::new(format!("resources/{}", fmi2::RESOURCE_FILE), model.to_bytes()));
+        entries.push(Entry::new("resources/aircraft.toml", read(&self.aircraft)?));
+        let page = documentation::page(&aircraft, &description.variables);
+        entries.push(Entry::new("documentation/index.html", page));
+        let platforms = self.binaries.iter().map(|(platform, _)| *platform).collect();
+        entries.extend(licences::gather(&self.workspace, &platforms)?);
+        Ok(archive::to_bytes(&entries)?)
+    }
+
+    /// Writes the `.fmu`, and the folders above it where they do not exist. Returns its size in bytes.
+    ///
+    /// # Errors
+    /// As [`to_bytes`](Self::to_bytes), or when the file cannot be written.
+    pub fn write(&self, output: &Path) -> Result<usize, PackageError> {
+        let bytes = self.to_bytes()?;
+        let failed = |action| move |source| PackageError::File { action, path: output.to_owned(), source };
+        if let Some(folder) = output.parent() {
+            std::fs::create_dir_all(folder).map_err(failed("make the folder of"))?;
+        }
+        std::fs::write(output, &bytes).map_err(failed("write"))?;
+        Ok(bytes.len())
+    }
+
+    /// One library per platform, in the order of the platforms' names.
+    fn libraries(&self, model_identifier: &str) -> Result<Vec<Entry>, PackageError> {
+        let mut binaries: Vec<_> = self.binaries.iter().collect();
+        binaries.sort_by_key(|(platform, _)| platform.folder());
+        if let Some(twice) = binaries.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+            return Err(PackageError::TwoBinaries(twice[0].0));
+        }
+        if binaries.is_empty() {
+            return Err(PackageError::NoBinary);
+        }
+        let entry = |(platform, path): &(Platform, PathBuf)| {
+            Ok(Entry::new(platform.library_path(model_identifier), read(path)?))
+        };
+        binaries.into_iter().map(entry).collect()
+    }
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, PackageError> {
+    std::fs::read(path).map_err(|source| PackageError::File { action: "read", path: path.to_owned(), source })
+}

@@ -3,7 +3,9 @@
 //! A λ̇ + (U/b) λ = c ẇ₃ with w₃ = w + (b/2 − d)Ω and λ₀ = ½ bᵀλ is, in the eigenbasis of A⁻¹ and with each
 //! eigenvector scaled so that ẇ₃ enters with unit gain, a sum of independent lags: with η = η̃ + w₃,
 //!
-//!     η̃' = −(U/b) μ (η̃ + w₃),      λ₀ = Σ weight · (η̃ + w₃).
+//! ```text
+//! η̃' = −(U/b) μ (η̃ + w₃),      λ₀ = Σ weight · (η̃ + w₃).
+//! ```
 //!
 //! The state is η̃: no acceleration on the right-hand side, and a jump of the flow makes no impulse. Where the
 //! wake is forced by less than the true rate of w₃, η̃' loses the difference.

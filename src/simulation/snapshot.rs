@@ -74,6 +74,7 @@ impl Simulation {
         if [anchor_substeps, substeps].iter().any(|count| !(1..=MAX_SUBSTEPS).contains(count)) {
             return refuse("its number of sub-steps is out of range");
         }
+        // PROOF: as above.
         let mut numbers = content[HEADER..]
             .chunks_exact(8)
             .map(|bytes| f64::from_le_bytes(bytes.try_into().expect("8 bytes")));

@@ -120,6 +120,10 @@ pub struct ReducedStation {
 }
 
 impl ReducedModel {
+    /// How many modes a model has unless someone asks for another number: of the generic business jet's 26
+    /// lowest modes twelve are symmetric, so that the FMU's `mode_count` of 12 serves either `mode_family`.
+    pub const USUAL_MODES: usize = 26;
+
     /// Reduces an aircraft to its `mode_count` lowest modes of all families together.
     ///
     /// # Errors

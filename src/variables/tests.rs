@@ -5,12 +5,16 @@ use super::*;
 use crate::aircraft::Aircraft;
 use crate::simulation::{Fidelity, Inputs, Settings};
 
-/// The shipped jet with its 12 lowest modes.
+/// The shipped jet.
 pub(crate) fn jet() -> &'static ReducedModel {
     static JET: OnceLock<ReducedModel> = OnceLock::new();
     JET.get_or_init(|| {
         let text = include_str!("../../aircraft/generic-business-jet.toml");
-        ReducedModel::new(&Aircraft::parse(text, "generic-business-jet.toml").unwrap(), 12).unwrap()
+        ReducedModel::new(
+            &Aircraft::parse(text, "generic-business-jet.toml").unwrap(),
+            ReducedModel::USUAL_MODES,
+        )
+        .unwrap()
     })
 }
 
@@ -41,7 +45,7 @@ fn the_jet_has_exactly_the_variables_of_the_contract() {
     for station in ["wing_tip_right", "wing_tip_left", "htail_tip_right", "htail_tip_left", "vtail_tip"] {
         expected.extend(["x", "y", "z", "up", "twist"].map(|c| format!("deflection.{station}.{c}")));
     }
-    for mode in 1..=12 {
+    for mode in 1..=ReducedModel::USUAL_MODES {
         expected.extend([format!("modal.q[{mode}]"), format!("modal.q_dot[{mode}]")]);
     }
     let mut found: Vec<String> = table().iter().map(|(_, variable)| variable.name.clone()).collect();

@@ -9,12 +9,12 @@ use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::simulation::{Inputs, ModeSelection, Outputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 
-/// The generic business jet with as many modes as the packaged FMU has.
+/// The generic business jet with as many modes as its FMU has.
 pub fn jet() -> Arc<ReducedModel> {
     static JET: OnceLock<Arc<ReducedModel>> = OnceLock::new();
     Arc::clone(JET.get_or_init(|| {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/generic-business-jet.toml");
-        Arc::new(ReducedModel::new(&Aircraft::read(&path).unwrap(), 26).unwrap())
+        Arc::new(ReducedModel::new(&Aircraft::read(&path).unwrap(), ReducedModel::USUAL_MODES).unwrap())
     }))
 }
 

@@ -6,7 +6,7 @@ use flexible_aircraft::dynamics::{
 use flexible_aircraft::structure::ReducedModel;
 use nalgebra::Vector3;
 
-use crate::support::jet;
+use crate::support::{jet, station};
 
 /// The jet with twelve modes, without air and gravity.
 fn in_vacuum(fidelity: Fidelity) -> EquationsOfMotion {
@@ -44,8 +44,8 @@ fn fly(equations: &EquationsOfMotion, state: &mut [f64]) -> f64 {
     const STEP: f64 = 2e-4;
     let (mut workspace, controls) = (Workspace::new(equations), Controls::neutral(equations.engine_count()));
     let mut slopes: [Vec<f64>; 4] = std::array::from_fn(|_| vec![0.0; state.len()]);
-    let tip =
-        &jet().stations[crate::support::station("wing_tip_right")].shapes.translation[2 * 26..2 * 26 + 12];
+    let jet = jet();
+    let tip = jet.stations[station("wing_tip_right")].shapes.translation[2 * jet.modes.len()..].iter();
     let mut largest = 0.0_f64;
     for _ in 0..25_000 {
         let mut stage = state.to_vec();
@@ -60,7 +60,7 @@ fn fly(equations: &EquationsOfMotion, state: &mut [f64]) -> f64 {
             state[i] += STEP / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
         }
         let q = &state[equations.layout().coordinates()];
-        largest = largest.max(tip.iter().zip(q).map(|(shape, q)| shape * q).sum::<f64>().abs());
+        largest = largest.max(tip.clone().zip(q).map(|(shape, q)| shape * q).sum::<f64>().abs());
     }
     largest
 }

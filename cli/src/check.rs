@@ -1,0 +1,239 @@
+//! The flight that shows that a packaged FMU works: loaded and stepped through the C interface, as any
+//! importing tool would.
+//!
+//! A free aircraft flies the elevator 2-3-1-1 of [5.2] (physics.md §7). One that is clamped in a wind tunnel
+//! has nothing to steer, so a vertical gust goes up and down past it.
+
+use std::fmt;
+use std::ops::RangeInclusive;
+use std::time::{Duration, Instant};
+
+use flexible_aircraft::aircraft::Support;
+use flexible_aircraft_packaging::FmuError;
+use flexible_aircraft_packaging::c_abi::Fmu;
+
+use crate::manoeuvre::Manoeuvre;
+
+/// Time constant of the actuator, s.
+const LAG: f64 = 0.05;
+/// Communication step, s, and their number.
+const STEP: f64 = 0.01;
+const STEPS: u32 = 1500;
+
+/// What the flight showed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CheckFlight {
+    support: Support,
+    trim: Trim,
+    deflection: Option<PeakDeflection>,
+    /// rad.
+    pitch: RangeInclusive<f64>,
+    load_factor: RangeInclusive<f64>,
+    /// Spent in setting inputs, stepping and getting outputs.
+    computing: Duration,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Trim {
+    /// rad.
+    pitch: f64,
+    /// rad.
+    elevator: f64,
+    /// N per engine.
+    thrust: f64,
+}
+
+/// The largest deflection of any station, up or down.
+#[derive(Clone, Debug, PartialEq)]
+struct PeakDeflection {
+    station: String,
+    /// m.
+    up: f64,
+    /// m, at the beginning.
+    trimmed: f64,
+    /// s.
+    time: f64,
+}
+
+impl CheckFlight {
+    /// s.
+    pub const DURATION: f64 = STEP * STEPS as f64;
+
+    /// Flies a new instance with the default parameters.
+    ///
+    /// # Errors
+    /// When the FMU refuses a call.
+    pub fn fly(fmu: &Fmu, support: Support) -> Result<Self, FmuError> {
+        let (input, manoeuvre) = excitation(support);
+        let input = [fmu.variable(input)?];
+        let stations: Vec<&str> = fmu.variable_names().filter_map(station).collect();
+        let mut watched = fmu.variables(&["attitude.pitch", "load_factor.z"])?;
+        for station in &stations {
+            watched.push(fmu.variable(&format!("deflection.{station}.up"))?);
+        }
+
+        let mut aircraft = fmu.instantiate("check")?;
+        aircraft.initialise(0.0, None)?;
+        let mut trim = [0.0; 3];
+        aircraft.get_real(&fmu.variables(&["trim.pitch", "trim.elevator", "trim.thrust"])?, &mut trim)?;
+        let mut history = vec![vec![0.0; watched.len()]; STEPS as usize + 1];
+        aircraft.get_real(&watched, &mut history[0])?;
+
+        let beginning = Instant::now();
+        for (step, outputs) in (0..STEPS).zip(&mut history[1..]) {
+            let time = f64::from(step) * STEP;
+            aircraft.set_real(&input, &[manoeuvre.value(time)])?;
+            aircraft.do_step(time, STEP)?;
+            aircraft.get_real(&watched, outputs)?;
+        }
+        let computing = beginning.elapsed();
+        aircraft.terminate()?;
+
+        Ok(CheckFlight {
+            support,
+            trim: Trim { pitch: trim[0], elevator: trim[1], thrust: trim[2] },
+            deflection: peak_deflection(&stations, &history),
+            pitch: range(history.iter().map(|outputs| outputs[0])),
+            load_factor: range(history.iter().map(|outputs| outputs[1])),
+            computing,
+        })
+    }
+}
+
+/// The input that moves the aircraft, and how.
+fn excitation(support: Support) -> (&'static str, Manoeuvre) {
+    match support {
+        // Nose-up first, hence negative.
+        Support::Free => ("elevator", Manoeuvre::two_three_one_one(-0.05, 0.7, 1.0, LAG)),
+        Support::Clamped => ("wind_down", Manoeuvre::doublet(-1.0, 2.0, 1.0, LAG)),
+    }
+}
+
+/// The station, if the variable is its upward deflection.
+fn station(variable: &str) -> Option<&str> {
+    variable.strip_prefix("deflection.")?.strip_suffix(".up")
+}
+
+/// Over a history of outputs whose third and following columns are the deflections of the stations.
+fn peak_deflection(stations: &[&str], history: &[Vec<f64>]) -> Option<PeakDeflection> {
+    let peak = |column: usize| {
+        let steps = 0..history.len();
+        steps.max_by(|&a, &b| history[a][column].abs().total_cmp(&history[b][column].abs()))
+    };
+    let peaks = stations.iter().enumerate().filter_map(|(index, station)| {
+        let (column, step) = (index + 2, peak(index + 2)?);
+        Some(PeakDeflection {
+            station: (*station).to_owned(),
+            up: history[step][column],
+            trimmed: history[0][column],
+            time: step as f64 * STEP,
+        })
+    });
+    peaks.max_by(|a, b| a.up.abs().total_cmp(&b.up.abs()))
+}
+
+fn range(values: impl Iterator<Item = f64>) -> RangeInclusive<f64> {
+    let (low, high) = values
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (value.min(low), value.max(high)));
+    low..=high
+}
+
+impl fmt::Display for CheckFlight {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let duration = Self::DURATION;
+        match self.support {
+            Support::Free => {
+                let Trim { pitch, elevator, thrust } = self.trim;
+                writeln!(f, "Trimmed:")?;
+                writeln!(f, "  pitch           {:8.3}° ({pitch:.5} rad)", pitch.to_degrees())?;
+                writeln!(f, "  elevator        {:8.3}° ({elevator:.5} rad)", elevator.to_degrees())?;
+                writeln!(f, "  thrust          {thrust:8.0} N per engine")?;
+                writeln!(f, "Elevator 2-3-1-1 of 0.05 rad, {duration} s:")?;
+            }
+            Support::Clamped => {
+                writeln!(
+                    f,
+                    "Clamped in a wind tunnel, vertical gust of 1 m/s, 2 s up, 2 s down, {duration} s:"
+                )?;
+            }
+        }
+        if let Some(PeakDeflection { station, up, trimmed, time }) = &self.deflection {
+            writeln!(
+                f,
+                "  peak deflection {up:8.3} m up at {time:.2} s, {station} ({trimmed:.3} m at first)"
+            )?;
+        }
+        if self.support == Support::Free {
+            let [low, high] = [self.pitch.start(), self.pitch.end()].map(|angle| angle.to_degrees());
+            writeln!(f, "  pitch           {low:8.3}° to {high:.3}°")?;
+            writeln!(
+                f,
+                "  load factor     {:8.3} to {:.3}",
+                self.load_factor.start(),
+                self.load_factor.end()
+            )?;
+        }
+        let seconds = self.computing.as_secs_f64();
+        write!(f, "  computed in     {seconds:8.3} s: {:.0} times faster than real time", duration / seconds)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use flexible_aircraft_packaging::{Package, Platform};
+
+    use super::*;
+
+    /// The check flight of the generic business jet, free or clamped, with the library that cargo built
+    /// beside this test.
+    fn jet(support: Support) -> CheckFlight {
+        let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let folder = tempfile::tempdir().unwrap();
+        let [aircraft, fmu] = ["aircraft.toml", "aircraft.fmu"].map(|name| folder.path().join(name));
+        let text = std::fs::read_to_string(workspace.join("aircraft/generic-business-jet.toml")).unwrap();
+        let text = match support {
+            Support::Free => text,
+            Support::Clamped => text.replace("support = \"free\"", "support = \"clamped\""),
+        };
+        std::fs::write(&aircraft, text).unwrap();
+        let name =
+            format!("{}flexible_aircraft{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
+        let library = std::env::current_exe().unwrap().with_file_name(name);
+        let binaries = vec![(Platform::host().unwrap(), library)];
+        Package { aircraft, mode_count: 12, binaries, workspace }.write(&fmu).unwrap();
+        CheckFlight::fly(&Fmu::open(&fmu).unwrap(), support).unwrap()
+    }
+
+    #[test]
+    fn a_free_aircraft_is_trimmed_and_answers_the_elevator() {
+        let flight = jet(Support::Free);
+        assert!(flight.load_factor.contains(&0.9) && flight.load_factor.contains(&1.05), "{flight:?}");
+        assert!(flight.pitch.contains(&flight.trim.pitch) && flight.trim.thrust > 1e4);
+        let peak = flight.deflection.unwrap();
+        assert!(peak.station.starts_with("wing_tip") && peak.up > peak.trimmed + 0.01, "{peak:?}");
+    }
+
+    #[test]
+    fn a_clamped_aircraft_holds_still_and_bends_in_the_gust() {
+        let flight = jet(Support::Clamped);
+        assert_eq!(flight.pitch.start(), flight.pitch.end());
+        let peak = flight.deflection.unwrap();
+        assert!((peak.up - peak.trimmed).abs() > 0.01 && peak.time > 1.0, "{peak:?}");
+    }
+
+    #[test]
+    fn the_largest_deflection_is_found_with_its_station_and_time() {
+        let history = [vec![0.1, 1.0, 0.5, 0.2], vec![0.1, 1.0, 0.7, -0.9], vec![0.1, 1.0, 0.6, 0.1]];
+        let peak = peak_deflection(&["wing_tip", "htail_tip"], &history).unwrap();
+        assert_eq!(peak, PeakDeflection { station: "htail_tip".into(), up: -0.9, trimmed: 0.2, time: 0.01 });
+    }
+
+    #[test]
+    fn only_upward_deflections_name_a_station() {
+        assert_eq!(station("deflection.wing_tip_right.up"), Some("wing_tip_right"));
+        assert_eq!(station("deflection.wing_tip_right.x"), None);
+        assert_eq!(station("position.north"), None);
+    }
+}

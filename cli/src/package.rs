@@ -1,0 +1,123 @@
+//! `flexair package`: from the aircraft file to an FMU that has flown.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
+use flexible_aircraft_packaging::c_abi::Fmu;
+use flexible_aircraft_packaging::{FmuError, Package, PackageError, Platform};
+
+use crate::check::CheckFlight;
+use crate::{PackageOptions, diagnostics};
+
+/// Why `flexair package` did not succeed.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    #[error(transparent)]
+    Aircraft(#[from] AircraftFileError),
+    #[error(transparent)]
+    Package(#[from] PackageError),
+    #[error("FMI 2.0 has no name for this platform: give the library of another one with --binary")]
+    NoPlatform,
+    #[error("cannot build the shared library: {0}")]
+    Build(String),
+    #[error("the FMU was written but does not fly: {0}")]
+    Check(#[from] FmuError),
+}
+
+impl Error {
+    /// For people, on a terminal.
+    pub fn report(&self) -> String {
+        match self {
+            Error::Aircraft(error) => diagnostics::render(error),
+            other => format!("error: {other}"),
+        }
+    }
+}
+
+/// Builds, packages, and flies what came out.
+pub fn run(options: PackageOptions) -> Result<(), Error> {
+    // Before the library is built: mistakes in the aircraft file should show at once.
+    let aircraft = Aircraft::read(&options.aircraft)?;
+
+    let mut binaries = options.binary;
+    let host = Platform::host();
+    if !binaries.iter().any(|(platform, _)| Some(*platform) == host) {
+        match host {
+            Some(host) => binaries.push((host, build_library()?)),
+            None if binaries.is_empty() => return Err(Error::NoPlatform),
+            None => {}
+        }
+    }
+
+    eprintln!("Packaging {} ({}) with {} modes", aircraft.name, options.aircraft.display(), options.modes);
+    let package = Package {
+        aircraft: options.aircraft,
+        mode_count: options.modes,
+        binaries,
+        workspace: workspace().into(),
+    };
+    let size = package.write(&options.output)?;
+    println!("{}: {:.1} MB", options.output.display(), size as f64 / 1e6);
+
+    if !options.no_check {
+        eprintln!("Flying it for {} s", CheckFlight::DURATION);
+        let fmu = Fmu::open(&options.output)?;
+        println!("{}", CheckFlight::fly(&fmu, aircraft.support)?);
+    }
+    Ok(())
+}
+
+/// The folder of the workspace that this program was built in.
+fn workspace() -> &'static Path {
+    let cli = Path::new(env!("CARGO_MANIFEST_DIR"));
+    cli.parent().unwrap_or(cli)
+}
+
+/// Has cargo build the shared library for this machine, and returns the file.
+fn build_library() -> Result<PathBuf, Error> {
+    eprintln!("Building the shared library");
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
+    let output = Command::new(cargo)
+        .current_dir(workspace())
+        // Not `--package`: with the default members, what `cargo run --release` built is used again.
+        .args(["build", "--release", "--lib", "--message-format", "json-render-diagnostics"])
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|error| Error::Build(format!("cargo does not start: {error}")))?;
+    if !output.status.success() {
+        return Err(Error::Build(format!("cargo build ended with {}", output.status)));
+    }
+    let messages = String::from_utf8_lossy(&output.stdout);
+    messages.lines().find_map(shared_library).ok_or_else(|| Error::Build("cargo built none".into()))
+}
+
+/// The shared library, if this line of cargo's messages announces ours.
+fn shared_library(message: &str) -> Option<PathBuf> {
+    let message: serde_json::Value = serde_json::from_str(message).ok()?;
+    if message["reason"] != "compiler-artifact" || message["target"]["name"] != "flexible_aircraft" {
+        return None;
+    }
+    let files = message["filenames"].as_array()?.iter().filter_map(|file| file.as_str());
+    let is_library = |file: &&str| file.ends_with(std::env::consts::DLL_SUFFIX);
+    files.into_iter().find(is_library).map(PathBuf::from)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shared_library_is_found_among_cargos_messages() {
+        let library = format!("/t/libflexible_aircraft{}", std::env::consts::DLL_SUFFIX);
+        let message = |name: &str| {
+            format!(
+                r#"{{"reason":"compiler-artifact","target":{{"name":"{name}"}},"filenames":["/t/a.rlib","{library}"]}}"#
+            )
+        };
+        assert_eq!(shared_library(&message("flexible_aircraft")), Some(PathBuf::from(&library)));
+        assert_eq!(shared_library(&message("nalgebra")), None);
+        assert_eq!(shared_library(r#"{"reason":"build-finished","success":true}"#), None);
+    }
+}

@@ -1,0 +1,104 @@
+//! Why an FMU could not be written, or not be used.
+
+use std::ffi::NulError;
+use std::path::PathBuf;
+
+use flexible_aircraft::aircraft::AircraftFileError;
+use flexible_aircraft::structure::StructureError;
+
+use crate::Platform;
+
+/// Why an FMU could not be written.
+#[derive(Debug, thiserror::Error)]
+pub enum PackageError {
+    /// A file or folder could not be read or written.
+    #[error("cannot {action} {}: {source}", path.display())]
+    File {
+        /// What was tried, as a verb.
+        action: &'static str,
+        /// The file or folder.
+        path: PathBuf,
+        /// What the operating system says.
+        source: std::io::Error,
+    },
+    /// The aircraft file is not right. Boxed: it carries the text for the diagnostics.
+    #[error(transparent)]
+    Aircraft(Box<AircraftFileError>),
+    /// The structure cannot be reduced to modes.
+    #[error("{}: {source}", aircraft.display())]
+    Structure {
+        /// The aircraft file.
+        aircraft: PathBuf,
+        /// What is wrong with its structure.
+        source: StructureError,
+    },
+    /// Two libraries for one platform.
+    #[error("found two shared libraries for {0}; an FMU has one per platform")]
+    TwoBinaries(Platform),
+    /// Nothing to run on.
+    #[error("an FMU needs a shared library of at least one platform: found none")]
+    NoBinary,
+    /// cargo did not tell what the library is linked with.
+    #[error("cannot list the licences of the linked libraries: {reason}")]
+    Licences {
+        /// What happened instead.
+        reason: String,
+    },
+    /// The library wrote a model description that this crate does not understand.
+    #[error("modelDescription.xml: {0}")]
+    ModelDescription(String),
+    /// The archive could not be put together.
+    #[error("cannot build the archive: {0}")]
+    Archive(#[from] zip::result::ZipError),
+}
+
+/// Why an FMU could not be loaded or refused a call.
+#[derive(Debug, thiserror::Error)]
+pub enum FmuError {
+    /// The archive cannot be unpacked.
+    #[error("cannot unpack {}: {reason}", path.display())]
+    Archive {
+        /// The FMU.
+        path: PathBuf,
+        /// What happened.
+        reason: String,
+    },
+    /// Its `modelDescription.xml` cannot be used.
+    #[error("modelDescription.xml: {0}")]
+    ModelDescription(String),
+    /// FMI 2.0 has no name for this machine.
+    #[error("FMI 2.0 knows no platform for this machine")]
+    NoPlatform,
+    /// The shared library does not load, or lacks a function of the standard.
+    #[error("cannot use the shared library: {0}")]
+    Library(#[from] libloading::Error),
+    /// No variable of this name.
+    #[error("the FMU has no variable `{0}`")]
+    UnknownVariable(String),
+    /// A text for the FMU contains a zero byte.
+    #[error("the text for the FMU contains a zero byte: {0}")]
+    ZeroByte(#[from] NulError),
+    /// As many values as references are needed.
+    #[error("{references} value references with {values} values")]
+    Lengths {
+        /// Number of value references.
+        references: usize,
+        /// Number of values.
+        values: usize,
+    },
+    /// A function of the FMU returned another status than OK or warning.
+    #[error("{function} returned {status}{}", indented(log))]
+    Refused {
+        /// Which function.
+        function: &'static str,
+        /// Name of the returned status.
+        status: &'static str,
+        /// What the FMU logged during the call, one message per line.
+        log: String,
+    },
+}
+
+/// Log lines below the message that they explain.
+fn indented(log: &str) -> String {
+    log.lines().map(|line| format!("\n  {line}")).collect()
+}

@@ -1,0 +1,120 @@
+//! The FMU of the generic business jet, packaged and then used through its C interface.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::simulation::{Inputs, Settings, Simulation};
+use flexible_aircraft::structure::ReducedModel;
+use flexible_aircraft_packaging::c_abi::Fmu;
+use flexible_aircraft_packaging::{FmuError, Package, PackageError, Platform};
+
+const MODE_COUNT: usize = ReducedModel::USUAL_MODES;
+
+fn jet_file() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/generic-business-jet.toml")
+}
+
+/// The jet with the shared library that cargo built beside this test.
+fn package() -> Package {
+    let name = format!("{}flexible_aircraft{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
+    let library = std::env::current_exe().unwrap().with_file_name(name);
+    Package {
+        aircraft: jet_file(),
+        mode_count: MODE_COUNT,
+        binaries: vec![(Platform::host().unwrap(), library)],
+        workspace: env!("CARGO_MANIFEST_DIR").into(),
+    }
+}
+
+/// The FMU, and the folder that keeps it.
+fn fmu() -> (Fmu, tempfile::TempDir) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("new folder/FlexibleAircraft.fmu");
+    package().write(&path).unwrap();
+    (Fmu::open(&path).unwrap(), folder)
+}
+
+#[test]
+fn packaging_twice_gives_the_same_bytes() {
+    assert!(package().to_bytes().unwrap() == package().to_bytes().unwrap());
+}
+
+#[test]
+fn a_second_library_for_a_platform_is_refused() {
+    let mut package = package();
+    package.binaries.push(package.binaries[0].clone());
+    assert!(matches!(package.to_bytes(), Err(PackageError::TwoBinaries(_))));
+    package.binaries.clear();
+    assert!(matches!(package.to_bytes(), Err(PackageError::NoBinary)));
+}
+
+/// Surfaces, thrust and wind, all moving.
+fn inputs_at(time: f64) -> Inputs {
+    let mut inputs = Inputs::zero(2);
+    inputs.elevator = -0.03 * (2.0 * time).sin();
+    inputs.aileron = 0.02 * (1.3 * time).sin();
+    inputs.rudder = 0.01 * (0.9 * time).sin();
+    inputs.thrust.copy_from_slice(&[1e3 * time.sin(), -1e3 * time.sin()]);
+    inputs.wind.z = -2.0 * (1.0 - time.cos());
+    inputs
+}
+
+#[test]
+fn fmu_and_rust_library_give_the_same_bits() {
+    let aircraft = Aircraft::read(&jet_file()).unwrap();
+    let model = Arc::new(ReducedModel::new(&aircraft, MODE_COUNT).unwrap());
+    let mut flight = Simulation::new(model, &Settings::default(), 0.0).unwrap();
+
+    let (fmu, _folder) = fmu();
+    let mut names: Vec<String> = ["elevator", "aileron", "rudder"].map(String::from).to_vec();
+    names.extend(aircraft.engines.iter().map(|engine| format!("thrust_{}", engine.name)));
+    names.push("wind_down".into());
+    let inputs = fmu.variables(&names).unwrap();
+    let outputs = ["position.north", "position.east", "position.down", "attitude.pitch", "load_factor.z"];
+    let outputs = fmu.variables(&outputs).unwrap();
+    let modes: Vec<String> = (1..=MODE_COUNT).map(|mode| format!("modal.q[{mode}]")).collect();
+    let modes = fmu.variables(&modes).unwrap();
+    let mut instance = fmu.instantiate("same bits").unwrap();
+    instance.initialise(0.0, None).unwrap();
+
+    let step = 0.01;
+    for index in 0..200 {
+        let time = f64::from(index) * step;
+        let now = inputs_at(time);
+        let mut values = vec![now.elevator, now.aileron, now.rudder];
+        values.extend(&now.thrust);
+        values.push(now.wind.z);
+        instance.set_real(&inputs, &values).unwrap();
+        instance.do_step(time, step).unwrap();
+        flight.set_inputs(&now, &Inputs::zero(2));
+        flight.advance_to(time + step).unwrap();
+
+        let (mut of_fmu, mut q_of_fmu) = ([0.0; 5], [0.0; MODE_COUNT]);
+        instance.get_real(&outputs, &mut of_fmu).unwrap();
+        instance.get_real(&modes, &mut q_of_fmu).unwrap();
+        let here = flight.outputs();
+        let position = here.position;
+        let of_library = [position.x, position.y, position.z, here.attitude.y, here.load_factor.z];
+        assert_eq!(of_fmu.map(f64::to_bits), of_library.map(f64::to_bits), "after {} s", time + step);
+        let q_of_library: Vec<u64> = here.modal_q.iter().map(|q| q.to_bits()).collect();
+        assert_eq!(q_of_fmu.map(f64::to_bits).to_vec(), q_of_library, "after {} s", time + step);
+    }
+}
+
+#[test]
+fn a_refused_call_says_why() {
+    let (fmu, _folder) = fmu();
+    assert!(matches!(fmu.variable("speed_of_light"), Err(FmuError::UnknownVariable(_))));
+    let airspeed = fmu.variable("airspeed").unwrap();
+    let mut instance = fmu.instantiate("refused").unwrap();
+    let error = instance.set_real(&[airspeed], &[-127.0]).unwrap_err().to_string();
+    assert!(error.starts_with("fmi2SetReal returned fmi2Error\n"), "{error}");
+    assert!(error.contains("airspeed") && error.contains("-127"), "{error}");
+}
+
+#[test]
+fn an_fmu_that_is_none_is_refused() {
+    let error = Fmu::open(&jet_file()).err().unwrap().to_string();
+    assert!(error.starts_with("cannot unpack ") && error.contains("generic-business-jet.toml"), "{error}");
+}
