@@ -30,7 +30,7 @@ def refusal(fmu, capsys):
         ("structural_damping", -0.01, "fmi2SetReal"),
         ("tolerance", 0.0, "fmi2SetReal"),
         ("altitude", float("nan"), "fmi2SetReal"),
-        ("mode_count", 21, "fmi2SetInteger"),
+        ("mode_count", 27, "fmi2SetInteger"),
         ("inflow_states", 9, "fmi2SetInteger"),
     ],
 )
