@@ -261,7 +261,7 @@ impl Search {
         if in_balance {
             return Ok(());
         }
-        let in_plane = largest(&[rigid[0], rigid[2], rigid[4]]).max(modal / elastic);
+        let in_plane = largest(&[rigid[0], rigid[2], rigid[4]]);
         let (failure, steps) = match (self.equations.support(), end) {
             (Support::Clamped, SearchEnd::Steps(steps) | SearchEnd::Singular(steps)) => {
                 (TrimFailure::NoRest, steps)
