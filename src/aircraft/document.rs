@@ -10,6 +10,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::{Place, Problem, Report, join};
+use super::model::{AIRSPEEDS, ALTITUDES};
 
 /// The numbers that a quantity can take.
 pub(super) struct Allowed {
@@ -29,6 +30,12 @@ pub(super) const LENGTH: Allowed = Allowed {
 pub(super) const POSITIVE_LENGTH: Allowed = Allowed {
     contains: |x| x > 0.0 && x <= 1000.0,
     text: "a length in metres greater than 0, at most 1000, is allowed",
+};
+pub(super) const AIRSPEED: Allowed =
+    Allowed { contains: |x| AIRSPEEDS.contains(&x), text: "an airspeed in m/s from 1 to 400 is allowed" };
+pub(super) const ALTITUDE: Allowed = Allowed {
+    contains: |x| ALTITUDES.contains(&x),
+    text: "an altitude in metres from -1000 to 20000 is allowed",
 };
 pub(super) const FRACTION: Allowed =
     Allowed { contains: |x| (0.0..=1.0).contains(&x), text: "a fraction from 0 to 1 is allowed" };

@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 use toml::de::DeTable;
 
 use super::document::{
-    ANGLE_DEG, ANY, Allowed, FRACTION, INSIDE_THE_CHORD, LENGTH, Located, NEAR_THE_CHORD, NOT_NEGATIVE,
-    POSITIVE, POSITIVE_LENGTH, Table, Value,
+    AIRSPEED, ALTITUDE, ANGLE_DEG, ANY, Allowed, FRACTION, INSIDE_THE_CHORD, LENGTH, Located, NEAR_THE_CHORD,
+    NOT_NEGATIVE, POSITIVE, POSITIVE_LENGTH, Table, Value,
 };
 use super::error::{Place, Problem, Report};
 use super::law::Law;
@@ -22,6 +22,8 @@ const FILE: &[&str] = &[
     "support",
     "mode_basis",
     "inflow_states",
+    "airspeed_m_s",
+    "altitude_m",
     "symmetric",
     "component",
     "engine",
@@ -94,6 +96,8 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     Some(FileSpec {
         gravity: number_or(&table, "gravity_m_s2", &NOT_NEGATIVE, 9.80665),
         inflow_states: table.optional("inflow_states").and_then(|v| v.integer(0..9)).unwrap_or(5),
+        airspeed: number_or(&table, "airspeed_m_s", &AIRSPEED, 127.0),
+        altitude: number_or(&table, "altitude_m", &ALTITUDE, 7620.0),
         symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
         name: name?,
         support: support?,

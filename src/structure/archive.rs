@@ -4,6 +4,7 @@
 //! 128-bit FNV-1a hash, the payload (postcard).
 
 use crate::aerodynamics::PetersInflow;
+use crate::aircraft::{AIRSPEEDS, ALTITUDES};
 
 use super::{ModeShapes, ReducedModel, StructureError};
 
@@ -68,6 +69,8 @@ impl ReducedModel {
         let positive = |x: f64| x.is_finite() && x > 0.0;
         positive(self.integrals.mass)
             && self.gravity.is_finite()
+            && AIRSPEEDS.contains(&self.airspeed)
+            && ALTITUDES.contains(&self.altitude)
             && self.inflow_states <= PetersInflow::MAX_STATES
             && self.strips.iter().all(|strip| {
                 positive(strip.semichord)

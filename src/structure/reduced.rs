@@ -48,6 +48,10 @@ pub struct ReducedModel {
     pub support: Support,
     /// Default number of inflow states.
     pub inflow_states: usize,
+    /// Default airspeed, m/s.
+    pub airspeed: f64,
+    /// Default altitude, m.
+    pub altitude: f64,
     /// Lowest frequency first.
     pub modes: Vec<Mode>,
     /// Integrals over the mass.
@@ -142,6 +146,8 @@ impl ReducedModel {
             gravity: aircraft.gravity,
             support: aircraft.support,
             inflow_states: aircraft.inflow_states,
+            airspeed: aircraft.airspeed,
+            altitude: aircraft.altitude,
             integrals: ModalIntegrals::new(&structure, &basis.shapes),
             strain_energy: StrainEnergy::new(&structure, &basis.shapes),
             strips: reduced_strips(&structure, &basis.shapes),
