@@ -12,7 +12,8 @@ use super::integrator::{CellEnd, ErrorScale, Integrator, MAX_SUBSTEPS};
 use super::steering::Steering;
 use super::{Inputs, Outputs, Settings, SimulationError, outputs};
 
-/// Width of a grid cell, s.
+/// Width of a grid cell, s. The jet's fastest mode of twelve (55 rad/s) then turns by 0.28 rad a step: 56 times
+/// real time with the load factor within 2.3e-4; the error control halves from there.
 const CELL: f64 = 5e-3;
 
 /// Communication points this close to a grid point (in cells) are on it.
@@ -22,7 +23,7 @@ const ON_GRID: f64 = 1e-6;
 pub const LATEST: f64 = 1e7;
 
 /// The inflow's linear part is taken at a reference airspeed, which follows the flight when the two differ
-/// by more than this share.
+/// by more than this share; the rest of the decay, 160/s for the jet, is then well inside what a step bears.
 const AIRSPEED_DRIFT: f64 = 0.1;
 
 /// The trimmed flight condition found at construction.
