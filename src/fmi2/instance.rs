@@ -247,11 +247,13 @@ impl Instance {
 
     /// The flight under the present parameters and inputs, trimmed at the start time if it is new.
     pub(super) fn flight(&mut self) -> Result<&mut Simulation, Refusal> {
-        let flight = match self.flight.take() {
-            Some(flight) => flight,
-            None => self.new_flight()?,
-        };
-        Ok(self.flight.insert(flight))
+        match self.flight {
+            Some(ref mut flight) => Ok(flight),
+            None => {
+                let flight = self.new_flight()?;
+                Ok(self.flight.insert(flight))
+            }
+        }
     }
 
     fn new_flight(&self) -> Result<Simulation, Refusal> {
