@@ -70,7 +70,7 @@ pub enum FmuError {
     #[error("FMI 2.0 knows no platform for this machine")]
     NoPlatform,
     /// The shared library does not load, or lacks a function of the standard.
-    #[error("cannot use the shared library: {0}")]
+    #[error("cannot use the shared library: {}", with_causes(.0))]
     Library(#[from] libloading::Error),
     /// No variable of this name.
     #[error("the FMU has no variable `{0}`")]
@@ -96,6 +96,12 @@ pub enum FmuError {
         /// What the FMU logged during the call, one message per line.
         log: String,
     },
+}
+
+/// An error and what led to it: the loader's own reason is a cause of `dlopen failed`.
+fn with_causes(error: &dyn std::error::Error) -> String {
+    let causes = std::iter::successors(Some(error), |error| error.source());
+    causes.map(ToString::to_string).collect::<Vec<_>>().join(": ")
 }
 
 /// Log lines below the message that they explain.
