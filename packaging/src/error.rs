@@ -35,6 +35,18 @@ pub enum PackageError {
     /// Two libraries for one platform.
     #[error("found two shared libraries for {0}; an FMU has one per platform")]
     TwoBinaries(Platform),
+    /// A file that is no shared library of its platform.
+    #[error("{}: found {found}, expected for {platform} is {expected}", path.display())]
+    WrongBinary {
+        /// The file.
+        path: PathBuf,
+        /// Which it was given for.
+        platform: Platform,
+        /// What it is.
+        found: String,
+        /// What it should be.
+        expected: String,
+    },
     /// Nothing to run on.
     #[error("an FMU needs a shared library of at least one platform: found none")]
     NoBinary,
