@@ -1,7 +1,7 @@
 //! International Standard Atmosphere, troposphere and isothermal lower stratosphere (ISO 2533).
 
-/// Standard gravity, m/s².
-const G0: f64 = 9.80665;
+/// g₀: standard gravity, m/s².
+pub const STANDARD_GRAVITY: f64 = 9.80665;
 /// Specific gas constant of dry air, J/(kg·K).
 const GAS_CONSTANT: f64 = 287.05287;
 /// Sea-level temperature, K.
@@ -28,10 +28,10 @@ impl Air {
     /// The standard atmosphere at a geopotential altitude in m.
     pub fn at(altitude: f64) -> Self {
         let temperature = SEA_LEVEL_TEMPERATURE - LAPSE_RATE * altitude.min(TROPOPAUSE);
-        let exponent = G0 / (LAPSE_RATE * GAS_CONSTANT);
+        let exponent = STANDARD_GRAVITY / (LAPSE_RATE * GAS_CONSTANT);
         let mut pressure = SEA_LEVEL_PRESSURE * libm::pow(temperature / SEA_LEVEL_TEMPERATURE, exponent);
         if altitude > TROPOPAUSE {
-            pressure *= libm::exp(-G0 * (altitude - TROPOPAUSE) / (GAS_CONSTANT * temperature));
+            pressure *= libm::exp(-STANDARD_GRAVITY * (altitude - TROPOPAUSE) / (GAS_CONSTANT * temperature));
         }
         Air {
             density: pressure / (GAS_CONSTANT * temperature),

@@ -8,7 +8,7 @@ mod flap;
 mod inflow;
 mod section;
 
-pub use atmosphere::Air;
+pub use atmosphere::{Air, STANDARD_GRAVITY};
 pub use flap::FlapEffect;
 pub use inflow::{InflowStates, PetersInflow};
 pub use section::{LocalFlow, Section, SectionLoads};

@@ -2,6 +2,7 @@
 //! the pen and to keep the arithmetic that follows far from overflow.
 
 use super::error::{Place, Problem, Report};
+use super::model::{AIRSPEEDS, ALTITUDES};
 
 /// The numbers that a quantity can take.
 pub(super) struct Allowed {
@@ -19,6 +20,12 @@ pub(super) const ANGLE_DEG: Allowed = Allowed {
 pub(super) const GRAVITY: Allowed = Allowed {
     contains: |x| (0.0..=1000.0).contains(&x),
     text: "an acceleration in m/s² from 0 to 1000 is allowed",
+};
+pub(super) const AIRSPEED: Allowed =
+    Allowed { contains: |x| AIRSPEEDS.contains(&x), text: "an airspeed in m/s from 1 to 400 is allowed" };
+pub(super) const ALTITUDE: Allowed = Allowed {
+    contains: |x| ALTITUDES.contains(&x),
+    text: "an altitude in metres from -1000 to 20000 is allowed",
 };
 
 pub(super) const LENGTH: Allowed = Allowed {

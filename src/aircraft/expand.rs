@@ -52,6 +52,8 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
             support: file.support.value,
             mode_basis: file.mode_basis,
             inflow_states: file.inflow_states,
+            airspeed: file.airspeed,
+            altitude: file.altitude,
             nodes: vec![Vector3::zeros()],
             beams: Vec::new(),
             bays: Vec::new(),

@@ -36,7 +36,8 @@ use error::{Place, Report};
 
 pub use error::{AircraftFileError, Diagnostic, Problem};
 pub use model::{
-    Aircraft, Attachment, Beam, ControlGains, Engine, Flap, MassBay, ModeBasis, Station, Strip, Support,
+    AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, ControlGains, Engine, Flap, MassBay, ModeBasis,
+    Station, Strip, Support,
 };
 
 impl Aircraft {

@@ -1,5 +1,7 @@
 //! The expanded aircraft: plain data in body axes, SI units.
 
+use std::ops::RangeInclusive;
+
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
@@ -23,6 +25,12 @@ pub enum ModeBasis {
     Full,
 }
 
+/// Airspeeds at which an aircraft may be trimmed, m/s: below, nothing flies; above, air is compressible.
+pub const AIRSPEEDS: RangeInclusive<f64> = 1.0..=400.0;
+
+/// Altitudes at which an aircraft may be trimmed, m: the standard atmosphere's two layers.
+pub const ALTITUDES: RangeInclusive<f64> = -1000.0..=20_000.0;
+
 /// A whole aircraft, expanded. Built by [`Aircraft::read`](super::Aircraft) from an aircraft file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Aircraft {
@@ -36,6 +44,10 @@ pub struct Aircraft {
     pub mode_basis: ModeBasis,
     /// Default number of Peters inflow states per strip, 0…8.
     pub inflow_states: usize,
+    /// Airspeed at which it is trimmed unless someone asks for another, m/s.
+    pub airspeed: f64,
+    /// Altitude at which it is trimmed unless someone asks for another, m.
+    pub altitude: f64,
     /// Node positions, m; node 0 is O and clamped.
     pub nodes: Vec<Vector3<f64>>,
     /// Beam elements: a tree rooted at node 0, each element leading from a known node to a new one.

@@ -4,9 +4,9 @@ use nalgebra::Vector3;
 use toml::de::DeTable;
 
 use super::allowed::{
-    ANGLE_DEG, ANY, Allowed, BEAM_STIFFNESS, CHORDS, DRAG, FLAP_LIFT_SLOPE, FRACTION, GAIN, GRAVITY,
-    GYRATION, INERTIA, INERTIA_PRODUCT, INSIDE_THE_CHORD, LENGTH, LIFT_SLOPE, MASS, NEAR_THE_CHORD,
-    POSITIVE_LENGTH, SHARE,
+    AIRSPEED, ALTITUDE, ANGLE_DEG, ANY, Allowed, BEAM_STIFFNESS, CHORDS, DRAG, FLAP_LIFT_SLOPE, FRACTION,
+    GAIN, GRAVITY, GYRATION, INERTIA, INERTIA_PRODUCT, INSIDE_THE_CHORD, LENGTH, LIFT_SLOPE, MASS,
+    NEAR_THE_CHORD, POSITIVE_LENGTH, SHARE,
 };
 use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
@@ -24,6 +24,8 @@ const FILE: &[&str] = &[
     "support",
     "mode_basis",
     "inflow_states",
+    "airspeed_m_s",
+    "altitude_m",
     "symmetric",
     "component",
     "engine",
@@ -96,6 +98,8 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     Some(FileSpec {
         gravity: number_or(&table, "gravity_m_s2", &GRAVITY, 9.80665),
         inflow_states: table.optional("inflow_states").and_then(|v| v.integer(0..9)).unwrap_or(5),
+        airspeed: number_or(&table, "airspeed_m_s", &AIRSPEED, 127.0),
+        altitude: number_or(&table, "altitude_m", &ALTITUDE, 7620.0),
         symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
         name: name?,
         support: support?,

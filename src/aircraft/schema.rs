@@ -16,6 +16,8 @@ pub(super) struct FileSpec {
     pub(super) support: Located<Support>,
     pub(super) mode_basis: ModeBasis,
     pub(super) inflow_states: usize,
+    pub(super) airspeed: f64,
+    pub(super) altitude: f64,
     /// Whether the structure must be its own mirror image.
     pub(super) symmetric: bool,
     pub(super) components: Vec<ComponentSpec>,

@@ -2,8 +2,6 @@
 
 use nalgebra::Vector3;
 
-use crate::aircraft::ControlGains;
-
 /// Absolute control positions and the motion of the air.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Controls {
@@ -32,10 +30,5 @@ impl Controls {
             wind: Vector3::zeros(),
             wind_rate: Vector3::zeros(),
         }
-    }
-
-    /// The angle of a flap with these gains, rad.
-    pub fn flap_angle(&self, gains: &ControlGains) -> f64 {
-        gains.elevator * self.elevator + gains.aileron * self.aileron + gains.rudder * self.rudder
     }
 }

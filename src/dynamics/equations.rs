@@ -23,13 +23,13 @@ use super::workspace::Workspace;
 /// What distinguishes one set of equations of the same reduced model from another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Configuration {
-    /// Fidelity level; for `Rigid` the model must have no modes.
+    /// Fidelity level; `Rigid` leaves out the model's modes.
     pub fidelity: Fidelity,
     /// Factor on all elastic properties.
     pub stiffness_scale: f64,
     /// ζ of every mode.
     pub structural_damping: f64,
-    /// Inflow states per strip.
+    /// Inflow states per strip; more than [`PetersInflow::MAX_STATES`] count as that many.
     pub inflow_states: usize,
     /// Steady flow of a wind tunnel around a clamped model, north-east-down, m/s; zero in free flight.
     pub tunnel_flow: Vector3<f64>,
@@ -55,8 +55,11 @@ pub struct EquationsOfMotion {
 }
 
 impl EquationsOfMotion {
-    /// The equations for a reduced model, all of whose modes take part.
+    /// The equations for a reduced model, all of whose modes take part unless it is to be rigid.
     pub fn new(model: &ReducedModel, configuration: &Configuration) -> Self {
+        if configuration.fidelity == Fidelity::Rigid && !model.modes.is_empty() {
+            return EquationsOfMotion::new(&model.select(&[]), configuration);
+        }
         let strips = Strips::new(model);
         let inflow = PetersInflow::new(configuration.inflow_states);
         let scale = libm::sqrt(configuration.stiffness_scale);

@@ -22,5 +22,5 @@ pub use fidelity::{Fidelity, Terms};
 pub use layout::StateLayout;
 pub use mechanics::Mechanics;
 pub(crate) use propulsion::combine;
-pub use trim::{Trim, TrimCondition, TrimError};
+pub use trim::{Trim, TrimCondition, TrimError, TrimFailure};
 pub use workspace::Workspace;

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use crate::aerodynamics::STANDARD_GRAVITY;
 use crate::aircraft::Support;
 
 use super::attitude::quaternion_of_euler_angles;
@@ -48,14 +49,37 @@ pub struct Trim {
 }
 
 /// Why there is no trim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum TrimFailure {
+    /// Newton's method ended elsewhere.
+    #[error("no steady level flight found")]
+    NotFound,
+    /// The unknowns do not move the forces independently.
+    #[error(
+        "no steady level flight: pitch, elevator and thrust do not act independently (is there a wing, an elevator, an engine?)"
+    )]
+    NoAuthority,
+    /// The plane of symmetry is in balance, the rest is not.
+    #[error(
+        "no steady level flight: pitch, elevator and equal thrust balance the aircraft in its plane of symmetry, but not sideways"
+    )]
+    Sideways,
+    /// A clamped aircraft finds no shape at rest.
+    #[error("no deformation at rest found in the wind tunnel")]
+    NoRest,
+}
+
+/// A trim that was not found, and where the search ended.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "no steady level flight found at {airspeed} m/s and {altitude} m: {steps} Newton steps ended at pitch {pitch:.4} rad, \
+    "{failure} at {airspeed} m/s and {altitude} m: {steps} Newton steps ended at pitch {pitch:.4} rad, \
      elevator {elevator:.4} rad, thrust {thrust:.0} N per engine with the imbalance v̇ = ({:.2e}, {:.2e}, {:.2e}) m/s², \
      ω̇ = ({:.2e}, {:.2e}, {:.2e}) rad/s², largest modal acceleration {modal:.2e}",
     rigid[0], rigid[1], rigid[2], rigid[3], rigid[4], rigid[5]
 )]
 pub struct TrimError {
+    /// Why.
+    pub failure: TrimFailure,
     /// m/s.
     pub airspeed: f64,
     /// m.
@@ -74,6 +98,15 @@ pub struct TrimError {
     pub modal: f64,
 }
 
+/// How Newton's method ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum SearchEnd {
+    /// The steps stopped shrinking, or there were too many.
+    Steps(usize),
+    /// The Jacobian became singular.
+    Singular(usize),
+}
+
 impl EquationsOfMotion {
     /// Finds pitch, elevator, thrust (equal on all engines) and q at which all accelerations vanish. A
     /// clamped aircraft keeps its attitude; only q is found.
@@ -82,8 +115,8 @@ impl EquationsOfMotion {
     /// When Newton's method finds no such state.
     pub fn trim(&self, condition: &TrimCondition) -> Result<Trim, TrimError> {
         let mut search = Search::new(self.with_steady_inflow(), *condition);
-        let steps = search.run();
-        search.check_balance(steps)?;
+        let end = search.run();
+        search.check_balance(end)?;
         let mut state = vec![0.0; self.layout().len()];
         state[..search.state.len()].copy_from_slice(&search.state);
         self.settle_inflow(&mut state, &search.controls);
@@ -135,7 +168,7 @@ impl Search {
     }
 
     fn weight_per_engine(&self) -> f64 {
-        let weight = self.equations.integrals().mass * 9.80665;
+        let weight = self.equations.integrals().mass * STANDARD_GRAVITY;
         weight / self.equations.engine_count().max(1) as f64
     }
 
@@ -169,8 +202,8 @@ impl Search {
         out[flight..].copy_from_slice(&forces[6..]);
     }
 
-    /// Iterates until the steps stop shrinking; returns their number.
-    fn run(&mut self) -> usize {
+    /// Iterates until the steps stop shrinking.
+    fn run(&mut self) -> SearchEnd {
         let n = self.unknowns.len();
         let (mut jacobian, mut step) = (vec![0.0; n * n], vec![0.0; n]);
         let mut previous = f64::INFINITY;
@@ -178,7 +211,7 @@ impl Search {
             self.jacobian(&mut jacobian);
             self.residual(&mut step);
             if !solve_lu(&mut jacobian, &mut step) {
-                return count;
+                return SearchEnd::Singular(count);
             }
             let turns = &step[..self.flight_unknowns().min(2)];
             let largest_turn = turns.iter().fold(0.0_f64, |largest, turn| largest.max(turn.abs()));
@@ -188,11 +221,11 @@ impl Search {
             }
             let size = relative_size(&step, &self.unknowns);
             if size <= SMALLEST_STEP || (size < 1e-10 && size >= previous) {
-                return count + 1;
+                return SearchEnd::Steps(count + 1);
             }
             previous = size;
         }
-        MAX_STEPS
+        SearchEnd::Steps(MAX_STEPS)
     }
 
     /// Derivatives of the residual by central differences, row-major.
@@ -214,7 +247,7 @@ impl Search {
     }
 
     /// Accepts the present unknowns only when nothing accelerates, laterally too.
-    fn check_balance(&mut self, steps: usize) -> Result<(), TrimError> {
+    fn check_balance(&mut self, end: SearchEnd) -> Result<(), TrimError> {
         self.evaluate();
         let accelerations = self.workspace.accelerations();
         let rigid: [f64; 6] = std::array::from_fn(|i| accelerations[i]);
@@ -228,9 +261,18 @@ impl Search {
         if in_balance {
             return Ok(());
         }
+        let in_plane = largest(&[rigid[0], rigid[2], rigid[4]]);
+        let (failure, steps) = match (self.equations.support(), end) {
+            (Support::Clamped, SearchEnd::Steps(steps) | SearchEnd::Singular(steps)) => {
+                (TrimFailure::NoRest, steps)
+            }
+            (Support::Free, SearchEnd::Singular(steps)) => (TrimFailure::NoAuthority, steps),
+            (Support::Free, SearchEnd::Steps(steps)) if in_plane < BALANCED => (TrimFailure::Sideways, steps),
+            (Support::Free, SearchEnd::Steps(steps)) => (TrimFailure::NotFound, steps),
+        };
         let [pitch, elevator, thrust] = self.flight();
         let TrimCondition { airspeed, altitude, .. } = self.condition;
-        Err(TrimError { airspeed, altitude, steps, pitch, elevator, thrust, rigid, modal })
+        Err(TrimError { failure, airspeed, altitude, steps, pitch, elevator, thrust, rigid, modal })
     }
 }
 

@@ -15,6 +15,12 @@ pub enum SimulationError {
         /// What is allowed.
         allowed: String,
     },
+    /// A time is not finite or beyond the time grid.
+    #[error("time: found {found} s, allowed is -{most} to {most} s", most = super::LATEST)]
+    Time {
+        /// s.
+        found: f64,
+    },
     /// The aircraft cannot be trimmed.
     #[error(transparent)]
     Trim(#[from] TrimError),

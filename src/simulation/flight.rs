@@ -18,6 +18,9 @@ const CELL: f64 = 5e-3;
 /// Communication points this close to a grid point (in cells) are on it.
 const ON_GRID: f64 = 1e-6;
 
+/// Times beyond this, s, leave too few digits to tell the cells of the grid apart.
+pub const LATEST: f64 = 1e7;
+
 /// The inflow's linear part is taken at a reference airspeed, which follows the flight when the two differ
 /// by more than this share.
 const AIRSPEED_DRIFT: f64 = 0.1;
@@ -89,8 +92,9 @@ impl Simulation {
     /// Trims the aircraft and stands at the trimmed state at time `start` (s), inputs zero.
     ///
     /// # Errors
-    /// When a setting is out of range or no trim exists.
+    /// When a setting or the time is out of range or no trim exists.
     pub fn new(model: Arc<ReducedModel>, settings: &Settings, start: f64) -> Result<Self, SimulationError> {
+        check_time(start)?;
         let modes = settings.choose_modes(&model)?;
         let reduced = model.select(&modes);
         let equations = EquationsOfMotion::new(&reduced, &configuration(&reduced, settings));
@@ -141,8 +145,10 @@ impl Simulation {
     /// Flies to `end` (s, ≥ [`time`](Self::time)), without allocating.
     ///
     /// # Errors
-    /// When the flight leaves the model's validity; the simulation is then as it was before the call.
+    /// When the flight leaves the model's validity or `end` is out of range; the simulation is then as it was
+    /// before the call.
     pub fn advance_to(&mut self, end: f64) -> Result<(), SimulationError> {
+        check_time(end)?;
         let reference_airspeed = self.reference_airspeed;
         self.before[0].copy_from(&self.anchor);
         self.before[1].copy_from(&self.present);
@@ -225,7 +231,7 @@ impl Simulation {
         }
     }
 
-    /// Why a cell could not be flown.
+    /// Why a cell could not be flown, not even in the smallest sub-steps.
     fn failure(&self, width: f64) -> SimulationError {
         let Point { time, state, slope, .. } = &self.present;
         let time = *time;
@@ -243,6 +249,10 @@ impl Simulation {
         let component = self.model.strips[strip].component.clone();
         SimulationError::ReverseFlow { time: self.present.time, strip, component }
     }
+}
+
+fn check_time(time: f64) -> Result<(), SimulationError> {
+    if time.abs() <= LATEST { Ok(()) } else { Err(SimulationError::Time { found: time }) }
 }
 
 /// What the settings mean for the equations.

@@ -9,8 +9,8 @@ use crate::dynamics::StateLayout;
 
 use super::exponential::{Diagonal, ExponentialWeights, StiffStates};
 
-/// Most sub-steps of a cell.
-pub const MAX_SUBSTEPS: u32 = 64;
+/// Most sub-steps of a cell: a jet a million times stiffer takes 256, its 26 modes 1024.
+pub const MAX_SUBSTEPS: u32 = 4096;
 
 /// Below this error (of 1 allowed) the next cell tries half as many sub-steps; a halving multiplies the
 /// estimate by at most 2⁴.

@@ -12,7 +12,7 @@ mod steering;
 
 pub use crate::dynamics::Fidelity;
 pub use error::SimulationError;
-pub use flight::{Simulation, TrimPoint};
+pub use flight::{LATEST, Simulation, TrimPoint};
 pub use inputs::Inputs;
 pub use outputs::{AirData, Deflection, Outputs};
 pub use settings::{InputReference, ModeSelection, Settings};

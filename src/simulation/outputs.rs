@@ -2,14 +2,11 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::aerodynamics::Air;
+use crate::aerodynamics::{Air, STANDARD_GRAVITY};
 use crate::dynamics::{Attitude, combine};
 use crate::structure::ReducedModel;
 
 use super::Simulation;
-
-/// m/s².
-const STANDARD_GRAVITY: f64 = 9.80665;
 
 /// All outputs at one instant.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,6 +3,7 @@
 use std::fmt::Display;
 
 use crate::aerodynamics::PetersInflow;
+use crate::aircraft::{AIRSPEEDS, ALTITUDES};
 use crate::dynamics::Fidelity;
 use crate::structure::{ModeFamily, ReducedModel};
 
@@ -31,9 +32,9 @@ pub enum InputReference {
 pub struct Settings {
     /// Fidelity level.
     pub fidelity: Fidelity,
-    /// Trimmed airspeed, m/s, > 0.
+    /// Trimmed airspeed, m/s, within [`AIRSPEEDS`].
     pub airspeed: f64,
-    /// Trimmed altitude, m.
+    /// Trimmed altitude, m, within [`ALTITUDES`].
     pub altitude: f64,
     /// Initial yaw angle, rad.
     pub heading: f64,
@@ -105,14 +106,8 @@ impl Settings {
         };
         let Settings { airspeed, altitude, heading, stiffness_scale, structural_damping, tolerance, .. } =
             *self;
-        within("airspeed", airspeed, airspeed > 0.0, "a finite number > 0 (m/s)")?;
-        let in_atmosphere = (-2000.0..=20_000.0).contains(&altitude);
-        within(
-            "altitude",
-            altitude,
-            in_atmosphere,
-            "-2000 to 20000 (m, the standard atmosphere's two layers)",
-        )?;
+        within("airspeed", airspeed, AIRSPEEDS.contains(&airspeed), "1 to 400 (m/s)")?;
+        within("altitude", altitude, ALTITUDES.contains(&altitude), "-1000 to 20000 (m)")?;
         within("heading", heading, true, "a finite number (rad)")?;
         within("stiffness_scale", stiffness_scale, stiffness_scale > 0.0, "a finite number > 0")?;
         within("structural_damping", structural_damping, structural_damping >= 0.0, "a finite number >= 0")?;

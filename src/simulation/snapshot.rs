@@ -78,6 +78,9 @@ impl Simulation {
         let mut numbers = content[HEADER..]
             .chunks_exact(8)
             .map(|bytes| f64::from_le_bytes(bytes.try_into().expect("8 bytes")));
+        if numbers.clone().any(|number| !number.is_finite()) {
+            return refuse("it holds numbers that are not finite");
+        }
         let mut next = || numbers.next().unwrap_or(f64::NAN);
         (self.anchor.time, self.present.time, self.steering.since) = (next(), next(), next());
         let reference_airspeed = next();

@@ -3,6 +3,9 @@
 //! Layout, little-endian: 8 bytes of magic with the format's version, the payload's length (u64), its
 //! 128-bit FNV-1a hash, the payload (postcard).
 
+use crate::aerodynamics::PetersInflow;
+use crate::aircraft::{AIRSPEEDS, ALTITUDES};
+
 use super::{ModeShapes, ReducedModel, StructureError};
 
 /// Names the format and its version.
@@ -42,11 +45,13 @@ impl ReducedModel {
         }
         let model: ReducedModel = postcard::from_bytes(payload)
             .map_err(|_| StructureError::Bytes("its content cannot be decoded"))?;
-        if model.is_consistent() {
-            Ok(model)
-        } else {
-            Err(StructureError::Bytes("its arrays do not fit together"))
+        if !model.is_consistent() {
+            return Err(StructureError::Bytes("its arrays do not fit together"));
         }
+        if !model.is_finite() || !model.is_physical() {
+            return Err(StructureError::Bytes("it holds numbers that no aircraft has"));
+        }
+        Ok(model)
     }
 
     /// 128-bit content hash: equal models, equal hashes.
@@ -57,6 +62,21 @@ impl ReducedModel {
     fn payload(&self) -> Vec<u8> {
         // PROOF: serialising plain structs of numbers, strings and sequences of known length cannot fail.
         postcard::to_allocvec(self).expect("a reduced model is serialisable")
+    }
+
+    /// Whether strips, flaps and inflow are such as an aircraft file allows.
+    fn is_physical(&self) -> bool {
+        let positive = |x: f64| x.is_finite() && x > 0.0;
+        positive(self.integrals.mass)
+            && self.gravity.is_finite()
+            && AIRSPEEDS.contains(&self.airspeed)
+            && ALTITUDES.contains(&self.altitude)
+            && self.inflow_states <= PetersInflow::MAX_STATES
+            && self.strips.iter().all(|strip| {
+                positive(strip.semichord)
+                    && positive(strip.width)
+                    && strip.flap.is_none_or(|flap| flap.hinge > 0.0 && flap.hinge < 1.0)
+            })
     }
 
     /// Whether all arrays have the lengths that the modes ask for.

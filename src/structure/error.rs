@@ -27,6 +27,21 @@ pub enum StructureError {
         /// Possible.
         available: usize,
     },
+    /// More modes were asked for than the strain energy can hold.
+    #[error(
+        "{wanted} modes were asked for, at most {most} are possible: the quartic strain energy has n⁴/24 coefficients"
+    )]
+    TooManyModes {
+        /// Asked for.
+        wanted: usize,
+        /// Allowed.
+        most: usize,
+    },
+    /// The aircraft's numbers are too large or too small to be computed with.
+    #[error(
+        "the reduced model has numbers that are not finite: the aircraft's stiffnesses or masses are too large or too small"
+    )]
+    NotFinite,
     /// The bytes are not a reduced model.
     #[error("not a reduced model: {0}")]
     Bytes(&'static str),

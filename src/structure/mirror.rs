@@ -16,6 +16,9 @@ pub struct Mirror {
     image: Vec<usize>,
 }
 
+/// Entries of mirrored matrices may differ by this share of the roots of their diagonals.
+const SYMMETRIC: f64 = 1e-9;
+
 /// How translations (x, y, z) and rotations (x, y, z) of a node reflect.
 const SIGN: [f64; 6] = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
 
@@ -53,16 +56,17 @@ impl Mirror {
         basis
     }
 
-    /// Whether reflecting rows and columns leaves the matrix as it is.
+    /// Whether reflecting rows and columns leaves the matrix as it is, each entry relative to its diagonals.
     fn preserves(&self, matrix: &DMatrix<f64>) -> bool {
         let reflect =
             |unknown: usize| (6 * (self.image[unknown / 6 + 1] - 1) + unknown % 6, SIGN[unknown % 6]);
-        let largest = matrix.amax();
+        let diagonal = matrix.map_diagonal(|value| value.abs().sqrt());
         (0..matrix.nrows()).all(|i| {
             let (image_i, sign_i) = reflect(i);
             (0..matrix.ncols()).all(|j| {
                 let (image_j, sign_j) = reflect(j);
-                (matrix[(i, j)] - sign_i * sign_j * matrix[(image_i, image_j)]).abs() <= 1e-9 * largest
+                let difference = matrix[(i, j)] - sign_i * sign_j * matrix[(image_i, image_j)];
+                difference.abs() <= SYMMETRIC * diagonal[i] * diagonal[j]
             })
         })
     }

@@ -85,6 +85,16 @@ impl ModalIntegrals {
             && [self.pi.len(), self.upsilon.len(), self.mass_matrix.len()] == [n * n; 3]
     }
 
+    /// Whether every number is finite.
+    pub fn is_finite(&self) -> bool {
+        let vectors = self.momentum.iter().chain(&self.angular_momentum).chain(&self.upsilon);
+        let matrices = self.gamma.iter().chain(&self.pi).chain([&self.inertia]);
+        self.mass.is_finite()
+            && self.mass_matrix.iter().all(|x| x.is_finite())
+            && vectors.chain([&self.first_moment]).flat_map(|vector| vector.iter()).all(|x| x.is_finite())
+            && matrices.flat_map(|matrix| matrix.iter()).all(|x| x.is_finite())
+    }
+
     fn add(&mut self, mass: f64, position: &Vector3<f64>, psi: &[Vector3<f64>]) {
         let n = psi.len();
         let r = position.cross_matrix();

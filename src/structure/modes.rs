@@ -31,7 +31,8 @@ impl ModalBasis {
     pub fn new(structure: &Structure, count: usize) -> Result<Self, StructureError> {
         let stiffness = structure.stiffness(structure.aircraft.mode_basis == ModeBasis::BendingTorsion);
         let mass = structure.mass();
-        let modes = match Mirror::find(structure.aircraft, &stiffness, &mass) {
+        // Axially rigid beams would hide a difference in bending.
+        let modes = match Mirror::find(structure.aircraft, &structure.stiffness(false), &mass) {
             Some(mirror) => {
                 let family_modes = |family| family_modes(&stiffness, &mass, &mirror.subspace(family), family);
                 merge(family_modes(ModeFamily::Symmetric)?, family_modes(ModeFamily::Antisymmetric)?)

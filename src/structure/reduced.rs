@@ -48,6 +48,10 @@ pub struct ReducedModel {
     pub support: Support,
     /// Default number of inflow states.
     pub inflow_states: usize,
+    /// Default airspeed, m/s.
+    pub airspeed: f64,
+    /// Default altitude, m.
+    pub altitude: f64,
     /// Lowest frequency first.
     pub modes: Vec<Mode>,
     /// Integrals over the mass.
@@ -124,25 +128,46 @@ impl ReducedModel {
     /// lowest modes twelve are symmetric, so that the FMU's `mode_count` of 12 serves either `mode_family`.
     pub const USUAL_MODES: usize = 26;
 
+    /// The most modes that a model can have: the quartic strain energy then has 0.6 million coefficients.
+    pub const MOST_MODES: usize = 60;
+
     /// Reduces an aircraft to its `mode_count` lowest modes of all families together.
     ///
     /// # Errors
-    /// When the structure has no such modes.
+    /// When there are no such modes, too many are asked for, or the numbers overflow.
     pub fn new(aircraft: &Aircraft, mode_count: usize) -> Result<Self, StructureError> {
+        if mode_count > Self::MOST_MODES {
+            return Err(StructureError::TooManyModes { wanted: mode_count, most: Self::MOST_MODES });
+        }
         let structure = Structure::new(aircraft)?;
         let basis = ModalBasis::new(&structure, mode_count)?;
-        Ok(ReducedModel {
+        let model = ReducedModel {
             name: aircraft.name.clone(),
             gravity: aircraft.gravity,
             support: aircraft.support,
             inflow_states: aircraft.inflow_states,
+            airspeed: aircraft.airspeed,
+            altitude: aircraft.altitude,
             integrals: ModalIntegrals::new(&structure, &basis.shapes),
             strain_energy: StrainEnergy::new(&structure, &basis.shapes),
             strips: reduced_strips(&structure, &basis.shapes),
             engines: reduced_engines(&structure, &basis.shapes),
             stations: reduced_stations(&structure, &basis.shapes),
             modes: basis.modes,
-        })
+        };
+        if model.is_finite() { Ok(model) } else { Err(StructureError::NotFinite) }
+    }
+
+    /// Whether every computed number is finite.
+    pub(super) fn is_finite(&self) -> bool {
+        let finite =
+            |shapes: &ModeShapes| shapes.translation.iter().chain(&shapes.rotation).all(|x| x.is_finite());
+        self.modes.iter().all(|mode| mode.angular_frequency.is_finite())
+            && self.integrals.is_finite()
+            && self.strain_energy.is_finite()
+            && self.strips.iter().all(|strip| finite(&strip.shapes))
+            && self.engines.iter().all(|engine| finite(&engine.shapes))
+            && self.stations.iter().all(|station| finite(&station.shapes))
     }
 
     /// The model with a choice of modes (ascending indices), all others held at rest.

@@ -50,14 +50,9 @@ impl StrainEnergy {
         }
     }
 
-    /// Number of modes.
-    pub fn modes(&self) -> usize {
-        self.modes
-    }
-
-    /// K₀, n × n.
-    pub fn linear_stiffness(&self) -> &[f64] {
-        &self.linear_stiffness
+    /// Whether every coefficient is finite.
+    pub fn is_finite(&self) -> bool {
+        self.linear_stiffness.iter().chain(&self.cubic).chain(&self.quartic).all(|x| x.is_finite())
     }
 
     /// Whether all arrays have the lengths that `modes` asks for.

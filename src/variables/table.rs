@@ -4,6 +4,8 @@ use super::{
     AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot,
     Type, Unit, Value, Variability, Variable,
 };
+use crate::aerodynamics::PetersInflow;
+use crate::aircraft::{AIRSPEEDS, ALTITUDES};
 use crate::simulation::Settings;
 use crate::structure::ReducedModel;
 
@@ -64,9 +66,9 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
             Unit::MetrePerSecond,
             "True airspeed of the trimmed flight at the start",
         )
-        .between(1.0, 400.0),
+        .between(*AIRSPEEDS.start(), *AIRSPEEDS.end()),
         real("altitude", P::Altitude, Unit::Metre, "Altitude of the trimmed flight at the start")
-            .between(-1000.0, 20_000.0)
+            .between(*ALTITUDES.start(), *ALTITUDES.end())
             .nominal(10_000.0),
         real("heading", P::Heading, Unit::Radian, "Initial yaw angle"),
         real("stiffness_scale", P::StiffnessScale, Unit::One, "Factor on all elastic properties")
@@ -78,7 +80,7 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
         count(
             "inflow_states",
             P::InflowStates,
-            8,
+            PetersInflow::MAX_STATES,
             "Peters inflow states per strip; 0 is steady aerodynamics",
         ),
         real("tolerance", P::Tolerance, Unit::One, "Relative tolerance of the internal integrator")
@@ -86,12 +88,15 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
     ]
 }
 
-/// The settings before any parameter is set: those of the FMU, as far as this aircraft has modes.
+/// The settings before any parameter is set: those of the FMU, as far as this aircraft has modes, at the
+/// aircraft's own flight condition.
 pub fn start_settings(model: &ReducedModel) -> Settings {
     let settings = Settings::default();
     Settings {
         mode_count: settings.mode_count.min(model.modes.len()),
         inflow_states: model.inflow_states,
+        airspeed: model.airspeed,
+        altitude: model.altitude,
         ..settings
     }
 }

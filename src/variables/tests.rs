@@ -80,6 +80,16 @@ fn starts_are_those_of_the_contract_and_are_allowed() {
 }
 
 #[test]
+fn airspeed_and_altitude_start_where_the_aircraft_file_says() {
+    let model = ReducedModel { airspeed: 35.0, altitude: 1000.0, ..jet().clone() };
+    let table = VariableTable::new(&model);
+    for (name, start) in [("airspeed", 35.0), ("altitude", 1000.0)] {
+        let row = table.get(table.reference(name).unwrap()).unwrap();
+        assert_eq!(row.start, Some(Value::Real(start)), "{name}");
+    }
+}
+
+#[test]
 fn every_parameter_reads_back_what_was_set() {
     let mut settings = Settings::default();
     for (_, variable) in table().iter() {

@@ -133,7 +133,7 @@ fn missing_top_field() {
     assert_messages(
         &[("support = \"free\"\n", "")],
         &[
-            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, inflow_states, symmetric, component, engine, station",
+            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, inflow_states, airspeed_m_s, altitude_m, symmetric, component, engine, station",
         ],
     );
 }
@@ -261,6 +261,17 @@ fn too_many_inflow_states() {
     assert_messages(
         &[("inflow_states = 5", "inflow_states = 9")],
         &["small.toml:6:17: inflow_states: found 9; a whole number from 0 to 8 is allowed"],
+    );
+}
+
+#[test]
+fn a_trim_where_nothing_flies() {
+    assert_messages(
+        &[("inflow_states = 5", "inflow_states = 5\nairspeed_m_s = 0\naltitude_m = 30000")],
+        &[
+            "small.toml:7:16: airspeed_m_s: found 0; an airspeed in m/s from 1 to 400 is allowed",
+            "small.toml:8:14: altitude_m: found 30000; an altitude in metres from -1000 to 20000 is allowed",
+        ],
     );
 }
 

@@ -5,5 +5,6 @@ mod eigenvalues;
 mod fidelity_levels;
 mod flight;
 mod frequencies;
+mod refusals;
 mod trim;
 mod wind_tunnel;

@@ -1,0 +1,94 @@
+//! What cannot be flown is refused with the reason, and nothing hangs.
+
+use std::sync::Arc;
+
+use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::simulation::{ModeSelection, Settings, Simulation};
+use flexible_aircraft::structure::{ReducedModel, StructureError};
+
+use crate::support::jet;
+
+/// The small aircraft of the aircraft-file tests, changed by the caller.
+fn small(change: impl FnOnce(&mut Aircraft)) -> Aircraft {
+    let text = include_str!("../data/small-aircraft.toml");
+    let mut aircraft = Aircraft::parse(text, "small-aircraft.toml").unwrap();
+    change(&mut aircraft);
+    aircraft
+}
+
+fn refusal(model: ReducedModel, settings: &Settings) -> String {
+    Simulation::new(Arc::new(model), settings, 0.0).unwrap_err().to_string()
+}
+
+#[test]
+fn a_wing_softer_on_one_side_has_no_symmetric_modes() {
+    let symmetric =
+        Settings { mode_selection: ModeSelection::Symmetric, mode_count: 1, ..Settings::default() };
+    let model = ReducedModel::new(&small(|_| ()), 6).unwrap();
+    assert!(symmetric.choose_modes(&model).is_ok());
+    let lopsided = small(|aircraft| {
+        let left = aircraft.beams.iter_mut().find(|beam| beam.component.ends_with("left"));
+        left.unwrap().bending_stiffness_y *= 0.999;
+    });
+    let message = refusal(ReducedModel::new(&lopsided, 6).unwrap(), &symmetric);
+    assert!(message.contains("mode_family") && message.contains("no mirror plane"), "{message}");
+}
+
+#[test]
+fn an_engine_off_the_centre_line_is_named_as_a_sideways_imbalance() {
+    let text = include_str!("../../aircraft/generic-business-jet.toml");
+    let mut lopsided = Aircraft::parse(text, "generic-business-jet.toml").unwrap();
+    lopsided.engines[0].offset.y += 1.0;
+    let settings = Settings { mode_count: 2, ..Settings::default() };
+    let message = refusal(ReducedModel::new(&lopsided, 6).unwrap(), &settings);
+    assert!(message.contains("not sideways"), "{message}");
+}
+
+#[test]
+fn an_aircraft_without_surfaces_is_told_what_it_lacks() {
+    let model = ReducedModel { strips: Vec::new(), ..jet().select(&[]) };
+    let message = refusal(model, &Settings { mode_count: 0, ..Settings::default() });
+    assert!(message.contains("do not act independently"), "{message}");
+}
+
+#[test]
+fn more_modes_than_can_be_held_are_refused_before_memory_is_asked_for() {
+    let error = ReducedModel::new(&small(|_| ()), 500).unwrap_err();
+    assert!(matches!(error, StructureError::TooManyModes { wanted: 500, most: 60 }), "{error}");
+}
+
+#[test]
+fn times_at_which_the_grid_has_no_cells_are_refused() {
+    for start in [1e14, f64::INFINITY, f64::NAN, -1e9] {
+        let message = Simulation::new(jet(), &Settings::default(), start).unwrap_err().to_string();
+        assert!(message.starts_with("time: found"), "{message}");
+    }
+    let mut flight = Simulation::new(jet(), &Settings::default(), 9_999_999.0).unwrap();
+    flight.advance_to(9_999_999.5).unwrap();
+    assert_eq!(flight.time(), 9_999_999.5);
+    assert!(flight.advance_to(1e8).is_err());
+    assert_eq!(flight.time(), 9_999_999.5);
+}
+
+#[test]
+fn a_flight_before_time_zero_is_like_any_other() {
+    let pitch_after_a_second = |start: f64| {
+        let mut flight = Simulation::new(jet(), &Settings::default(), start).unwrap();
+        let mut inputs = flexible_aircraft::simulation::Inputs::zero(2);
+        inputs.elevator = 0.02;
+        flight.set_inputs(&inputs, &flexible_aircraft::simulation::Inputs::zero(2));
+        flight.advance_to(start + 1.0).unwrap();
+        flight.outputs().attitude.y
+    };
+    assert!((pitch_after_a_second(-3.0) - pitch_after_a_second(0.0)).abs() < 1e-12);
+}
+
+#[test]
+fn bytes_with_numbers_that_no_aircraft_has_are_refused_in_spite_of_a_right_checksum() {
+    let mut model = (*jet()).clone();
+    model.strips[3].semichord = -1.0;
+    assert!(matches!(ReducedModel::from_bytes(&model.to_bytes()), Err(StructureError::Bytes(_))));
+    let mut model = (*jet()).clone();
+    model.integrals.momentum[2].y = f64::NAN;
+    assert!(matches!(ReducedModel::from_bytes(&model.to_bytes()), Err(StructureError::Bytes(_))));
+}
