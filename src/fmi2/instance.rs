@@ -8,7 +8,7 @@ use super::life_cycle::{Function, State};
 use super::logger::Logger;
 use super::types::Status;
 use super::{RESOURCE_FILE, guid, identity, resource};
-use crate::simulation::{Inputs, Settings, Simulation};
+use crate::simulation::{Inputs, LATEST, Settings, Simulation};
 use crate::structure::{ReducedModel, StructureError};
 use crate::variables::{VariableTable, start_settings};
 
@@ -93,9 +93,6 @@ impl Experiment {
     }
 }
 
-/// Greatest magnitude of a time, s. The simulation's grid of time needs neighbouring numbers far closer than its
-/// cells of milliseconds; here they are 2 ns apart.
-const LATEST: f64 = 1e7;
 const GRID_REASON: &str = "beyond, numbers are too coarse for the simulation's grid of time";
 
 /// Whether a number can be a time, s; not-a-number cannot.
