@@ -1,8 +1,8 @@
 //! The flight that shows that a packaged FMU works: loaded and stepped through the C interface, as any
 //! importing tool would.
 //!
-//! A free aircraft flies the elevator 2-3-1-1 of [5.2] (physics.md §7). One that is clamped in a wind tunnel
-//! has nothing to steer, so a vertical gust goes up and down past it.
+//! A free aircraft flies the elevator 2-3-1-1 of [5.2]. One that is clamped in a wind tunnel may have no control
+//! surface and bends all the same when the wind does: a vertical gust goes up and down past it.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -114,12 +114,13 @@ fn station(variable: &str) -> Option<&str> {
     variable.strip_prefix("deflection.")?.strip_suffix(".up")
 }
 
-/// Over a history of outputs whose third and following columns are the deflections of the stations.
+/// None when nothing deflects, as without modes. Over a history of outputs whose third and following columns are the deflections of the stations.
 fn peak_deflection(stations: &[&str], history: &[Vec<f64>]) -> Option<PeakDeflection> {
     let peak = |column: usize| {
         let steps = 0..history.len();
         steps.max_by(|&a, &b| history[a][column].abs().total_cmp(&history[b][column].abs()))
     };
+    let deflects = |peak: &PeakDeflection| peak.up != 0.0;
     let peaks = stations.iter().enumerate().filter_map(|(index, station)| {
         let (column, step) = (index + 2, peak(index + 2)?);
         Some(PeakDeflection {
@@ -129,7 +130,11 @@ fn peak_deflection(stations: &[&str], history: &[Vec<f64>]) -> Option<PeakDeflec
             time: step as f64 * STEP,
         })
     });
-    peaks.max_by(|a, b| a.up.abs().total_cmp(&b.up.abs()))
+    peaks.filter(deflects).max_by(|a, b| a.up.abs().total_cmp(&b.up.abs()))
+}
+
+fn up_or_down(up: f64) -> String {
+    format!("{:.3} m {}", up.abs(), if up < 0.0 { "down" } else { "up" })
 }
 
 fn range(values: impl Iterator<Item = f64>) -> RangeInclusive<f64> {
@@ -158,10 +163,8 @@ impl fmt::Display for CheckFlight {
             }
         }
         if let Some(PeakDeflection { station, up, trimmed, time }) = &self.deflection {
-            writeln!(
-                f,
-                "  peak deflection {up:8.3} m up at {time:.2} s, {station} ({trimmed:.3} m at first)"
-            )?;
+            let [peak, trimmed] = [*up, *trimmed].map(up_or_down);
+            writeln!(f, "  peak deflection {peak:>13} at {time:.2} s, {station} ({trimmed} at first)")?;
         }
         if self.support == Support::Free {
             let [low, high] = [self.pitch.start(), self.pitch.end()].map(|angle| angle.to_degrees());
@@ -228,6 +231,26 @@ mod tests {
         let history = [vec![0.1, 1.0, 0.5, 0.2], vec![0.1, 1.0, 0.7, -0.9], vec![0.1, 1.0, 0.6, 0.1]];
         let peak = peak_deflection(&["wing_tip", "htail_tip"], &history).unwrap();
         assert_eq!(peak, PeakDeflection { station: "htail_tip".into(), up: -0.9, trimmed: 0.2, time: 0.01 });
+    }
+
+    #[test]
+    fn without_modes_no_deflection_is_told() {
+        assert_eq!(peak_deflection(&["wing_tip"], &[vec![0.1, 1.0, 0.0], vec![0.1, 1.0, 0.0]]), None);
+    }
+
+    #[test]
+    fn a_downward_peak_is_called_so() {
+        let peak = PeakDeflection { station: "wing_tip".into(), up: -0.182, trimmed: 0.05, time: 3.5 };
+        let flight = CheckFlight {
+            support: Support::Clamped,
+            trim: Trim { pitch: 0.0, elevator: 0.0, thrust: 0.0 },
+            deflection: Some(peak),
+            pitch: 0.0..=0.0,
+            load_factor: 0.0..=0.0,
+            computing: Duration::from_secs(1),
+        };
+        let text = flight.to_string();
+        assert!(text.contains(" 0.182 m down at 3.50 s, wing_tip (0.050 m up at first)"), "{text}");
     }
 
     #[test]

@@ -31,13 +31,13 @@ enum Command {
 /// Options of `flexair package`.
 #[derive(Args)]
 struct PackageOptions {
-    /// The aircraft file (TOML)
-    #[arg(long, value_name = "FILE", default_value = "aircraft/generic-business-jet.toml")]
-    aircraft: PathBuf,
+    /// The aircraft file (TOML) [default: aircraft/generic-business-jet.toml of flexible-aircraft's own folder]
+    #[arg(long, value_name = "FILE")]
+    aircraft: Option<PathBuf>,
 
-    /// The FMU to write
-    #[arg(long, value_name = "FILE", default_value = "target/fmu/FlexibleAircraft.fmu")]
-    output: PathBuf,
+    /// The FMU to write [default: target/fmu/FlexibleAircraft.fmu in flexible-aircraft's own folder]
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
 
     /// How many natural modes to put into the FMU, lowest frequencies first; its parameter `mode_count`
     /// chooses among them

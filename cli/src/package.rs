@@ -11,6 +11,10 @@ use flexible_aircraft_packaging::{FmuError, Package, PackageError, Platform};
 use crate::check::CheckFlight;
 use crate::{PackageOptions, diagnostics};
 
+/// What is packaged, and where it is written, when nothing else is asked for; in the workspace.
+const JET: &str = "aircraft/generic-business-jet.toml";
+const OUTPUT: &str = "target/fmu/FlexibleAircraft.fmu";
+
 /// Why `flexair package` did not succeed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
@@ -22,7 +26,7 @@ pub enum Error {
     NoPlatform,
     #[error("cannot build the shared library: {0}")]
     Build(String),
-    #[error("the FMU was written but does not fly: {0}")]
+    #[error("the FMU does not fly and was not kept: {0}")]
     Check(#[from] FmuError),
 }
 
@@ -39,7 +43,9 @@ impl Error {
 /// Builds, packages, and flies what came out.
 pub fn run(options: PackageOptions) -> Result<(), Error> {
     // Before the library is built: mistakes in the aircraft file should show at once.
-    let aircraft = Aircraft::read(&options.aircraft)?;
+    let aircraft_file = options.aircraft.unwrap_or_else(|| workspace().join(JET));
+    let output = options.output.unwrap_or_else(|| workspace().join(OUTPUT));
+    let aircraft = Aircraft::read(&aircraft_file)?;
 
     let mut binaries = options.binary;
     let host = Platform::host();
@@ -51,20 +57,26 @@ pub fn run(options: PackageOptions) -> Result<(), Error> {
         }
     }
 
-    eprintln!("Packaging {} ({}) with {} modes", aircraft.name, options.aircraft.display(), options.modes);
+    eprintln!("Packaging {} ({}) with {} modes", aircraft.name, aircraft_file.display(), options.modes);
     let package = Package {
-        aircraft: options.aircraft,
+        aircraft: aircraft_file,
         mode_count: options.modes,
         binaries,
         workspace: workspace().into(),
     };
-    let size = package.write(&options.output)?;
-    println!("{}: {:.1} MB", options.output.display(), size as f64 / 1e6);
-
-    if !options.no_check {
+    // A good FMU is replaced only by one that flies.
+    let draft = package.draft(&output)?;
+    let flight = if options.no_check {
+        None
+    } else {
         eprintln!("Flying it for {} s", CheckFlight::DURATION);
-        let fmu = Fmu::open(&options.output)?;
-        println!("{}", CheckFlight::fly(&fmu, aircraft.support)?);
+        Some(CheckFlight::fly(&Fmu::open(draft.path())?, aircraft.support)?)
+    };
+    let size = draft.size();
+    draft.keep()?;
+    println!("{}: {:.1} MB", output.display(), size as f64 / 1e6);
+    if let Some(flight) = flight {
+        println!("{flight}");
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::aircraft::{Aircraft, Support};
 use quick_xml::escape::escape;
 
 use crate::model_description::Variable;
@@ -14,9 +14,29 @@ const TEMPLATE: &str = include_str!("../../modelDescription/documentation.html")
 pub(crate) fn page(aircraft: &Aircraft, variables: &[Variable]) -> String {
     TEMPLATE
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
+        .replace("{{support}}", support(aircraft.support))
         .replace("{{plan_view}}", &plan_view::svg(aircraft))
         .replace("{{variables}}", &rows(variables))
         .replace("{{aircraft}}", &escape(aircraft.name.as_str()))
+}
+
+/// What happens with the default parameters, and what the parameters of the flight mean.
+fn support(support: Support) -> &'static str {
+    match support {
+        Support::Free => {
+            "With the default parameters and all inputs zero the aircraft flies trimmed, straight and level: it is \
+             trimmed when initialisation ends, and surface and thrust inputs count from the trim values \
+             (<code>input_reference = trim</code>)."
+        }
+        Support::Clamped => {
+            "The aircraft is clamped at O in a wind tunnel: it does not move as a whole, and stands level. \
+             <code>airspeed</code> is the speed of the tunnel's flow, <code>altitude</code> chooses its air, and \
+             <code>heading</code> turns aircraft and flow together. Incidence comes from <code>wind_down</code> or \
+             from the aircraft file alone. When initialisation ends the aircraft is in equilibrium with the flow; \
+             there is nothing to trim, so all <code>trim.*</code> are 0, and surface and thrust inputs are the \
+             values themselves."
+        }
+    }
 }
 
 fn rows(variables: &[Variable]) -> String {
@@ -37,6 +57,18 @@ fn rows(variables: &[Variable]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_page_says_how_the_aircraft_is_held() {
+        let text = include_str!("../../aircraft/generic-business-jet.toml");
+        let mut aircraft = Aircraft::parse(text, "jet").unwrap();
+        let free = page(&aircraft, &[]);
+        aircraft.support = Support::Clamped;
+        let clamped = page(&aircraft, &[]);
+        assert!(free.contains("flies trimmed") && !free.contains("wind tunnel"));
+        assert!(clamped.contains("wind tunnel") && !clamped.contains("flies trimmed"));
+        assert!(!free.contains("{{") && !clamped.contains("{{"));
+    }
 
     #[test]
     fn a_variable_becomes_a_row_and_marks_are_escaped() {

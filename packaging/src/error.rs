@@ -35,6 +35,18 @@ pub enum PackageError {
     /// Two libraries for one platform.
     #[error("found two shared libraries for {0}; an FMU has one per platform")]
     TwoBinaries(Platform),
+    /// A file that is no shared library of its platform.
+    #[error("{}: found {found}, expected for {platform} is {expected}", path.display())]
+    WrongBinary {
+        /// The file.
+        path: PathBuf,
+        /// Which it was given for.
+        platform: Platform,
+        /// What it is.
+        found: String,
+        /// What it should be.
+        expected: String,
+    },
     /// Nothing to run on.
     #[error("an FMU needs a shared library of at least one platform: found none")]
     NoBinary,
@@ -70,7 +82,7 @@ pub enum FmuError {
     #[error("FMI 2.0 knows no platform for this machine")]
     NoPlatform,
     /// The shared library does not load, or lacks a function of the standard.
-    #[error("cannot use the shared library: {0}")]
+    #[error("cannot use the shared library: {}", with_causes(.0))]
     Library(#[from] libloading::Error),
     /// No variable of this name.
     #[error("the FMU has no variable `{0}`")]
@@ -96,6 +108,12 @@ pub enum FmuError {
         /// What the FMU logged during the call, one message per line.
         log: String,
     },
+}
+
+/// An error and what led to it: the loader's own reason is a cause of `dlopen failed`.
+fn with_causes(error: &dyn std::error::Error) -> String {
+    let causes = std::iter::successors(Some(error), |error| error.source());
+    causes.map(ToString::to_string).collect::<Vec<_>>().join(": ")
 }
 
 /// Log lines below the message that they explain.

@@ -13,16 +13,20 @@ use flexible_aircraft::structure::ReducedModel;
 mod archive;
 pub mod c_abi;
 mod documentation;
+mod draft;
 mod error;
+mod library;
 mod licences;
 mod model_description;
 mod plan_view;
 mod platform;
 
+pub use draft::Draft;
 pub use error::{FmuError, PackageError};
 pub use platform::{Platform, UnknownPlatform};
 
 use archive::Entry;
+use library::FileKind;
 use model_description::ModelDescription;
 
 /// The icon that importing tools show.
@@ -65,18 +69,21 @@ impl Package {
         Ok(archive::to_bytes(&entries)?)
     }
 
-    /// Writes the `.fmu`, and the folders above it where they do not exist. Returns its size in bytes.
+    /// Writes the `.fmu` beside its place, where it can be tried before it is [kept](Draft::keep), and the
+    /// folders above it where they do not exist.
     ///
     /// # Errors
     /// As [`to_bytes`](Self::to_bytes), or when the file cannot be written.
-    pub fn write(&self, output: &Path) -> Result<usize, PackageError> {
-        let bytes = self.to_bytes()?;
-        let failed = |action| move |source| PackageError::File { action, path: output.to_owned(), source };
-        if let Some(folder) = output.parent() {
-            std::fs::create_dir_all(folder).map_err(failed("make the folder of"))?;
-        }
-        std::fs::write(output, &bytes).map_err(failed("write"))?;
-        Ok(bytes.len())
+    pub fn draft(&self, output: &Path) -> Result<Draft, PackageError> {
+        Draft::write(&self.to_bytes()?, output)
+    }
+
+    /// Writes the `.fmu`, and the folders above it where they do not exist.
+    ///
+    /// # Errors
+    /// As [`draft`](Self::draft).
+    pub fn write(&self, output: &Path) -> Result<(), PackageError> {
+        self.draft(output)?.keep()
     }
 
     /// One library per platform, in the order of the platforms' names.
@@ -90,7 +97,18 @@ impl Package {
             return Err(PackageError::NoBinary);
         }
         let entry = |(platform, path): &(Platform, PathBuf)| {
-            Ok(Entry::new(platform.library_path(model_identifier), read(path)?))
+            let bytes = read(path)?;
+            let (found, expected) = (FileKind::of(&bytes), FileKind::needed_on(*platform));
+            if found != expected {
+                let (found, expected) = (found.to_string(), expected.to_string());
+                return Err(PackageError::WrongBinary {
+                    path: path.clone(),
+                    platform: *platform,
+                    found,
+                    expected,
+                });
+            }
+            Ok(Entry::new(platform.library_path(model_identifier), bytes))
         };
         binaries.into_iter().map(entry).collect()
     }

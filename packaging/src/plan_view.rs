@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use flexible_aircraft::aircraft::{Aircraft, Attachment, Strip};
+use flexible_aircraft::aircraft::{Aircraft, Attachment, ControlGains, Strip};
 use nalgebra::Vector3;
 
 /// Width of the picture, px.
@@ -22,7 +22,7 @@ pub(crate) fn svg(aircraft: &Aircraft) -> String {
     );
     for (strip, outline) in aircraft.strips.iter().zip(&outlines) {
         polygon(&mut svg, &frame, outline, "surface");
-        if let Some(flap) = strip.flap {
+        if let Some(flap) = strip.flap.filter(|flap| flap.gains != ControlGains::default()) {
             let hinge = 1.0 - 2.0 * flap.hinge;
             polygon(&mut svg, &frame, &self::outline(aircraft, strip, [-1.0, hinge]), "flap");
         }
@@ -105,4 +105,22 @@ fn circle(svg: &mut String, [x, y]: [f64; 2], class: &str, name: &str) {
         svg,
         "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\"><title>{name}</title></circle>"
     );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn flaps_are_drawn_where_a_control_moves_them() {
+        let text = include_str!("../../aircraft/generic-business-jet.toml");
+        let jet = Aircraft::parse(text, "jet").unwrap();
+        let moved = |strip: &&Strip| {
+            strip.flap.is_some_and(|f| [f.gains.elevator, f.gains.aileron, f.gains.rudder] != [0.0; 3])
+        };
+        let (moved, all) =
+            (jet.strips.iter().filter(moved).count(), jet.strips.iter().filter(|s| s.flap.is_some()));
+        assert!(moved > 0 && moved < all.count());
+        assert_eq!(svg(&jet).matches("class=\"flap\"").count(), moved);
+    }
 }

@@ -9,62 +9,8 @@ use nalgebra::Vector3;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::allowed::{ANY, Allowed};
 use super::error::{Place, Problem, Report, join};
-use super::model::{AIRSPEEDS, ALTITUDES};
-
-/// The numbers that a quantity can take.
-pub(super) struct Allowed {
-    contains: fn(f64) -> bool,
-    text: &'static str,
-}
-
-pub(super) const ANY: Allowed = Allowed { contains: |_| true, text: "a finite number is allowed" };
-pub(super) const POSITIVE: Allowed =
-    Allowed { contains: |x| x > 0.0, text: "a number greater than 0 is allowed" };
-pub(super) const NOT_NEGATIVE: Allowed =
-    Allowed { contains: |x| x >= 0.0, text: "0 or a greater number is allowed" };
-pub(super) const LENGTH: Allowed = Allowed {
-    contains: |x| (-1000.0..=1000.0).contains(&x),
-    text: "a length in metres from -1000 to 1000 is allowed",
-};
-pub(super) const POSITIVE_LENGTH: Allowed = Allowed {
-    contains: |x| x > 0.0 && x <= 1000.0,
-    text: "a length in metres greater than 0, at most 1000, is allowed",
-};
-pub(super) const AIRSPEED: Allowed =
-    Allowed { contains: |x| AIRSPEEDS.contains(&x), text: "an airspeed in m/s from 1 to 400 is allowed" };
-pub(super) const ALTITUDE: Allowed = Allowed {
-    contains: |x| ALTITUDES.contains(&x),
-    text: "an altitude in metres from -1000 to 20000 is allowed",
-};
-pub(super) const FRACTION: Allowed =
-    Allowed { contains: |x| (0.0..=1.0).contains(&x), text: "a fraction from 0 to 1 is allowed" };
-pub(super) const INSIDE_THE_CHORD: Allowed = Allowed {
-    contains: |x| x > 0.0 && x < 1.0,
-    text: "a fraction of the chord behind the leading edge is allowed, greater than 0 and less than 1",
-};
-pub(super) const NEAR_THE_CHORD: Allowed = Allowed {
-    contains: |x| (-1.0..=2.0).contains(&x),
-    text: "a fraction of the chord behind the leading edge is allowed, from -1 to 2",
-};
-pub(super) const ANGLE_DEG: Allowed = Allowed {
-    contains: |x| (-90.0..=90.0).contains(&x),
-    text: "an angle in degrees from -90 to 90 is allowed",
-};
-
-impl Allowed {
-    /// Complains about a number that is not finite or not allowed; true when it is in order.
-    pub(super) fn check(&self, number: f64, place: &Place, report: &Report) -> bool {
-        if !number.is_finite() {
-            report.add(Problem::NotFinite, place, format!("found {number}"), self.text);
-        } else if !(self.contains)(number) {
-            report.add(Problem::OutOfRange, place, format!("found {number}"), self.text);
-        } else {
-            return true;
-        }
-        false
-    }
-}
 
 /// A value that was read, with its place for later complaints.
 #[derive(Clone, Debug)]
@@ -88,7 +34,7 @@ impl<'r, 't> Value<'r, 't> {
     /// Complains that the value is of the wrong kind; `what` is allowed.
     pub(super) fn wrong<T>(&self, what: &str) -> Option<T> {
         let found = match self.value {
-            DeValue::String(text) => format!("found the text \"{text}\""),
+            DeValue::String(text) => format!("found the text \"{}\"", text.escape_debug()),
             DeValue::Integer(number) => format!("found {number}"),
             DeValue::Float(number) => format!("found {number}"),
             DeValue::Boolean(flag) => format!("found {flag}"),
@@ -157,8 +103,12 @@ impl<'r, 't> Value<'r, 't> {
         }
     }
 
+    /// A text on one line, of characters that XML can hold.
     pub(super) fn text(&self) -> Option<String> {
         match self.value {
+            DeValue::String(text) if text.contains(is_unprintable) => {
+                self.wrong("a text without control characters")
+            }
             DeValue::String(text) => Some(text.to_string()),
             _ => self.wrong("a text"),
         }
@@ -242,6 +192,11 @@ impl<'r, 't> Value<'r, 't> {
         let DeValue::Table(table) = self.value else { return self.wrong("a table") };
         Some(Table::new(table, self.place.clone(), fields, self.report))
     }
+}
+
+/// Control characters, and the two that neither they are nor XML allows.
+fn is_unprintable(character: char) -> bool {
+    character.is_control() || matches!(character, '\u{fffe}' | '\u{ffff}')
 }
 
 /// A TOML table of known fields.

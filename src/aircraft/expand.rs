@@ -265,6 +265,8 @@ fn station(spec: &StationSpec, placed: &[Placed], aircraft: &Aircraft, report: &
     let attachment = attach(&spec.component, &spec.along, placed, report)?;
     let strip = aircraft.strips.iter().find(|strip| strip.attachment.beam == attachment.beam);
     let [from, to] = aircraft.beams[attachment.beam].nodes.map(|node| aircraft.nodes[node]);
-    let twist_axis = strip.map_or_else(|| (to - from).normalize(), |strip| strip.span);
+    let twist_axis = strip.map(|strip| strip.span).or_else(|| surfaces::span_axis(to - from));
+    // A fuselage has no nose-up twist: forward, it rolls to the right.
+    let twist_axis = twist_axis.unwrap_or(Vector3::x());
     Some(Station { name: spec.name.value.clone(), attachment, twist_axis })
 }

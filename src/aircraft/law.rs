@@ -1,6 +1,7 @@
 //! How a quantity varies along a component: a number, or one of five forms.
 
-use super::document::{ANY, Allowed, FRACTION, Table, Value};
+use super::allowed::{ANY, Allowed, FRACTION};
+use super::document::{Table, Value};
 use super::error::{Place, Problem, Report};
 
 /// A point of a component: the fraction s of its length and the element in which it lies.

@@ -15,6 +15,7 @@
 //!
 #![doc = include_str!("../../aircraft/README.md")]
 
+mod allowed;
 mod check;
 mod document;
 mod error;

@@ -3,10 +3,12 @@
 use nalgebra::Vector3;
 use toml::de::DeTable;
 
-use super::document::{
-    AIRSPEED, ALTITUDE, ANGLE_DEG, ANY, Allowed, FRACTION, INSIDE_THE_CHORD, LENGTH, Located, NEAR_THE_CHORD,
-    NOT_NEGATIVE, POSITIVE, POSITIVE_LENGTH, Table, Value,
+use super::allowed::{
+    AIRSPEED, ALTITUDE, ANGLE_DEG, ANY, Allowed, BEAM_STIFFNESS, CHORDS, DRAG, FLAP_LIFT_SLOPE, FRACTION,
+    GAIN, GRAVITY, GYRATION, INERTIA, INERTIA_PRODUCT, INSIDE_THE_CHORD, LENGTH, LIFT_SLOPE, MASS,
+    NEAR_THE_CHORD, POSITIVE_LENGTH, SHARE,
 };
+use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
 use super::law::Law;
 use super::model::{ModeBasis, Support};
@@ -94,7 +96,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     let engines: Vec<_> = table.tables("engine", ENGINE).iter().map(read_engine).collect();
     let stations: Vec<_> = table.tables("station", STATION).iter().map(read_station).collect();
     Some(FileSpec {
-        gravity: number_or(&table, "gravity_m_s2", &NOT_NEGATIVE, 9.80665),
+        gravity: number_or(&table, "gravity_m_s2", &GRAVITY, 9.80665),
         inflow_states: table.optional("inflow_states").and_then(|v| v.integer(0..9)).unwrap_or(5),
         airspeed: number_or(&table, "airspeed_m_s", &AIRSPEED, 127.0),
         altitude: number_or(&table, "altitude_m", &ALTITUDE, 7620.0),
@@ -143,7 +145,8 @@ fn read_component(table: &Table) -> Option<ComponentSpec> {
     let segments = axis.as_ref().map(|axis| axis.value.len() - 1);
     let elements = table.required("elements").and_then(|v| read_elements(&v, segments?));
     let y_axis = table.required("y_axis").and_then(|v| v.located(Value::direction));
-    let stiffness = STIFFNESS.map(|f| Some((f, table.required(f).and_then(|v| Law::read(&v, &POSITIVE))?)));
+    let stiffness =
+        STIFFNESS.map(|f| Some((f, table.required(f).and_then(|v| Law::read(&v, &BEAM_STIFFNESS))?)));
     let chord = table.optional("chord_m").and_then(|v| Law::read(&v, &POSITIVE_LENGTH));
     let distributed: Vec<_> =
         table.tables("distributed_mass", DISTRIBUTED_MASS).iter().map(read_distributed_mass).collect();
@@ -216,17 +219,17 @@ fn read_distributed_mass(table: &Table) -> Option<DistributedMassSpec> {
     Some(DistributedMassSpec {
         place: table.place.clone(),
         parts: parts.into_iter().collect::<Option<_>>()?,
-        offset_chords: located("offset_chords", &ANY),
+        offset_chords: located("offset_chords", &CHORDS),
         offset: vector_or_zero(table, "offset_m", &LENGTH),
-        gyration_chords: located("gyration_chords", &NOT_NEGATIVE),
-        gyration_lengths: vector_or_zero(table, "gyration_lengths", &NOT_NEGATIVE),
-        added_inertia: vector_or_zero(table, "added_inertia_kg_m2", &NOT_NEGATIVE),
+        gyration_chords: located("gyration_chords", &GYRATION),
+        gyration_lengths: vector_or_zero(table, "gyration_lengths", &GYRATION),
+        added_inertia: vector_or_zero(table, "added_inertia_kg_m2", &INERTIA),
     })
 }
 
 fn read_mass_part(table: &Table) -> Option<MassPartSpec> {
     let (from, to) = read_stretch(table);
-    let total = table.required("total_kg")?.number(&POSITIVE)?;
+    let total = table.required("total_kg")?.number(&MASS)?;
     let chord_power = number_or(table, "chord_power", &ANY, 0.0);
     Some(MassPartSpec { place: table.place.clone(), total, chord_power, from, to })
 }
@@ -239,7 +242,7 @@ fn read_point_masses(table: &Table) -> Option<PointMassesSpec> {
         along: along?,
         offset: vector_or_zero(table, "offset_m", &LENGTH),
         inertia,
-        products: vector_or_zero(table, "products_kg_m2", &ANY),
+        products: vector_or_zero(table, "products_kg_m2", &INERTIA_PRODUCT),
         inertia_place,
     })
 }
@@ -253,17 +256,17 @@ fn read_masses(table: &Table) -> Option<Located<Vec<f64>>> {
             let allowed = "shares are allowed together with total_kg";
             table.report.add(Problem::Contradiction, &excluded.place, "found shares of mass_kg", allowed);
         }
-        let masses = value.one_or_more_numbers(&POSITIVE)?;
+        let masses = value.one_or_more_numbers(&MASS)?;
         return Some(Located { value: masses.into_iter().map(|mass| mass.value).collect(), place });
     }
-    let total = value.number(&POSITIVE);
+    let total = value.number(&MASS);
     let shares = table.required("shares")?;
     let place = shares.place.clone();
-    let shares = shares.numbers(&POSITIVE)?;
-    let whole = number_or(table, "shares_of", &POSITIVE, shares.iter().sum());
+    let shares = shares.numbers(&SHARE)?;
+    let whole = number_or(table, "shares_of", &SHARE, shares.iter().sum());
     let total = total?;
     let masses: Vec<f64> = shares.iter().map(|share| total * (share / whole)).collect();
-    let allowed = masses.iter().all(|mass| POSITIVE.check(*mass, &place, table.report));
+    let allowed = masses.iter().all(|mass| MASS.check(*mass, &place, table.report));
     allowed.then_some(Located { value: masses, place })
 }
 
@@ -274,7 +277,8 @@ fn read_inertia(table: &Table) -> (InertiaSpec, Place) {
         return point();
     }
     let Some((field, value)) = table.either(&["gyration_m", "inertia_kg_m2"]) else { return point() };
-    let Some(vector) = value.vector(&NOT_NEGATIVE) else { return point() };
+    let allowed = if field == "gyration_m" { &GYRATION } else { &INERTIA };
+    let Some(vector) = value.vector(allowed) else { return point() };
     let inertia =
         if field == "gyration_m" { InertiaSpec::Gyration(vector) } else { InertiaSpec::Moments(vector) };
     (inertia, value.place)
@@ -284,8 +288,7 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
     let (from, to) = read_stretch(table);
     let law = |field, allowed| table.optional(field).and_then(|v| Law::read(&v, allowed));
     let needed = |field, allowed| table.required(field).and_then(|v| Law::read(&v, allowed));
-    let (lift_slope, drag) =
-        (needed("lift_slope_per_rad", &NOT_NEGATIVE), needed("profile_drag", &NOT_NEGATIVE));
+    let (lift_slope, drag) = (needed("lift_slope_per_rad", &LIFT_SLOPE), needed("profile_drag", &DRAG));
     let elastic_axis = table.required("elastic_axis").and_then(|v| v.number(&NEAR_THE_CHORD));
     let controls: Vec<_> = table.tables("control", CONTROL).iter().map(read_control).collect();
     let flap = table.optional("flap");
@@ -315,7 +318,7 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
 
 fn read_flap(value: &Value) -> Option<FlapSpec> {
     let table = value.table(&["lift_slope_per_rad", "hinge"])?;
-    let lift_slope = table.required("lift_slope_per_rad").and_then(|v| v.number(&POSITIVE));
+    let lift_slope = table.required("lift_slope_per_rad").and_then(|v| v.number(&FLAP_LIFT_SLOPE));
     let hinge = table.required("hinge").and_then(|v| v.number(&INSIDE_THE_CHORD));
     Some(FlapSpec { lift_slope: lift_slope?, hinge: hinge? })
 }
@@ -323,7 +326,7 @@ fn read_flap(value: &Value) -> Option<FlapSpec> {
 fn read_control(table: &Table) -> Option<ControlSpec> {
     let inputs = [("elevator", Input::Elevator), ("aileron", Input::Aileron), ("rudder", Input::Rudder)];
     let input = table.required("input").and_then(|v| v.one_of(&inputs));
-    let gain = table.required("gain").and_then(|v| v.number(&ANY));
+    let gain = table.required("gain").and_then(|v| v.number(&GAIN));
     let (from, to) = read_stretch(table);
     Some(ControlSpec { place: table.place.clone(), input: input?, gain: gain?, from, to })
 }

@@ -59,10 +59,7 @@ fn axes(
     point: Point,
     report: &Report,
 ) -> Option<(Vector3<f64>, Vector3<f64>)> {
-    let span = spec.span_axis.or_else(|| {
-        let beam = line.span(point.element).normalize();
-        (beam - Vector3::x() * beam.x).try_normalize(1e-6).map(rightwards)
-    });
+    let span = spec.span_axis.or_else(|| span_axis(line.span(point.element)));
     let level = span.and_then(|s| (Vector3::x() - s * s.x).try_normalize(1e-6));
     let (Some(span), Some(level)) = (span, level) else {
         let found = "found a span axis along the body's x axis";
@@ -74,7 +71,13 @@ fn axes(
     Some((nose_up * level, span))
 }
 
-/// The sense of a span axis about which positive is nose-up: to the right, and for a fin upwards.
+/// The axis about which positive is nose-up for a beam along a vector: its direction across x, if it has one.
+pub(super) fn span_axis(beam: Vector3<f64>) -> Option<Vector3<f64>> {
+    let beam = beam.normalize();
+    (beam - Vector3::x() * beam.x).try_normalize(1e-6).map(rightwards)
+}
+
+/// The sense of a span axis: to the right, and for a fin upwards.
 fn rightwards(span: Vector3<f64>) -> Vector3<f64> {
     let backwards = if span.y.abs() > 1e-9 { span.y < 0.0 } else { span.z > 0.0 };
     if backwards { -span } else { span }

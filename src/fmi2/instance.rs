@@ -8,7 +8,7 @@ use super::life_cycle::{Function, State};
 use super::logger::Logger;
 use super::types::Status;
 use super::{RESOURCE_FILE, guid, identity, resource};
-use crate::simulation::{Inputs, Settings, Simulation};
+use crate::simulation::{Inputs, LATEST, Settings, Simulation};
 use crate::structure::{ReducedModel, StructureError};
 use crate::variables::{VariableTable, start_settings};
 
@@ -76,6 +76,30 @@ pub struct Experiment {
     pub stop: Option<f64>,
 }
 
+impl Experiment {
+    /// Why it cannot be flown. FMI 2.0 lets time begin below 0.
+    pub fn objection(&self) -> Option<String> {
+        let Experiment { tolerance, start, stop } = *self;
+        if let Some(found) = tolerance.filter(|tolerance| !(*tolerance > 0.0 && *tolerance < 1.0)) {
+            return Some(format!("tolerance: found {found}, allowed is a number between 0 and 1, exclusive"));
+        }
+        if !is_time(start) {
+            let allowed = format!("allowed is -{LATEST:e} to {LATEST:e} s: {GRID_REASON}");
+            return Some(format!("start time: found {start}, {allowed}"));
+        }
+        let found = stop.filter(|stop| !(is_time(*stop) && *stop >= start))?;
+        let allowed = format!("allowed is the start time {start} to {LATEST:e} s: {GRID_REASON}");
+        Some(format!("stop time: found {found}, {allowed}"))
+    }
+}
+
+const GRID_REASON: &str = "beyond, numbers are too coarse for the simulation's grid of time";
+
+/// Whether a number can be a time, s; not-a-number cannot.
+pub(super) fn is_time(time: f64) -> bool {
+    time.abs() <= LATEST
+}
+
 /// An instance of the FMU.
 #[derive(Debug)]
 pub struct Instance {
@@ -96,7 +120,7 @@ pub struct Instance {
 }
 
 /// Communication points may differ by this fraction (of the time, at least of 1 s): masters add up steps.
-const TIME_SLACK: f64 = 1e-9;
+pub(super) const TIME_SLACK: f64 = 1e-9;
 
 impl Instance {
     /// Reads the model from the resources and compares the guid.
@@ -168,22 +192,11 @@ impl Instance {
 
     /// `fmi2SetupExperiment`.
     pub fn set_up_experiment(&mut self, experiment: Experiment) -> Result<(), Refusal> {
-        let Experiment { tolerance, start, stop } = experiment;
-        if let Some(found) = tolerance.filter(|tolerance| !(tolerance.is_finite() && *tolerance > 0.0)) {
-            return Err(Refusal::error(format!("tolerance: found {found}, allowed is a positive number")));
-        }
-        if !start.is_finite() || start < 0.0 {
-            let reason =
-                format!("start time: found {start}, allowed is a finite number that is not negative");
-            return Err(Refusal::error(reason));
-        }
-        if let Some(found) = stop.filter(|stop| !(stop.is_finite() && *stop >= start)) {
-            let reason =
-                format!("stop time: found {found}, allowed is a finite number from the start time {start}");
-            return Err(Refusal::error(reason));
+        if let Some(objection) = experiment.objection() {
+            return Err(Refusal::error(objection));
         }
         self.experiment = experiment;
-        self.time = start;
+        self.time = experiment.start;
         Ok(())
     }
 
@@ -230,8 +243,9 @@ impl Instance {
             return Err(Refusal::error(reason));
         }
         let end = if size > 0.0 { self.time.max(point + size) } else { self.time };
-        if !end.is_finite() {
-            return Err(Refusal::error(format!("step size: {size} from {point} ends nowhere")));
+        if !is_time(end) {
+            let reason = format!("the step to {end} passes {LATEST:e} s: {GRID_REASON}");
+            return Err(Refusal::error(reason));
         }
         if let Some(stop) = self.experiment.stop.filter(|stop| end > stop + slack) {
             return Err(Refusal::error(format!("the step to {end} passes the stop time {stop}")));
@@ -247,11 +261,13 @@ impl Instance {
 
     /// The flight under the present parameters and inputs, trimmed at the start time if it is new.
     pub(super) fn flight(&mut self) -> Result<&mut Simulation, Refusal> {
-        let flight = match self.flight.take() {
-            Some(flight) => flight,
-            None => self.new_flight()?,
-        };
-        Ok(self.flight.insert(flight))
+        match self.flight {
+            Some(ref mut flight) => Ok(flight),
+            None => {
+                let flight = self.new_flight()?;
+                Ok(self.flight.insert(flight))
+            }
+        }
     }
 
     fn new_flight(&self) -> Result<Simulation, Refusal> {

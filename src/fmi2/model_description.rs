@@ -29,7 +29,7 @@ pub fn write(model: &ReducedModel) -> String {
 pub(super) fn with_guid(model: &ReducedModel, guid: &str) -> String {
     let table = VariableTable::new(model);
     let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
-    // Memory takes every byte, and the writer only passes UTF-8 on.
+    // PROOF: memory takes every byte, and the writer only passes UTF-8 on.
     document(&mut xml, model, &table, guid).expect("writing to memory succeeds");
     let mut text = String::from_utf8(xml.into_inner()).expect("strings are UTF-8");
     text.push('\n');

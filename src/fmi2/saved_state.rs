@@ -5,7 +5,7 @@
 //! snapshot when there is one, checksum of all that. The identity changes with aircraft, variables and
 //! version, so foreign bytes are noticed without a version number of their own.
 
-use super::instance::{Experiment, Instance, Refusal};
+use super::instance::{Experiment, Instance, Refusal, TIME_SLACK, is_time};
 use super::life_cycle::State;
 use crate::simulation::{Inputs, Settings};
 use crate::structure::fnv1a;
@@ -91,6 +91,9 @@ impl Instance {
         let content = &saved.bytes[..saved.bytes.len().saturating_sub(CHECKSUM_LENGTH)];
         let restored = Restored::read(self, content)
             .ok_or_else(|| Refusal::error("the saved state is not of this FMU or damaged"))?;
+        if let Some(objection) = restored.objection() {
+            return Err(Refusal::error(format!("the saved state: {objection}")));
+        }
         match restored.flight {
             None => self.flight = None,
             Some(snapshot) => {
@@ -98,10 +101,21 @@ impl Instance {
                     && restored.experiment.tolerance == self.experiment.tolerance;
                 let refuse = |error| Refusal::error(format!("the saved flight: {error}"));
                 match self.flight.as_mut().filter(|_| same) {
-                    Some(flight) => flight.restore(snapshot).map_err(refuse)?,
+                    Some(flight) => {
+                        let mut before = Vec::new();
+                        flight.snapshot(&mut before);
+                        flight.restore(snapshot).map_err(refuse)?;
+                        if !restored.is_now(flight.time()) {
+                            flight.restore(&before).map_err(refuse)?;
+                            return Err(Refusal::error(FLIGHT_ELSEWHEN));
+                        }
+                    }
                     None => {
                         let mut flight = self.trimmed(&restored.settings, &restored.experiment)?;
                         flight.restore(snapshot).map_err(refuse)?;
+                        if !restored.is_now(flight.time()) {
+                            return Err(Refusal::error(FLIGHT_ELSEWHEN));
+                        }
                         self.flight = Some(flight);
                     }
                 }
@@ -116,6 +130,8 @@ impl Instance {
         Ok(())
     }
 }
+
+const FLIGHT_ELSEWHEN: &str = "the saved flight: it is at another time than the instance";
 
 /// What the bytes say.
 struct Restored<'a> {
@@ -158,9 +174,45 @@ impl<'a> Restored<'a> {
                 Slot::Output(_) => {}
             }
         }
-        let flight = (reader.byte()? == 1).then_some(reader.bytes);
+        let flight = reader.flag()?.then_some(reader.bytes);
         let experiment = Experiment { tolerance, start, stop };
         Some(Restored { state, time, experiment, settings, inputs, rates, flight })
+    }
+
+    /// Why no instance can have come into such a state: a checksum does not tell a forger from a saver.
+    fn objection(&self) -> Option<String> {
+        let Experiment { start, stop, .. } = self.experiment;
+        let has_flown = match self.state {
+            State::Instantiated | State::InitializationMode => false,
+            State::StepComplete | State::Terminated => true,
+            State::Fatal => return Some("it is that of an instance that broke".to_owned()),
+        };
+        if let Some(objection) = self.experiment.objection() {
+            return Some(objection);
+        }
+        let end = if has_flown { stop.unwrap_or(f64::INFINITY) + self.slack() } else { start };
+        if !(is_time(self.time) && (start..=end).contains(&self.time)) {
+            return Some(format!("time: found {} outside the experiment", self.time));
+        }
+        let mut numbers = self.inputs.values().chain(self.rates.values());
+        if let Some(found) = numbers.find(|number| !number.is_finite()) {
+            return Some(format!("inputs: found {found}, allowed are finite numbers"));
+        }
+        match (self.state, self.flight) {
+            (State::Instantiated, Some(_)) => Some("found a flight before its initialisation".to_owned()),
+            (State::StepComplete | State::Terminated, None) => Some("its flight is missing".to_owned()),
+            _ => None,
+        }
+    }
+
+    /// Whether a flight's time, which may stand on a grid point close by, is that of the instance.
+    fn is_now(&self, time: f64) -> bool {
+        (time - self.time).abs() <= 10.0 * self.slack()
+    }
+
+    /// s.
+    fn slack(&self) -> f64 {
+        TIME_SLACK * self.time.abs().max(1.0)
     }
 }
 
@@ -180,12 +232,20 @@ impl Reader<'_> {
         self.take().map(|[byte]| byte)
     }
 
+    fn flag(&mut self) -> Option<bool> {
+        match self.byte()? {
+            0 => Some(false),
+            1 => Some(true),
+            _ => None,
+        }
+    }
+
     fn real(&mut self) -> Option<f64> {
         self.take().map(f64::from_le_bytes)
     }
 
     fn optional_real(&mut self) -> Option<Option<f64>> {
-        let present = self.byte()? == 1;
+        let present = self.flag()?;
         let value = self.real()?;
         Some(present.then_some(value))
     }

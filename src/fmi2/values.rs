@@ -109,9 +109,8 @@ impl Instance {
         orders: &[i32],
         rates: &[f64],
     ) -> Result<(), Refusal> {
-        let mut slots = Vec::with_capacity(references.len());
         for ((reference, order), rate) in references.iter().zip(orders).zip(rates) {
-            slots.push((self.input(*reference)?, *rate));
+            self.input(*reference)?;
             if *order != 1 {
                 let name = &self.variable(*reference, Family::Real)?.name;
                 return Err(Refusal::error(format!(
@@ -125,8 +124,8 @@ impl Instance {
                 )));
             }
         }
-        for (slot, rate) in slots {
-            *slot.of(&mut self.rates) = rate;
+        for (reference, rate) in references.iter().zip(rates) {
+            *self.input(*reference)?.of(&mut self.rates) = *rate;
         }
         self.pass_inputs_on();
         Ok(())
@@ -184,9 +183,11 @@ fn objection_to_setting(variable: &Variable, value: Value, state: State) -> Opti
         }
         _ => {}
     }
-    let found = match value {
-        Value::Real(x) => x.to_string(),
-        Value::Integer(i) => i.to_string(),
-    };
-    (!variable.allows(value)).then(|| format!("`{name}`: found {found}, allowed is {}", variable.allowed()))
+    (!variable.allows(value)).then(|| {
+        let found = match value {
+            Value::Real(x) => x.to_string(),
+            Value::Integer(i) => i.to_string(),
+        };
+        format!("`{name}`: found {found}, allowed is {}", variable.allowed())
+    })
 }

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 /// Inputs at one instant, or their rates of change (the same quantities per second).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Inputs {
     /// rad, positive trailing edge down (nose-down moment).
     pub elevator: f64,
@@ -15,6 +15,19 @@ pub struct Inputs {
     pub thrust: Vec<f64>,
     /// Velocity of the air mass, north-east-down, m/s.
     pub wind: Vector3<f64>,
+}
+
+impl Clone for Inputs {
+    fn clone(&self) -> Self {
+        Inputs { thrust: self.thrust.clone(), ..*self }
+    }
+
+    /// Without allocating when both have as many engines: inputs are passed on in every step.
+    fn clone_from(&mut self, source: &Self) {
+        let Inputs { elevator, aileron, rudder, ref thrust, wind } = *source;
+        (self.elevator, self.aileron, self.rudder, self.wind) = (elevator, aileron, rudder, wind);
+        self.thrust.clone_from(thrust);
+    }
 }
 
 impl Inputs {
@@ -36,7 +49,7 @@ impl Inputs {
     }
 
     /// All numbers, in the order of [`values_mut`](Self::values_mut).
-    pub(super) fn values(&self) -> impl Iterator<Item = f64> {
+    pub(crate) fn values(&self) -> impl Iterator<Item = f64> {
         let Inputs { elevator, aileron, rudder, thrust, wind } = self;
         [elevator, aileron, rudder].into_iter().chain(thrust).chain(wind.iter()).copied()
     }

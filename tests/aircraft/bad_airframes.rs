@@ -7,7 +7,7 @@ fn law_that_becomes_negative_names_the_element() {
     assert_messages(
         &[("polynomial = [3e6, -2e6]", "polynomial = [3e6, -4e6]")],
         &[
-            "small.toml:20:13: component.wing_right.EI_z_N_m2.element[4]: found -500000; a number greater than 0 is allowed",
+            "small.toml:20:13: component.wing_right.EI_z_N_m2.element[4]: found -500000; a stiffness in N or N m² from 1e-6 to 1e15 is allowed",
         ],
     );
 }
@@ -266,7 +266,17 @@ fn chord_that_becomes_negative_is_told_once() {
     assert_messages(
         &[("chord_m = 1.5", "chord_m = { polynomial = [1, -2] }")],
         &[
-            "small.toml:16:11: component.wing_right.chord_m.element[3]: found -0.25; a length in metres greater than 0, at most 1000, is allowed",
+            "small.toml:16:11: component.wing_right.chord_m.element[3]: found -0.25; a length in metres from 1e-6 to 1000 is allowed",
+        ],
+    );
+}
+
+#[test]
+fn shares_of_a_total_that_are_no_masses() {
+    assert_messages(
+        &[("mass_kg = [300, 80]", "total_kg = 2e-9\nshares = [1, 1]\nshares_of = 4")],
+        &[
+            "small.toml:50:10: component.fuselage.point_masses[1].shares: found 5e-10; a mass in kg from 1e-9 to 1e9 is allowed",
         ],
     );
 }
@@ -276,7 +286,7 @@ fn shares_of_almost_nothing() {
     assert_messages(
         &[("mass_kg = [300, 80]", "total_kg = 300\nshares = [1, 1]\nshares_of = 1e-320")],
         &[
-            "small.toml:50:10: component.fuselage.point_masses[1].shares: found inf; a number greater than 0 is allowed",
+            "small.toml:51:13: component.fuselage.point_masses[1].shares_of: found 1e-320; a share from 1e-9 to 1e9 is allowed",
         ],
     );
 }

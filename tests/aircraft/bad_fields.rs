@@ -8,7 +8,9 @@ use super::{GOOD, assert_messages};
 fn negative_stiffness() {
     assert_messages(
         &[("EA_N = 1e7", "EA_N = -1e7")],
-        &["small.toml:17:8: component.wing_right.EA_N: found -10000000; a number greater than 0 is allowed"],
+        &[
+            "small.toml:17:8: component.wing_right.EA_N: found -10000000; a stiffness in N or N m² from 1e-6 to 1e15 is allowed",
+        ],
     );
 }
 
@@ -16,7 +18,42 @@ fn negative_stiffness() {
 fn stiffness_zero() {
     assert_messages(
         &[("EA_N = 1e7", "EA_N = 0")],
-        &["small.toml:17:8: component.wing_right.EA_N: found 0; a number greater than 0 is allowed"],
+        &[
+            "small.toml:17:8: component.wing_right.EA_N: found 0; a stiffness in N or N m² from 1e-6 to 1e15 is allowed",
+        ],
+    );
+}
+
+/// Each would overflow or fail much later, far from the file.
+#[test]
+fn numbers_that_no_aircraft_has() {
+    for (field, value, message) in [
+        ("EA_N = 1e7", "1e-300", "a stiffness in N or N m² from 1e-6 to 1e15 is allowed"),
+        ("EI_z_N_m2 = { polynomial = [3e6, -2e6] }", "1e300", "a stiffness in N or N m² from 1e-6 to 1e15"),
+        ("mass_kg = [300, 80]", "1e10", "a mass in kg from 1e-9 to 1e9 is allowed"),
+        ("inertia_kg_m2 = [40, 50, 60]", "[1e13, 1e13, 1e13]", "a moment of inertia in kg m² from 0 to 1e12"),
+        ("lift_slope_per_rad = 5.5", "1e3", "a lift slope per radian from 0 to 100 is allowed"),
+        ("profile_drag = 0.01", "1e300", "a drag coefficient from 0 to 10 is allowed"),
+        ("gain = -1", "1e9", "a gain from -100 to 100 is allowed"),
+        ("chord_m = 1.5", "1e-300", "a length in metres from 1e-6 to 1000 is allowed"),
+        ("gravity_m_s2 = 9.806", "1e4", "an acceleration in m/s² from 0 to 1000 is allowed"),
+        (
+            "gyration_chords = [0, 0.25, 0.25]",
+            "[0, 1e9, 1e9]",
+            "a radius of gyration from 0 to 1000 is allowed",
+        ),
+    ] {
+        let (name, _) = field.split_once(" = ").unwrap();
+        let error = super::edited(&[(field, &format!("{name} = {value}"))]).expect_err(field).to_string();
+        assert!(error.contains(name) && error.contains(message), "{error}");
+    }
+}
+
+#[test]
+fn control_characters_in_a_name() {
+    assert_messages(
+        &[("name = \"Small aircraft\"", "name = \"a\\u0001b\"")],
+        &["small.toml:2:8: name: found the text \"a\\u{1}b\"; a text without control characters is allowed"],
     );
 }
 
@@ -25,7 +62,7 @@ fn negative_mass() {
     assert_messages(
         &[("mass_kg = [300, 80]", "mass_kg = [300, -80]")],
         &[
-            "small.toml:49:17: component.fuselage.point_masses[1].mass_kg[2]: found -80; a number greater than 0 is allowed",
+            "small.toml:49:17: component.fuselage.point_masses[1].mass_kg[2]: found -80; a mass in kg from 1e-9 to 1e9 is allowed",
         ],
     );
 }
@@ -35,7 +72,7 @@ fn mass_zero() {
     assert_messages(
         &[("total_kg = 100", "total_kg = 0.0")],
         &[
-            "small.toml:23:23: component.wing_right.distributed_mass[1].parts[1].total_kg: found 0; a number greater than 0 is allowed",
+            "small.toml:23:23: component.wing_right.distributed_mass[1].parts[1].total_kg: found 0; a mass in kg from 1e-9 to 1e9 is allowed",
         ],
     );
 }
@@ -45,7 +82,7 @@ fn negative_chord() {
     assert_messages(
         &[("chord_m = 1.5", "chord_m = -1.5")],
         &[
-            "small.toml:16:11: component.wing_right.chord_m: found -1.5; a length in metres greater than 0, at most 1000, is allowed",
+            "small.toml:16:11: component.wing_right.chord_m: found -1.5; a length in metres from 1e-6 to 1000 is allowed",
         ],
     );
 }
@@ -55,7 +92,7 @@ fn chord_zero() {
     assert_messages(
         &[("chord_m = 1.5", "chord_m = 0")],
         &[
-            "small.toml:16:11: component.wing_right.chord_m: found 0; a length in metres greater than 0, at most 1000, is allowed",
+            "small.toml:16:11: component.wing_right.chord_m: found 0; a length in metres from 1e-6 to 1000 is allowed",
         ],
     );
 }
@@ -146,7 +183,7 @@ fn not_a_number() {
     assert_messages(
         &[("chord_m = 1.5", "chord_m = nan")],
         &[
-            "small.toml:16:11: component.wing_right.chord_m: found NaN; a length in metres greater than 0, at most 1000, is allowed",
+            "small.toml:16:11: component.wing_right.chord_m: found NaN; a length in metres from 1e-6 to 1000 is allowed",
         ],
     );
 }
@@ -268,7 +305,7 @@ fn all_mistakes_of_a_file_are_told_at_once() {
             ("name = \"tip\"\n", ""),
         ],
         &[
-            "small.toml:16:11: component.wing_right.chord_m: found -1.5; a length in metres greater than 0, at most 1000, is allowed",
+            "small.toml:16:11: component.wing_right.chord_m: found -1.5; a length in metres from 1e-6 to 1000 is allowed",
             "small.toml:30:42: component.wing_right.surface[1].flap.hinge: found 7.5; a fraction of the chord behind the leading edge is allowed, greater than 0 and less than 1",
             "small.toml:40:12: component.fuselage.elements: found 2.5; a whole number from 1 to 1000 is allowed",
             "small.toml:69:1: station[1].name: the field \"name\" is missing; it is needed; allowed here: name, component, at_m, at",

@@ -52,6 +52,23 @@ fn mirrored_aileron_and_rudder_change_sign_and_the_elevator_does_not() {
     }
 }
 
+/// No strip is on the last element of the wings, nor any on fin and fuselage.
+#[test]
+fn twist_is_nose_up_without_a_strip_too() {
+    for (component, axis) in [
+        ("wing_left", Vector3::y()),
+        ("wing_right", Vector3::y()),
+        ("fin", -Vector3::z()),
+        ("fuselage", Vector3::x()),
+    ] {
+        let aircraft = aircraft(&[
+            ("elastic_axis = 0.35", "elastic_axis = 0.35\nto = 0.8"),
+            ("component = \"wing_left\"", &format!("component = \"{component}\"")),
+        ]);
+        assert_eq!(aircraft.stations[0].twist_axis, axis, "{component}");
+    }
+}
+
 #[test]
 fn control_moves_only_the_strips_of_its_stretch() {
     let aircraft = aircraft(&[]);

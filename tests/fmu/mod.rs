@@ -118,3 +118,45 @@ fn an_fmu_that_is_none_is_refused() {
     let error = Fmu::open(&jet_file()).err().unwrap().to_string();
     assert!(error.starts_with("cannot unpack ") && error.contains("generic-business-jet.toml"), "{error}");
 }
+
+#[test]
+fn a_file_that_is_no_library_of_its_platform_is_refused() {
+    let mut package = package();
+    package.binaries.push((Platform::Win64, jet_file()));
+    let error = package.to_bytes().unwrap_err().to_string();
+    let expected = "generic-business-jet.toml: found a file that is no 64-bit shared library, expected for win64 is \
+                    a Windows library (MZ, PE) for x86-64";
+    assert!(error.ends_with(expected), "{error}");
+}
+
+#[test]
+fn a_draft_replaces_the_old_fmu_only_when_it_is_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = folder.path().join("aircraft.fmu");
+    std::fs::write(&output, "the old one").unwrap();
+    let files = || std::fs::read_dir(folder.path()).unwrap().count();
+    let draft = package().draft(&output).unwrap();
+    assert!(Fmu::open(draft.path()).is_ok());
+    drop(draft);
+    assert_eq!((std::fs::read(&output).unwrap(), files()), (b"the old one".to_vec(), 1));
+    package().draft(&output).unwrap().keep().unwrap();
+    assert!(Fmu::open(&output).is_ok());
+    assert_eq!(files(), 1);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_library_that_does_not_load_is_refused_with_the_reason_of_the_loader() {
+    let folder = tempfile::tempdir().unwrap();
+    let [library, fmu] = ["cut_off.so", "aircraft.fmu"].map(|name| folder.path().join(name));
+    let mut package = package();
+    let whole = std::fs::read(&package.binaries[0].1).unwrap();
+    std::fs::write(&library, &whole[..64]).unwrap();
+    package.binaries[0].1 = library;
+    package.write(&fmu).unwrap();
+    let error = Fmu::open(&fmu).err().unwrap().to_string();
+    assert!(
+        error.starts_with("cannot use the shared library: ") && error.contains("FlexibleAircraft.so"),
+        "{error}"
+    );
+}

@@ -27,14 +27,36 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
+/// What a master does at each communication point: set, step, get.
 #[test]
-fn a_step_that_succeeds_allocates_nothing() {
+fn setting_stepping_and_getting_allocate_nothing() {
     let fmu = Fmu::flying();
-    assert_eq!(fmu.set(&[("elevator", 0.05), ("wind_down", 2.0)]), Status::Ok);
+    let inputs = ["elevator", "thrust_left", "thrust_right", "wind_down"].map(reference);
+    let ramped = [reference("aileron")];
+    let outputs =
+        ["attitude.pitch", "load_factor.z", "deflection.wing_tip_right.up", "elevator"].map(reference);
+    let mut values = [0.0; 4];
     let before = ALLOCATIONS.get();
     for i in 0..50 {
-        assert_eq!(fmu.step(0.013 * f64::from(i), 0.013), Status::Ok);
+        let i = f64::from(i);
+        let set = fmu.set_references(&inputs, &[1e-3 * i, 10.0 * i, -10.0 * i, 0.04 * i]);
+        // SAFETY: the component is alive, the arrays are as long as said.
+        let (rated, stepped, got) = unsafe {
+            (
+                fmi2SetRealInputDerivatives(
+                    fmu.component,
+                    ramped.as_ptr(),
+                    1,
+                    [1].as_ptr(),
+                    [1e-3 * i].as_ptr(),
+                ),
+                fmi2DoStep(fmu.component, 0.013 * i, 0.013, 1),
+                fmi2GetReal(fmu.component, outputs.as_ptr(), 4, values.as_mut_ptr()),
+            )
+        };
+        assert_eq!([set, rated, stepped, got], [Status::Ok; 4]);
     }
     assert_eq!(ALLOCATIONS.get(), before);
+    assert_eq!(values[3], 0.049);
     assert!(Fmu::new().component.is_aligned() && ALLOCATIONS.get() > before, "the count does not count");
 }

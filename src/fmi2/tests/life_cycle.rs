@@ -13,8 +13,11 @@ fn an_experiment_out_of_reason_is_refused() {
     for (tolerance, start, stop, part) in [
         (Some(0.0), 0.0, None, "tolerance"),
         (Some(f64::NAN), 0.0, None, "tolerance"),
-        (None, -1.0, None, "start time: found -1"),
+        (Some(1.0), 0.0, None, "tolerance: found 1, allowed is a number between 0 and 1, exclusive"),
         (None, f64::INFINITY, None, "start time"),
+        (None, -1.1e7, None, "start time: found -11000000, allowed is -1e7 to 1e7 s"),
+        (None, 1.1e7, None, "grid of time"),
+        (None, 0.0, Some(1.1e7), "stop time: found 11000000, allowed is the start time 0 to 1e7 s"),
         (None, 1.0, Some(0.5), "stop time: found 0.5"),
         (None, 0.0, Some(f64::NAN), "stop time"),
         (None, 0.0, Some(f64::INFINITY), "stop time"),
@@ -23,6 +26,26 @@ fn an_experiment_out_of_reason_is_refused() {
         fmu.assert_refused(&[part]);
     }
     assert_eq!(fmu.set_up(Some(1e-5), 1.0, Some(1.0)), Status::Ok);
+}
+
+#[test]
+fn a_flight_may_begin_before_time_zero() {
+    let fmu = Fmu::new();
+    assert_eq!(fmu.set_up(None, -0.02, Some(0.01)), Status::Ok);
+    assert_eq!((fmu.enter(), fmu.exit()), (Status::Ok, Status::Ok));
+    for point in [-0.02, -0.01, 0.0] {
+        assert_eq!(fmu.step(point, 0.01), Status::Ok, "{:?}", fmu.log);
+    }
+    assert_eq!(fmu.step(0.01, 0.01), Status::Error);
+    fmu.assert_refused(&["stop time 0.01"]);
+}
+
+#[test]
+fn a_step_beyond_the_grid_of_time_is_refused() {
+    let fmu = Fmu::flying();
+    assert_eq!(fmu.step(0.0, 1e300), Status::Error);
+    fmu.assert_refused(&["passes 1e7 s", "grid of time"]);
+    assert_eq!(fmu.step(0.0, 0.01), Status::Ok);
 }
 
 #[test]

@@ -131,3 +131,68 @@ fn a_flight_goes_on_from_a_saved_state_bit_for_bit() {
     (10..20).for_each(|i| step(&other, i));
     assert_eq!(other.outputs(), expected);
 }
+
+/// Where a saved state has its life-cycle state, time, start time, tolerance, stop time, first input and rate.
+const STATE: usize = 32;
+const TIME: usize = 33;
+const START: usize = 41;
+const TOLERANCE: usize = 50;
+const STOP: usize = 58;
+const INPUT: usize = 67;
+const RATE: usize = 75;
+
+/// Bytes with some of them replaced and a checksum that fits.
+fn forged(bytes: &[u8], at: usize, replacement: &[u8]) -> Vec<u8> {
+    let mut forged = bytes.to_vec();
+    forged[at..at + replacement.len()].copy_from_slice(replacement);
+    let end = forged.len() - 16;
+    let checksum = crate::structure::fnv1a(&forged[..end]);
+    forged[end..].copy_from_slice(&checksum.to_le_bytes());
+    forged
+}
+
+#[test]
+fn forged_states_with_a_right_checksum_are_refused_and_change_nothing() {
+    let fmu = Fmu::flying();
+    assert_eq!(fmu.set(&[("elevator", 0.02)]), Status::Ok);
+    assert_eq!(fmu.step(0.0, 0.25), Status::Ok);
+    let bytes = Saved::of(&fmu).bytes();
+    assert_eq!(bytes[INPUT..INPUT + 8], 0.02_f64.to_le_bytes(), "the layout has changed");
+    assert_eq!(bytes[TIME..TIME + 8], 0.25_f64.to_le_bytes(), "the layout has changed");
+    let before = fmu.outputs();
+    let stop = |stop: f64| [&[1], stop.to_le_bytes().as_slice()].concat();
+    for (at, replacement, reason) in [
+        (STATE, vec![4], "broke"),
+        (STATE, vec![0], "outside the experiment"),
+        (STATE, vec![9], "damaged"),
+        (TIME, f64::NAN.to_le_bytes().to_vec(), "time: found NaN"),
+        (TIME, 1e300_f64.to_le_bytes().to_vec(), "outside the experiment"),
+        (TIME, 0.5_f64.to_le_bytes().to_vec(), "at another time"),
+        (START, 0.5_f64.to_le_bytes().to_vec(), "outside the experiment"),
+        (START, f64::NEG_INFINITY.to_le_bytes().to_vec(), "start time"),
+        (TOLERANCE - 1, [&[1], 2.0_f64.to_le_bytes().as_slice()].concat(), "tolerance"),
+        (STOP, stop(f64::NAN), "stop time"),
+        (STOP, stop(0.1), "outside the experiment"),
+        (STOP, vec![2], "damaged"),
+        (INPUT, f64::NAN.to_le_bytes().to_vec(), "inputs: found NaN"),
+        (RATE, f64::INFINITY.to_le_bytes().to_vec(), "inputs: found inf"),
+    ] {
+        let saved = Saved::from_bytes(&fmu, &forged(&bytes, at, &replacement)).unwrap();
+        assert_eq!(saved.restore(), Status::Error, "{at}: {replacement:?}");
+        fmu.assert_refused(&["fmi2SetFMUstate", reason]);
+        assert_eq!(fmu.outputs(), before);
+    }
+    let saved = Saved::from_bytes(&fmu, &forged(&bytes, STOP, &stop(0.25))).unwrap();
+    assert_eq!(saved.restore(), Status::Ok, "{:?}", fmu.log);
+}
+
+#[test]
+fn a_state_in_flight_without_a_flight_is_refused() {
+    let fmu = Fmu::initialising();
+    let bytes = Saved::of(&fmu).bytes();
+    for state in [2, 3] {
+        let saved = Saved::from_bytes(&fmu, &forged(&bytes, STATE, &[state])).unwrap();
+        assert_eq!(saved.restore(), Status::Error);
+        fmu.assert_refused(&["its flight is missing"]);
+    }
+}
