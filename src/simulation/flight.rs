@@ -14,7 +14,7 @@ use super::{Inputs, Outputs, Settings, SimulationError, outputs};
 
 /// Width of a grid cell, s. The jet's fastest mode of twelve (55 rad/s) then turns by 0.28 rad a step: 56 times
 /// real time with the load factor within 2.3e-4; the error control halves from there.
-const CELL: f64 = 5e-3;
+pub(super) const CELL: f64 = 5e-3;
 
 /// Communication points this close to a grid point (in cells) are on it.
 const ON_GRID: f64 = 1e-6;

@@ -6,6 +6,7 @@
 
 use crate::structure::{ReducedModel, fnv1a};
 
+use super::flight::{CELL, LATEST};
 use super::integrator::MAX_SUBSTEPS;
 use super::{Settings, Simulation, SimulationError};
 
@@ -82,8 +83,12 @@ impl Simulation {
             return refuse("it holds numbers that are not finite");
         }
         let mut next = || numbers.next().unwrap_or(f64::NAN);
-        (self.anchor.time, self.present.time, self.steering.since) = (next(), next(), next());
-        let reference_airspeed = next();
+        let [anchor, present, since, reference_airspeed] = [next(), next(), next(), next()];
+        if !(anchor..=anchor + CELL).contains(&present) || present.abs() > LATEST || reference_airspeed < 0.0
+        {
+            return refuse("its times or its airspeed are out of range");
+        }
+        (self.anchor.time, self.present.time, self.steering.since) = (anchor, present, since);
         for number in self.steering.inputs.values_mut().chain(self.steering.rates.values_mut()) {
             *number = next();
         }
