@@ -9,6 +9,7 @@ mod flight;
 mod frequencies;
 mod modal_integrals;
 mod record;
+mod spin_up;
 mod strain_energy;
 mod trim;
 mod wind_tunnel;

@@ -20,6 +20,7 @@ const CLAIMS: &[Claim] = &[
     ("Modal integrals", "modal_integrals", &["modal-integrals", "mass-matrix"]),
     ("Equations of motion", "equations_of_motion", &["equations-of-motion"]),
     ("Strain energy", "strain_energy", &["strain-energy", "string"]),
+    ("Geometric stiffening", "spin_up", &["spin-up", "spinning"]),
     ("Clamped frequencies and mass of the jet", "frequencies", &["frequencies"]),
     ("Trim", "trim", &["trim"]),
     ("Eigenvalues", "eigenvalues", &["eigenvalues"]),
@@ -81,6 +82,12 @@ impl Record {
     pub fn at_least(&mut self, case: &str, bound: f64, measured: f64) {
         let cells = [format!("≥ {}", digits(bound, 3)), String::new(), digits(measured, 3), String::new()];
         self.add(case, &cells, measured >= bound);
+    }
+
+    /// A value that must stay below a bound.
+    pub fn at_most(&mut self, case: &str, bound: f64, measured: f64) {
+        let cells = [format!("≤ {}", digits(bound, 3)), String::new(), digits(measured, 3), String::new()];
+        self.add(case, &cells, measured <= bound);
     }
 
     /// A paragraph under the table.
