@@ -2,6 +2,7 @@
 
 pub mod beams;
 pub mod linearised;
+pub mod strip;
 
 use std::path::Path;
 use std::sync::{Arc, OnceLock};

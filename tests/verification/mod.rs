@@ -3,12 +3,15 @@
 mod beam;
 mod conservation;
 mod eigenvalues;
+mod energy_balance;
 mod equations_of_motion;
 mod fidelity_levels;
 mod flight;
 mod frequencies;
+mod inflow;
 mod modal_integrals;
 mod record;
+mod rigid_modes;
 mod spin_up;
 mod strain_energy;
 mod trim;
