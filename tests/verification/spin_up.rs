@@ -17,13 +17,13 @@ use std::f64::consts::TAU;
 use flexible_aircraft::aircraft::Support;
 use flexible_aircraft::dynamics::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{
-    ModalBasis, ModalIntegrals, Mode, ModeFamily, ModeShapes, ReducedModel, ReducedStation, StrainEnergy,
-    Structure,
+    ModalIntegrals, ModeShapes, ReducedModel, ReducedStation, StrainEnergy, Structure,
 };
-use nalgebra::{Complex, DMatrix, DVector, Schur, SymmetricEigen, Vector3};
+use nalgebra::{Complex, DMatrix, DVector, Schur, Vector3};
 
 use super::record::Record;
 use crate::support::beams::{Cantilever, ENDS};
+use crate::support::ritz::{bending_and_shortening, ritz_modes};
 
 const LENGTH: f64 = 10.0;
 const AREA: f64 = 4e-4;
@@ -43,9 +43,8 @@ fn base(time: f64) -> (f64, f64) {
     (0.4 * (time - SPIN_UP / TAU * sin), 0.4 * (1.0 - cos))
 }
 
-/// The beam along x, turning about z, in few Ritz modes: three bending modes in y, the static stretch, and for
-/// each pair of bending modes the axial motion −½∫ w_a′w_b′ dx that lets the beam shorten as it bends. Natural axial
-/// modes span the same space, but slowly: they have no strain at the tip.
+/// The beam along x, turning about z, in Ritz modes of a `full` basis. Natural axial modes span the same space, but
+/// slowly: they have no strain at the tip.
 fn model(elements: usize) -> ReducedModel {
     let beam = Cantilever {
         axis: Vector3::x(),
@@ -61,7 +60,7 @@ fn model(elements: usize) -> ReducedModel {
     };
     let aircraft = beam.aircraft(elements);
     let structure = Structure::new(&aircraft).unwrap();
-    let (modes, shapes) = ritz_modes(&structure, &trial_shapes(&structure, elements));
+    let (modes, shapes) = ritz_modes(&structure, &bending_and_shortening(&structure));
     let tip = structure.unknowns() - 6;
     let at_tip = |first: usize| shapes.rows(first, 3).transpose().as_slice().to_vec();
     ReducedModel {
@@ -81,65 +80,6 @@ fn model(elements: usize) -> ReducedModel {
             shapes: ModeShapes { translation: at_tip(tip), rotation: at_tip(tip + 3) },
         }],
     }
-}
-
-fn trial_shapes(structure: &Structure, elements: usize) -> DMatrix<f64> {
-    let basis = ModalBasis::new(structure, 8).unwrap();
-    let tip = structure.unknowns() - 6;
-    let in_plane = |column: &DVector<f64>| column[tip + 1].abs() > 0.5 * column.rows(tip, 3).norm();
-    let columns: Vec<DVector<f64>> =
-        basis.shapes.column_iter().map(|c| c.into_owned()).filter(in_plane).take(3).collect();
-    let mut all = columns.clone();
-    let step = LENGTH / elements as f64;
-    let axial = |u: &dyn Fn(usize) -> f64| {
-        let mut column = DVector::zeros(structure.unknowns());
-        (1..=elements).for_each(|node| column[6 * (node - 1)] = u(node));
-        column
-    };
-    all.push(axial(&|node| node as f64 * step));
-    all.push(axial(&|node| (node as f64 * step).powi(3)));
-    for a in 0..columns.len() {
-        for b in a..columns.len() {
-            let mut shortening = vec![0.0];
-            for (element, geometry) in structure.geometry.iter().enumerate() {
-                let slope = |place: f64, column: &DVector<f64>| {
-                    let shape = DMatrix::from_columns(std::slice::from_ref(column));
-                    structure.apply_row(element, &geometry.gradients(place).slope_v, &shape)[0]
-                };
-                // Three-point Gauss rule: exact for the quartic slope squared.
-                let gauss = [
-                    (0.112_701_665_379_258_3, 5.0 / 18.0),
-                    (0.5, 8.0 / 18.0),
-                    (0.887_298_334_620_741_7, 5.0 / 18.0),
-                ];
-                let sum: f64 =
-                    gauss.iter().map(|&(x, w)| w * slope(x, &columns[a]) * slope(x, &columns[b])).sum();
-                shortening.push(shortening[element] - 0.5 * step * sum);
-            }
-            all.push(axial(&|node| shortening[node]));
-        }
-    }
-    all.iter_mut().for_each(|column| *column /= column.amax());
-    DMatrix::from_columns(&all)
-}
-
-/// Modes within the span of trial shapes, mass-normalised; those that move nearly alike count once.
-fn ritz_modes(structure: &Structure, trial: &DMatrix<f64>) -> (Vec<Mode>, DMatrix<f64>) {
-    let mass = trial.transpose() * structure.mass() * trial;
-    let eigen = SymmetricEigen::new(mass);
-    let kept: Vec<usize> =
-        (0..trial.ncols()).filter(|&i| eigen.eigenvalues[i] > 1e-9 * eigen.eigenvalues.max()).collect();
-    let columns: Vec<_> = kept
-        .iter()
-        .map(|&i| trial * eigen.eigenvectors.column(i) / libm::sqrt(eigen.eigenvalues[i]))
-        .collect();
-    let normal = DMatrix::from_columns(&columns);
-    let eigen = SymmetricEigen::new(normal.transpose() * structure.stiffness(false) * &normal);
-    let modes = eigen
-        .eigenvalues
-        .iter()
-        .map(|square| Mode { family: ModeFamily::Unsymmetric, angular_frequency: libm::sqrt(*square) });
-    (modes.collect(), normal * eigen.eigenvectors)
 }
 
 /// What the tip does.
@@ -210,7 +150,7 @@ fn spin_up(model: &ReducedModel, fidelity: Fidelity) -> History {
     let mut accelerate =
         |time: f64, q: &DVector<f64>, q_dot: &DVector<f64>| beam.acceleration(time, q, q_dot);
     // The highest Ritz mode has 19 000 rad/s.
-    integrate(n, 1.25e-4, &mut accelerate, &|q| -tip(q, 1), &|q| tip(q, 0))
+    integrate(n, 1.25e-4, |time, q, q_dot| beam.acceleration(time, q, q_dot), |q| [-tip(q, 1), tip(q, 0)])
 }
 
 /// The slowest eigenvalue (1/s) of small motion about the beam turning steadily at 6 rad/s.
@@ -252,13 +192,12 @@ fn slowest_eigenvalue(model: &ReducedModel, fidelity: Fidelity) -> Complex<f64> 
     *upper.min_by(|a, b| a.norm().total_cmp(&b.norm())).unwrap()
 }
 
-/// Runge–Kutta steps of q̈ = f(t, q, q̇) from rest over 20 s.
+/// Runge–Kutta steps of q̈ = f(t, q, q̇) from rest over 20 s; `tip` is its lag and stretch at q.
 fn integrate(
     n: usize,
     step: f64,
-    accelerate: &mut dyn FnMut(f64, &DVector<f64>, &DVector<f64>) -> DVector<f64>,
-    lag: &dyn Fn(&DVector<f64>) -> f64,
-    stretch: &dyn Fn(&DVector<f64>) -> f64,
+    mut accelerate: impl FnMut(f64, &DVector<f64>, &DVector<f64>) -> DVector<f64>,
+    tip: impl Fn(&DVector<f64>) -> [f64; 2],
 ) -> History {
     let (mut q, mut p) = (DVector::zeros(n), DVector::zeros(n));
     let mut history = History { peak_lag: 0.0, peak_time: 0.0, residual: 0.0, stretch: 0.0 };
@@ -275,8 +214,8 @@ fn integrate(
         let a4 = accelerate(t + step, &q4, &p4);
         q += (&p + p2 * 2.0 + p3 * 2.0 + p4) * (step / 6.0);
         p += (a1 + a2 * 2.0 + a3 * 2.0 + a4) * (step / 6.0);
-        let lag = lag(&q);
-        if !(lag.abs() < LENGTH) {
+        let [lag, stretch] = tip(&q);
+        if lag.is_nan() || lag.abs() >= LENGTH {
             history.peak_lag = f64::INFINITY;
             history.peak_time = t;
             return history;
@@ -286,7 +225,7 @@ fn integrate(
         }
         if index >= last {
             history.residual = history.residual.max(lag.abs());
-            history.stretch += stretch(&q) / (steps - last) as f64;
+            history.stretch += stretch / (steps - last) as f64;
         }
     }
     history
@@ -348,12 +287,12 @@ impl Kane {
 
     fn spin_up(&self) -> History {
         let inverse = self.mass.clone().try_inverse().unwrap();
-        let mut accelerate = |time: f64, q: &DVector<f64>, _: &DVector<f64>| {
+        let accelerate = |time: f64, q: &DVector<f64>, _: &DVector<f64>| {
             let (rate, rate_change) = base(time);
             &inverse * (&self.lever * -rate_change - self.stiffness(rate) * q)
         };
         let lag = |q: &DVector<f64>| -q.iter().zip(&self.tips).map(|(q, tip)| q * tip).sum::<f64>();
-        integrate(self.tips.len(), 1e-3, &mut accelerate, &lag, &|_| 0.0)
+        integrate(self.tips.len(), 1e-3, accelerate, |q| [lag(q), 0.0])
     }
 
     /// The lowest frequency of lateral motion in the rotating frame, rad/s.

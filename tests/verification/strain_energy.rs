@@ -8,12 +8,12 @@ use nalgebra::{DMatrix, DVector, Matrix6xX, SymmetricEigen, Vector3};
 
 use super::record::Record;
 use crate::support::beams::{Cantilever, ENDS};
-use crate::support::random;
+use crate::support::{derivative, random};
 
 /// Abscissae and weights on (−1, 1) of the 8-point Gauss rule (Abramowitz, Stegun, table 25.4), positive half.
 const GAUSS_8: [(f64, f64); 4] = [
-    (0.183_434_642_495_649_8, 0.362_683_783_378_362_0),
-    (0.525_532_409_916_329_0, 0.313_706_645_877_887_3),
+    (0.183_434_642_495_649_8, 0.362_683_783_378_362),
+    (0.525_532_409_916_329, 0.313_706_645_877_887_3),
     (0.796_666_477_413_626_7, 0.222_381_034_453_374_5),
     (0.960_289_856_497_536_2, 0.101_228_536_290_376_3),
 ];
@@ -100,11 +100,6 @@ fn moved(q: &DVector<f64>, mode: usize, step: f64) -> DVector<f64> {
     let mut q = q.clone();
     q[mode] += step;
     q
-}
-
-/// The derivative at 0 of a polynomial of degree ≤ 4.
-fn derivative(step: f64, f: impl Fn(f64) -> f64) -> f64 {
-    (8.0 * (f(step) - f(-step)) - (f(2.0 * step) - f(-2.0 * step))) / (12.0 * step)
 }
 
 #[test]
