@@ -147,8 +147,6 @@ fn spin_up(model: &ReducedModel, fidelity: Fidelity) -> History {
     let tip = |q: &DVector<f64>, axis: usize| {
         DVector::from_row_slice(&model.stations[0].shapes.translation[axis * n..(axis + 1) * n]).dot(q)
     };
-    let mut accelerate =
-        |time: f64, q: &DVector<f64>, q_dot: &DVector<f64>| beam.acceleration(time, q, q_dot);
     // The highest Ritz mode has 19 000 rad/s.
     integrate(n, 1.25e-4, |time, q, q_dot| beam.acceleration(time, q, q_dot), |q| [-tip(q, 1), tip(q, 0)])
 }
