@@ -190,7 +190,7 @@ fn the_work_of_air_thrust_and_gravity_is_the_change_of_energy() {
         record.at_least(&format!("{fidelity:?}: largest change of T + U, J"), 1e6, largest);
         record.rounding(
             &format!("{fidelity:?}: largest difference to the work, over that"),
-            1e-8,
+            1e-10,
             difference / largest,
         );
     }
