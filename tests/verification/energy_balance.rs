@@ -14,7 +14,7 @@ use flexible_aircraft::structure::{ModeShapes, ReducedModel, ReducedStrip};
 use nalgebra::{DVector, DVectorView, Matrix3xX, Rotation3, Vector3};
 
 use super::record::Record;
-use crate::support::jet;
+use crate::support::{derivative, jet, random};
 
 /// ν, ν̇ and q at an instant.
 struct Motion<'a> {
@@ -128,10 +128,8 @@ fn power(
     air + thrust + gravity.dot(&momentum)
 }
 
-/// Twelve modes of both families at one-tenth stiffness, controls that shake the aircraft in all axes: the largest
-/// change of energy along 4 s, J, and the largest difference to the work.
-fn balance(fidelity: Fidelity) -> (f64, f64) {
-    const STEP: f64 = 1e-3;
+/// The jet with twelve modes of both families at one-tenth stiffness in steady inflow.
+fn soft_jet(fidelity: Fidelity) -> (ReducedModel, EquationsOfMotion) {
     let model = jet().select(&(0..12).collect::<Vec<_>>());
     let configuration = Configuration {
         fidelity,
@@ -141,6 +139,20 @@ fn balance(fidelity: Fidelity) -> (f64, f64) {
         tunnel_flow: Vector3::zeros(),
     };
     let equations = EquationsOfMotion::new(&model, &configuration);
+    (model, equations)
+}
+
+/// T + U.
+fn energy(equations: &EquationsOfMotion, state: &[f64]) -> f64 {
+    let mechanics = Mechanics::new(equations, state);
+    mechanics.kinetic_energy + mechanics.strain_energy
+}
+
+/// Controls that shake the aircraft in all axes: the largest
+/// change of energy along 4 s, J, and the largest difference to the work.
+fn balance(fidelity: Fidelity) -> (f64, f64) {
+    const STEP: f64 = 1e-3;
+    let (model, equations) = soft_jet(fidelity);
     let trim = equations.trim(&TrimCondition { airspeed: 127.0, altitude: 7620.0, heading: 0.0 }).unwrap();
     let mut workspace = Workspace::new(&equations);
     let mut slope = |time: f64, state: &DVector<f64>| {
@@ -157,10 +169,7 @@ fn balance(fidelity: Fidelity) -> (f64, f64) {
         rates[work] = power(&model, &equations, aircraft, workspace.accelerations(), &controls);
         DVector::from_vec(rates)
     };
-    let energy = |state: &DVector<f64>| {
-        let mechanics = Mechanics::new(&equations, &state.as_slice()[..state.len() - 1]);
-        mechanics.kinetic_energy + mechanics.strain_energy
-    };
+    let energy = |state: &DVector<f64>| energy(&equations, &state.as_slice()[..state.len() - 1]);
     let mut state = DVector::from_vec([trim.state.as_slice(), &[0.0]].concat());
     let start = energy(&state);
     let (mut largest, mut difference) = (0.0_f64, 0.0_f64);
@@ -178,11 +187,43 @@ fn balance(fidelity: Fidelity) -> (f64, f64) {
     (largest, difference)
 }
 
+/// The largest difference of power and d(T + U)/dt over ten random states, relative to the power.
+fn instantaneous(fidelity: Fidelity) -> f64 {
+    let (model, equations) = soft_jet(fidelity);
+    let layout = *equations.layout();
+    let mut workspace = Workspace::new(&equations);
+    let mut largest = 0.0_f64;
+    for seed in 0..10 {
+        let mut next = random(seed);
+        let mut state: Vec<f64> = (0..layout.len()).map(|_| next()).collect();
+        state[layout.position().end - 1] = -7620.0;
+        state[layout.velocity().start] = 127.0;
+        for (range, scale) in [
+            (layout.velocity().end - 1..layout.velocity().end, 15.0),
+            (layout.coordinates(), 20.0),
+            (layout.coordinate_rates(), 60.0),
+        ] {
+            state[range].iter_mut().for_each(|x| *x *= scale);
+        }
+        let mut controls = Controls::neutral(2);
+        (controls.elevator, controls.aileron, controls.rudder) = (0.2 * next(), 0.2 * next(), 0.2 * next());
+        controls.thrust.fill(3e4 * next());
+        let mut rates = vec![0.0; state.len()];
+        equations.rates(&state, &controls, &mut rates, &mut workspace);
+        let expected = power(&model, &equations, &state, workspace.accelerations(), &controls);
+        // T + U is quartic along a straight line.
+        let moved = |s: f64| state.iter().zip(&rates).map(|(x, rate)| x + s * rate).collect::<Vec<_>>();
+        let found = derivative(1e-2, |s| energy(&equations, &moved(s)));
+        largest = largest.max((found / expected - 1.0).abs());
+    }
+    largest
+}
+
 #[test]
 fn the_work_of_air_thrust_and_gravity_is_the_change_of_energy() {
     let mut record = Record::new(
         "energy-balance",
-        "4 s of violent flight at one-tenth stiffness, all surfaces and thrust moving: energy and work",
+        "Jet at one-tenth stiffness in air, all surfaces and thrust moving: energy and work over 4 s, and at random states",
         "work of the loads as physics.md §4 and §5 write them, summed here; Runge–Kutta steps of 1 ms",
     );
     for fidelity in [Fidelity::Exact, Fidelity::Inconsistent] {
@@ -193,6 +234,10 @@ fn the_work_of_air_thrust_and_gravity_is_the_change_of_energy() {
             1e-10,
             difference / largest,
         );
+    }
+    for fidelity in [Fidelity::Exact, Fidelity::Inconsistent] {
+        let case = format!("{fidelity:?}: power against d(T + U)/dt, ten random states, relative");
+        record.rounding(&case, 1e-9, instantaneous(fidelity));
     }
     record.finish();
 }
