@@ -1,7 +1,7 @@
 //! The jet linearised at a trim, and single eigenvalues of it.
 
 use flexible_aircraft::dynamics::{
-    Configuration, Controls, EquationsOfMotion, Fidelity, TrimCondition, Workspace,
+    Configuration, Controls, EquationsOfMotion, Fidelity, Trim, TrimCondition, Workspace,
 };
 use flexible_aircraft::structure::ModeFamily;
 use nalgebra::{Complex, DMatrix, DVector, Vector3};
@@ -10,6 +10,17 @@ use super::jet;
 
 /// The state matrix of the jet with 8 symmetric modes and N = 5 at its trim at 7620 m, by central differences.
 pub fn state_matrix(fidelity: Fidelity, stiffness_scale: f64, airspeed: f64) -> DMatrix<f64> {
+    let (equations, trim) = trimmed(fidelity, stiffness_scale, airspeed, 5);
+    linearise(&equations, &trim)
+}
+
+/// The jet's equations with 8 symmetric modes and their trim at 7620 m.
+pub fn trimmed(
+    fidelity: Fidelity,
+    stiffness_scale: f64,
+    airspeed: f64,
+    inflow_states: usize,
+) -> (EquationsOfMotion, Trim) {
     let jet = jet();
     let symmetric = (0..jet.modes.len()).filter(|&mode| jet.modes[mode].family == ModeFamily::Symmetric);
     let chosen: Vec<_> = if fidelity == Fidelity::Rigid { Vec::new() } else { symmetric.take(8).collect() };
@@ -17,17 +28,22 @@ pub fn state_matrix(fidelity: Fidelity, stiffness_scale: f64, airspeed: f64) -> 
         fidelity,
         stiffness_scale,
         structural_damping: 0.0,
-        inflow_states: 5,
+        inflow_states,
         tunnel_flow: Vector3::zeros(),
     };
     let equations = EquationsOfMotion::new(&jet.select(&chosen), &configuration);
     let trim = equations.trim(&TrimCondition { airspeed, altitude: 7620.0, heading: 0.0 }).unwrap();
+    (equations, trim)
+}
+
+/// The state matrix at a trim, by central differences.
+pub fn linearise(equations: &EquationsOfMotion, trim: &Trim) -> DMatrix<f64> {
     let mut controls = Controls::neutral(2);
     controls.elevator = trim.elevator;
     controls.thrust.fill(trim.thrust);
 
     let n = trim.state.len();
-    let mut workspace = Workspace::new(&equations);
+    let mut workspace = Workspace::new(equations);
     let mut matrix = DMatrix::zeros(n, n);
     for column in 0..n {
         let mut rates = [vec![0.0; n], vec![0.0; n]];

@@ -1,10 +1,19 @@
 //! Physics: each file holds one claim against a source that is not this program.
 
+mod beam;
 mod conservation;
 mod eigenvalues;
+mod energy_balance;
+mod equations_of_motion;
 mod fidelity_levels;
 mod flight;
 mod frequencies;
+mod inflow;
+mod modal_integrals;
+mod record;
 mod refusals;
+mod rigid_modes;
+mod spin_up;
+mod strain_energy;
 mod trim;
 mod wind_tunnel;
