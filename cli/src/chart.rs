@@ -13,10 +13,13 @@ use kuva::render::plots::Plot;
 const WIDTH: f64 = 720.0;
 const HEIGHT: f64 = 440.0;
 
+/// Left and right of the axes, px.
+const MARGINS: (f64, f64) = (92.0, 18.0);
+
 const FONT: &str = "system-ui, sans-serif";
 
 /// Geometry of the legend, px.
-const LEGEND_LEFT: f64 = 76.0;
+const LEGEND_LEFT: f64 = 92.0;
 const LEGEND_ROW: f64 = 26.0;
 const LEGEND_STROKE: f64 = 44.0;
 
@@ -175,6 +178,7 @@ impl Chart {
             .with_y_axis_min(y.min)
             .with_y_axis_max(y.max)
             .with_box_axes()
+            .with_force_margins(MARGINS.0, MARGINS.1)
             .with_tick_format(TickFormat::Custom(std::sync::Arc::new(tick_label)))
             .with_title_size(20)
             .with_label_size(17)

@@ -85,6 +85,9 @@ impl fmt::Display for Verdict {
                 if *below > 0.0 {
                     write!(f, " below by {:.0} %", percent(*below).ceil())?;
                 }
+                if *below > 0.0 && *above > 0.0 {
+                    write!(f, " and")?;
+                }
                 if *above > 0.0 {
                     write!(f, " above by {:.0} %", percent(*above).ceil())?;
                 }
@@ -128,6 +131,6 @@ mod tests {
     #[test]
     fn curves_that_leave_are_named_with_how_far() {
         let outside = verdict(&[(16.2, 18.0), (15.0, 20.4)]);
-        assert_eq!(outside.to_string(), "leaves it below by 25 % above by 10 % (c1)");
+        assert_eq!(outside.to_string(), "leaves it below by 25 % and above by 10 % (c1)");
     }
 }

@@ -2,6 +2,7 @@
 
 mod cases;
 mod figures;
+mod findings;
 mod fit;
 mod history;
 mod page;

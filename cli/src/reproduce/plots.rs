@@ -4,7 +4,7 @@ use super::cases::Surface;
 use super::figures::{Comparison, Figure};
 use super::fit::Fit;
 use super::history::{DURATION, History};
-use crate::chart::{Axis, Chart, Curve, Window};
+use crate::chart::{Axis, Chart, Curve, Mark, Window};
 
 /// A figure with its curves, drawn.
 #[derive(Clone, Debug)]
@@ -22,14 +22,14 @@ pub struct Plot {
 impl Plot {
     /// Draws a figure with the histories of its flights.
     pub fn new(figure: Figure, histories: &[History]) -> Plot {
-        let curves: Vec<Curve> = figure
-            .flights()
-            .into_iter()
-            .filter_map(|(flight, label)| {
-                let history = histories.iter().find(|history| history.flight == flight)?;
-                Some(Curve { label, points: history.curve(figure.quantity) })
-            })
-            .collect();
+        let (mut curves, mut marks) = (Vec::new(), Vec::new());
+        for (flight, label) in figure.flights() {
+            let Some(history) = histories.iter().find(|history| history.flight == flight) else { continue };
+            if let (Some(_), Some(last)) = (&history.end, history.samples.last()) {
+                marks.push(Mark::Vertical(last.time, format!("{label} ends")));
+            }
+            curves.push(Curve { label, points: history.curve(figure.quantity) });
+        }
         let fit = Fit::of(&figure, &curves);
         let shown = fit.as_ref().map_or(figure.window, |fit| shown(&figure, &fit.ours));
         let is_clipped =
@@ -42,7 +42,7 @@ impl Plot {
                 ..Axis::new(figure.quantity.label(), shown)
             },
             curves,
-            marks: Vec::new(),
+            marks,
             frame: Some(figure.window),
         };
         Plot { figure, fit, is_clipped, svg: chart.to_svg() }

@@ -39,18 +39,21 @@ impl Tip {
     }
 }
 
+/// What is known of a row: wing first, then tail.
+struct Known(Fidelity, Case, [Option<f64>; 2], [f64; 2]);
+
 /// The nominal wing tip is in the text of [5.2.1], the rest in Table 5.1; 127 m/s, 7620 m, 8 symmetric modes.
-const REFERENCE: [(Fidelity, Case, [Option<f64>; 2], [f64; 2]); 5] = [
-    (Fidelity::Exact, Case::ElevatorNominal, [Some(0.58), None], [0.5577, 0.0244]),
-    (Fidelity::Exact, Case::ElevatorTenth, [Some(2.84), Some(0.26)], [2.831, 0.1594]),
-    (Fidelity::ConsistentlyLinearised, Case::ElevatorTenth, [Some(4.93), Some(0.26)], [4.992, 0.2904]),
-    (Fidelity::Inconsistent, Case::ElevatorTenth, [Some(4.93), Some(0.26)], [4.986, 0.2878]),
-    (Fidelity::RuthlesslyLinearised, Case::ElevatorTenth, [Some(4.95), Some(0.14)], [5.009, 0.2490]),
+const KNOWN: [Known; 5] = [
+    Known(Fidelity::Exact, Case::ElevatorNominal, [Some(0.58), None], [0.5577, 0.0244]),
+    Known(Fidelity::Exact, Case::ElevatorTenth, [Some(2.84), Some(0.26)], [2.831, 0.1594]),
+    Known(Fidelity::ConsistentlyLinearised, Case::ElevatorTenth, [Some(4.93), Some(0.26)], [4.992, 0.2904]),
+    Known(Fidelity::Inconsistent, Case::ElevatorTenth, [Some(4.93), Some(0.26)], [4.986, 0.2878]),
+    Known(Fidelity::RuthlesslyLinearised, Case::ElevatorTenth, [Some(4.95), Some(0.14)], [5.009, 0.2490]),
 ];
 
 /// The table, from the beginnings of the flights.
 pub fn rows(histories: &[History]) -> Vec<Row> {
-    let row = |(fidelity, case, thesis, expected): (_, _, [_; 2], [_; 2])| {
+    let row = |Known(fidelity, case, thesis, expected): Known| {
         let flight = Flight { case, fidelity, inflow_states: UNSTEADY };
         let history = histories.iter().find(|history| history.flight == flight);
         let trim = history.and_then(|history| history.samples.first());
@@ -62,10 +65,10 @@ pub fn rows(histories: &[History]) -> Vec<Row> {
             tail: Tip { thesis: thesis[1], expected: expected[1], ours: ours(Quantity::TailTip) },
         }
     };
-    REFERENCE.into_iter().map(row).collect()
+    KNOWN.into_iter().map(row).collect()
 }
 
-/// The cells of a row, headings first.
+/// Over the cells.
 pub const HEADINGS: [&str; 9] = [
     "model, stiffness",
     "wing tip: thesis (m)",
