@@ -131,7 +131,17 @@ impl Chart {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" \
              height=\"{height}\" role=\"img\" font-family=\"{FONT}\">\
-             <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>{drawing}{legend}</svg>\n"
+             <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>{drawing}{}{legend}</svg>\n",
+            self.upright_label()
+        )
+    }
+
+    /// The label of the vertical axis, where no tick label reaches.
+    fn upright_label(&self) -> String {
+        format!(
+            "<text transform=\"rotate(-90)\" x=\"{}\" y=\"22\" text-anchor=\"middle\" font-size=\"17\">{}</text>",
+            -0.495 * HEIGHT,
+            escaped(&self.y.label)
         )
     }
 
@@ -172,7 +182,6 @@ impl Chart {
             .with_height(HEIGHT)
             .with_title(&self.title)
             .with_x_label(&self.x.label)
-            .with_y_label(&self.y.label)
             .with_x_axis_min(x.min)
             .with_x_axis_max(x.max)
             .with_y_axis_min(y.min)

@@ -19,8 +19,9 @@ h1 { line-height: 1.2; } h2 { margin-top: 3rem; border-top: 1px solid var(--line
 p, ul { max-width: 46rem; } .wide { overflow-x: auto; }
 nav a { display: inline-block; margin: 0 1rem .3rem 0; }
 table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .25rem .6rem; border-bottom: 1px solid var(--line); text-align: right; }
-th:first-child, td:first-child, td.words { text-align: left; } th { vertical-align: bottom; }
+th, td { padding: .25rem .6rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
+th:first-child, td:first-child, .words { text-align: left; white-space: normal; }
+th { vertical-align: bottom; white-space: normal; }
 .figures { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 28rem), 1fr)); }
 figure { margin: 0; border: 1px solid var(--line); border-radius: .4rem; overflow: hidden; }
 figure svg { display: block; width: 100%; height: auto; }
@@ -139,8 +140,8 @@ fn fits(reproduction: &Reproduction) -> String {
         ))
     });
     format!(
-        "<h2 id=\"fits\">All windows</h2>\n<p>{}</p>\n<div class=\"wide\"><table>\n<tr><th>figure</th><th>quantity\
-         </th><th>window of the thesis</th><th>ours</th><th>ours/window</th><th>verdict</th></tr>\n{}</table></div>\n",
+        "<h2 id=\"fits\">All windows</h2>\n<p>{}</p>\n<div class=\"wide\"><table>\n<tr><th>figure</th><th class=\"words\">quantity\
+         </th><th>window of the thesis</th><th>ours</th><th>ours/window</th><th class=\"words\">verdict</th></tr>\n{}</table></div>\n",
         findings::WINDOWS,
         rows.collect::<String>(),
     )

@@ -56,11 +56,11 @@ fn subtitle(figure: &Figure) -> String {
     }
 }
 
-/// The thesis' window, widened by whole ticks to hold our curves, but at most by itself on either side.
+/// The thesis' window, widened by whole ticks to hold our curves, but at most by twice itself on either side.
 fn shown(figure: &Figure, ours: &Window) -> Window {
     let Figure { window, tick, .. } = figure;
     let ticks =
-        |excess: f64| tick * (excess / tick - 1e-6).ceil().clamp(0.0, (window.width() / tick).round());
+        |excess: f64| tick * (excess / tick - 1e-6).ceil().clamp(0.0, (2.0 * window.width() / tick).round());
     Window::new(window.min - ticks(window.min - ours.min), window.max + ticks(ours.max - window.max))
 }
 
@@ -117,6 +117,6 @@ mod tests {
         let figure = GROUPS[0].figures().next().unwrap();
         assert_eq!(shown(&figure, &Window::new(125.2, 126.9)), Window::new(125.0, 127.0));
         assert_eq!(shown(&figure, &Window::new(124.2, 127.1)), Window::new(124.0, 127.5));
-        assert_eq!(shown(&figure, &Window::new(-1e9, 127.0)), Window::new(123.0, 127.0));
+        assert_eq!(shown(&figure, &Window::new(-1e9, 127.0)), Window::new(121.0, 127.0));
     }
 }
