@@ -176,7 +176,10 @@ impl Chart {
     }
 
     fn layout(&self, plots: &[Plot]) -> Layout {
-        let (x, y) = (&self.x.window, &self.y.window);
+        // So much wider that rounding does not hide the ticks at the ends.
+        let shown =
+            |Window { min, max }: Window| Window::new(min - 1e-9 * (max - min), max + 1e-9 * (max - min));
+        let (x, y) = (&shown(self.x.window), &shown(self.y.window));
         let mut layout = Layout::auto_from_plots(plots)
             .with_width(WIDTH)
             .with_height(HEIGHT)
@@ -200,7 +203,7 @@ impl Chart {
             layout = layout.with_y_tick_step(step);
         }
         if let Some(frame) = self.frame {
-            layout = shade_outside(layout, y, &frame);
+            layout = shade_outside(layout, &self.y.window, &frame);
         }
         self.marks.iter().fold(layout, draw_mark)
     }
@@ -324,6 +327,16 @@ mod tests {
             assert!(svg.contains(text), "{text} is missing");
         }
         assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>") && !svg.contains("NaN"));
+    }
+
+    /// −0.15 = −3 × 0.05, but not in floating-point numbers.
+    #[test]
+    fn both_ends_of_an_axis_have_their_ticks() {
+        let y = Axis { tick: Some(0.05), ..Axis::new("ωy", Window::new(-0.15, 0.1)) };
+        let svg = Chart { y, frame: None, ..chart() }.to_svg();
+        for tick in [">−0.15<", ">−0.1<", ">0<", ">0.1<"] {
+            assert!(svg.contains(tick), "{tick}");
+        }
     }
 
     #[test]

@@ -152,6 +152,14 @@ pub const GROUPS: [Group; 7] = [
 ];
 
 impl Comparison {
+    /// What is flown.
+    pub fn case(self) -> Case {
+        match self {
+            Comparison::Models(case) => case,
+            Comparison::Aerodynamics(fidelity) => Flight::steady(fidelity).case,
+        }
+    }
+
     /// The flights whose curves are in the figures, with their labels.
     pub fn flights(self) -> Vec<(Flight, String)> {
         match self {
@@ -235,10 +243,7 @@ mod tests {
     #[test]
     fn every_window_of_a_symmetric_flight_holds_the_trim() {
         for figure in figures() {
-            let speed = match figure.comparison {
-                Comparison::Models(case) => case.airspeed(),
-                Comparison::Aerodynamics(_) => 177.8,
-            };
+            let speed = figure.comparison.case().airspeed();
             match figure.quantity {
                 VelocityX => assert!(figure.window.min < speed && figure.window.max > 0.97 * speed),
                 Pitch | VelocityZ | WingTip => assert!(figure.window.max > 0.0),

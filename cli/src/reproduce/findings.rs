@@ -97,7 +97,7 @@ pub fn of(comparison: Comparison) -> &'static str {
              fill less than a sixth of those windows. The forward speed varies by 0.2 m/s. The lateral \
              motion itself (roll rate −0.21 to 0.15 rad/s) is of the thesis' size, and roll leaves its \
              window upwards for the reason given above. The cause is the distance to flutter: the thesis' \
-             approximate models are at or beyond it at this speed, the reconstruction is not."
+             approximate models are at or beyond it at this speed; of ours only CL grows, and slowly."
         }
         Comparison::Aerodynamics(Fidelity::ConsistentlyLinearised) => {
             "The thesis finds a larger effect in CL than in E, because CL oscillates more. Ours is larger \

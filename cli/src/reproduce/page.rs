@@ -170,8 +170,7 @@ fn conditions(comparison: Comparison) -> String {
         Comparison::Models(_) => label.clone(),
         Comparison::Aerodynamics(_) => format!("{} {label}", symbol(flight.fidelity)),
     };
-    let flights = comparison.flights();
-    let case = flights[0].0.case;
+    let (case, flights) = (comparison.case(), comparison.flights());
     let family = match case.modes() {
         (count, flexible_aircraft::simulation::ModeSelection::All) => {
             format!("{count} modes of both families")
