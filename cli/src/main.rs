@@ -9,10 +9,12 @@ use clap::{Args, Parser, Subcommand};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft_packaging::Platform;
 
+mod chart;
 mod check;
 mod diagnostics;
 mod manoeuvre;
 mod package;
+mod reproduce;
 
 /// Nonlinear flight dynamics of flexible aircraft, packaged for simulation tools (FMI 2.0 co-simulation)
 #[derive(Parser)]
@@ -26,6 +28,8 @@ struct CommandLine {
 enum Command {
     /// Write an aircraft as an FMU, and prove by a short flight that it works
     Package(PackageOptions),
+    /// Fly the flights of the thesis, and write a page that lays the results beside its figures and table
+    Reproduce(ReproduceOptions),
 }
 
 /// Options of `flexair package`.
@@ -54,17 +58,32 @@ struct PackageOptions {
     no_check: bool,
 }
 
+/// Options of `flexair reproduce`.
+#[derive(Args)]
+struct ReproduceOptions {
+    /// The aircraft file (TOML)
+    #[arg(long, value_name = "FILE", default_value = "aircraft/generic-business-jet.toml")]
+    aircraft: PathBuf,
+
+    /// The folder to write index.html, the figures and the histories to
+    #[arg(long, value_name = "DIR", default_value = "target/reproduction")]
+    output: PathBuf,
+}
+
 fn platform_and_file(option: &str) -> Result<(Platform, PathBuf), String> {
     let (platform, file) = option.split_once('=').ok_or("expected PLATFORM=FILE")?;
     Ok((platform.parse().map_err(|error| format!("{error}"))?, PathBuf::from(file)))
 }
 
 fn main() -> ExitCode {
-    let Command::Package(options) = CommandLine::parse().command;
-    match package::run(options) {
+    let done = match CommandLine::parse().command {
+        Command::Package(options) => package::run(options).map_err(|error| error.report()),
+        Command::Reproduce(options) => reproduce::run(&options).map_err(|error| error.report()),
+    };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("{}", error.report());
+        Err(report) => {
+            eprintln!("{report}");
             ExitCode::FAILURE
         }
     }

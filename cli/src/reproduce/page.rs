@@ -1,0 +1,273 @@
+//! The page that shows it all: one HTML file that needs nothing else.
+
+use std::fmt::Write;
+
+use super::Reproduction;
+use super::cases::symbol;
+use super::figures::{Comparison, Group};
+use super::findings;
+use super::fit::Verdict;
+use super::plots::Plot;
+use super::table::{self, HEADINGS};
+use crate::chart::escaped;
+
+/// Light and dark by the reader's preference; the drawings are inverted in the dark.
+const STYLE: &str = "
+:root { color-scheme: light dark; --line: #8886; --soft: #8882; }
+body { font: 1rem/1.5 system-ui, sans-serif; max-width: 78rem; margin: 0 auto; padding: 1rem; }
+h1 { line-height: 1.2; } h2 { margin-top: 3rem; border-top: 1px solid var(--line); padding-top: 1rem; }
+p, ul { max-width: 46rem; } .wide { overflow-x: auto; }
+nav a { display: inline-block; margin: 0 1rem .3rem 0; }
+table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .25rem .6rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
+th:first-child, td:first-child, .words { text-align: left; white-space: normal; }
+th { vertical-align: bottom; white-space: normal; }
+.figures { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 28rem), 1fr)); }
+figure { margin: 0; border: 1px solid var(--line); border-radius: .4rem; overflow: hidden; }
+figure svg { display: block; width: 100%; height: auto; }
+figcaption { padding: .4rem .7rem; font-size: .85rem; background: var(--soft); }
+@media (prefers-color-scheme: dark) { figure > svg { filter: invert(.88) hue-rotate(180deg); } }
+";
+
+/// The page.
+pub fn html(reproduction: &Reproduction) -> String {
+    let mut page = String::from("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
+    page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+    let _ =
+        write!(page, "<title>Reproduction of the thesis</title>\n<style>{STYLE}</style>\n</head>\n<body>\n");
+    page += &introduction(reproduction);
+    page += &trims(reproduction);
+    for (group, plots) in &reproduction.groups {
+        page += &section(reproduction, group, plots);
+    }
+    page += &fits(reproduction);
+    page += "</body>\n</html>\n";
+    page
+}
+
+fn introduction(reproduction: &Reproduction) -> String {
+    let links = reproduction.groups.iter().map(|(group, plots)| {
+        format!("<a href=\"#{}\">{}</a> ", anchor(plots), escaped(&group.comparison.title()))
+    });
+    let inputs = reproduction.inputs.iter().map(|(number, svg)| {
+        format!(
+            "<figure id=\"figure-5.{number}\">{svg}<figcaption>{}</figcaption></figure>\n",
+            findings::INPUT
+        )
+    });
+    format!(
+        "<h1>The flights of the thesis, flown again</h1>\n<p>{}</p>\n<p>Aircraft: {}. <strong>{}</strong></p>\n\
+         <p>{}</p>\n<p>{}</p>\n<nav><a href=\"#table-5.1\">Table 5.1</a> {}<a href=\"#fits\">All windows</a></nav>\n\
+         <h2 id=\"inputs\">The inputs</h2>\n<p>{}</p>\n<div class=\"figures\">\n{}</div>\n",
+        findings::INTRODUCTION,
+        escaped(&reproduction.name),
+        reproduction.summary(),
+        findings::HOW_TO_READ,
+        findings::IN_SHORT,
+        links.collect::<String>(),
+        findings::INPUTS,
+        inputs.collect::<String>(),
+    )
+}
+
+fn trims(reproduction: &Reproduction) -> String {
+    let row = |cells: [String; 9]| format!("<tr><td>{}</td></tr>\n", cells.join("</td><td>"));
+    let rows = reproduction.rows.iter().map(|line| row(table::cells(line)));
+    format!(
+        "<h2 id=\"table-5.1\">Table 5.1: deflections in trim, 127 m/s</h2>\n<p>{}</p>\n<div class=\"wide\"><table>\n\
+         <tr><th>{}</th></tr>\n{}</table></div>\n",
+        findings::TABLE,
+        HEADINGS.join("</th><th>"),
+        rows.collect::<String>(),
+    )
+}
+
+fn section(reproduction: &Reproduction, group: &Group, plots: &[Plot]) -> String {
+    let mut section = format!(
+        "<h2 id=\"{}\">{}</h2>\n<p>{}</p>\n<p><strong>{}</strong> {}</p>\n",
+        anchor(plots),
+        escaped(&group.comparison.title()),
+        conditions(group.comparison),
+        count(plots.iter()),
+        findings::of(group.comparison),
+    );
+    let flights = group.comparison.flights();
+    for (flight, reason) in &reproduction.ended {
+        if let Some((_, label)) = flights.iter().find(|(shown, _)| shown == flight) {
+            let _ = writeln!(section, "<p>{} ends early: {}.</p>", escaped(label), escaped(reason));
+        }
+    }
+    section += "<div class=\"figures\">\n";
+    for plot in plots {
+        section += &drawing(plot);
+    }
+    section + "</div>\n"
+}
+
+fn drawing(plot: &Plot) -> String {
+    let fit = plot.fit.as_ref().map_or("nothing flew".to_owned(), |fit| {
+        let digits = digits(plot);
+        let ours = format!("ours {} to {}", number(fit.ours.min, digits), number(fit.ours.max, digits));
+        format!("{ours}: {}", fit.verdict)
+    });
+    let clipped = if plot.is_clipped { "; the curves go on beyond the drawing" } else { "" };
+    format!(
+        "<figure id=\"figure-5.{}\">{}<figcaption>Figure 5.{}, {}. Window of the thesis {}; {}{clipped}.\
+         </figcaption></figure>\n",
+        plot.figure.number,
+        plot.svg,
+        plot.figure.number,
+        plot.figure.quantity.label(),
+        window(plot),
+        escaped(&fit),
+    )
+}
+
+/// Every figure in one table.
+fn fits(reproduction: &Reproduction) -> String {
+    let plots = reproduction.groups.iter().flat_map(|(_, plots)| plots);
+    let rows = plots.filter_map(|plot| {
+        let (fit, digits, n) = (plot.fit.as_ref()?, digits(plot), plot.figure.number);
+        Some(format!(
+            "<tr><td><a href=\"#figure-5.{n}\">5.{n}</a></td><td class=\"words\">{}</td><td>{}</td>\
+             <td>{} to {}</td><td>{:.0} %</td><td class=\"words\">{}</td></tr>\n",
+            plot.figure.quantity.label(),
+            window(plot),
+            number(fit.ours.min, digits),
+            number(fit.ours.max, digits),
+            100.0 * fit.filling(&plot.figure.window),
+            escaped(&fit.verdict.to_string()),
+        ))
+    });
+    format!(
+        "<h2 id=\"fits\">All windows</h2>\n<p>{}</p>\n<div class=\"wide\"><table>\n<tr><th>figure</th><th class=\"words\">quantity\
+         </th><th>window of the thesis</th><th>ours</th><th>ours/window</th><th class=\"words\">verdict</th></tr>\n{}</table></div>\n",
+        findings::WINDOWS,
+        rows.collect::<String>(),
+    )
+}
+
+/// How many figures fit, in one sentence.
+pub fn count<'a>(plots: impl Iterator<Item = &'a Plot>) -> String {
+    let (mut all, mut same, mut inside) = (0, 0, 0);
+    for plot in plots {
+        all += 1;
+        match plot.fit.as_ref().map(|fit| &fit.verdict) {
+            Some(Verdict::SameAxis) => same += 1,
+            Some(Verdict::Inside) => inside += 1,
+            Some(Verdict::Outside { .. }) | None => {}
+        }
+    }
+    format!(
+        "Of {all} figures, {same} would get the thesis' own axis, {inside} lie inside of it but fill less, and {} \
+         leave it.",
+        all - same - inside
+    )
+}
+
+fn conditions(comparison: Comparison) -> String {
+    let describe = |(flight, label): &(super::cases::Flight, String)| match comparison {
+        Comparison::Models(_) => label.clone(),
+        Comparison::Aerodynamics(_) => format!("{} {label}", symbol(flight.fidelity)),
+    };
+    let (case, flights) = (comparison.case(), comparison.flights());
+    let family = match case.modes() {
+        (count, flexible_aircraft::simulation::ModeSelection::All) => {
+            format!("{count} modes of both families")
+        }
+        (count, flexible_aircraft::simulation::ModeSelection::Symmetric) => {
+            format!("{count} symmetric modes")
+        }
+    };
+    let models: Vec<String> = flights.iter().map(describe).collect();
+    format!("{}; 7620 m; {family}; {}.", escaped(case.title()), models.join(", "))
+}
+
+fn anchor(plots: &[Plot]) -> String {
+    plots.first().map_or(String::new(), |plot| format!("from-5.{}", plot.figure.number))
+}
+
+fn window(plot: &Plot) -> String {
+    let (window, digits) = (plot.figure.window, digits(plot).saturating_sub(1));
+    format!("{} to {}", number(window.min, digits), number(window.max, digits))
+}
+
+/// One more digit than the ticks have.
+fn digits(plot: &Plot) -> usize {
+    1 + (0..5).find(|&digits| (plot.figure.tick * 10_f64.powi(digits)).fract() < 1e-9).unwrap_or(5) as usize
+}
+
+fn number(value: f64, digits: usize) -> String {
+    format!("{value:.digits$}").replace('-', "−")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::{Arc, OnceLock};
+
+    use flexible_aircraft::aircraft::Aircraft;
+    use flexible_aircraft::simulation::Fidelity;
+    use flexible_aircraft::structure::ReducedModel;
+
+    use super::*;
+    use crate::reproduce::cases::{Case, Flight, UNSTEADY};
+    use crate::reproduce::history::{History, Quantity, Tips};
+
+    /// One second of one flight: enough for the trim and for a page.
+    fn reproduction() -> &'static Reproduction {
+        static REPRODUCTION: OnceLock<Reproduction> = OnceLock::new();
+        REPRODUCTION.get_or_init(|| {
+            let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../aircraft/generic-business-jet.toml");
+            let aircraft = Aircraft::read(file.as_ref()).unwrap();
+            let model = Arc::new(ReducedModel::new(&aircraft, ReducedModel::USUAL_MODES).unwrap());
+            let flight =
+                Flight { case: Case::ElevatorTenth, fidelity: Fidelity::Exact, inflow_states: UNSTEADY };
+            let mut history = History::fly(&model, Tips::of(&model).unwrap(), flight, 2.0);
+            assert_eq!(history.end, None);
+            assert_eq!(history.samples.len(), 201);
+            // The first pulse is nose-up.
+            assert!(
+                history.samples[200].value(Quantity::Pitch)
+                    > history.samples[0].value(Quantity::Pitch) + 0.005
+            );
+            assert_eq!(history.to_csv().lines().count(), 202);
+            history.end = Some(flexible_aircraft::simulation::SimulationError::NotFinite { time: 2.0 });
+            Reproduction::new(aircraft.name, &[history])
+        })
+    }
+
+    #[test]
+    fn the_page_has_every_figure_once_and_needs_no_other_file() {
+        let page = html(reproduction());
+        for number in 1..=57 {
+            assert_eq!(page.matches(&format!("<figure id=\"figure-5.{number}\">")).count(), 1, "{number}");
+        }
+        for external in ["href=\"http", "src=", "url(http", "@import", "<link"] {
+            assert!(!page.contains(external), "{external}");
+        }
+        let links = page.split("href=\"#").skip(1).filter_map(|rest| rest.split('"').next());
+        for target in links {
+            assert!(page.contains(&format!("id=\"{target}\"")), "{target}");
+        }
+    }
+
+    #[test]
+    fn a_flight_that_ends_early_is_drawn_as_far_as_it_went_with_the_reason() {
+        let page = html(reproduction());
+        assert!(page.contains("E ends early: at 2 s the state is no longer finite"));
+        let plot =
+            reproduction().groups.iter().flat_map(|(_, plots)| plots).find(|plot| plot.figure.number == 11);
+        let plot = plot.unwrap();
+        assert!(plot.fit.is_some() && plot.svg.contains("E ends"));
+    }
+
+    #[test]
+    fn table_5_1_agrees_with_the_independent_programs_in_every_printed_digit() {
+        let row = reproduction().rows.iter().find(|row| row.wing.ours.is_some()).unwrap();
+        assert_eq!((row.fidelity, row.case), (Fidelity::Exact, Case::ElevatorTenth));
+        for (tip, last_digit) in [(row.wing, 1e-3), (row.tail, 1e-4)] {
+            assert!((tip.ours.unwrap() - tip.expected).abs() <= 0.5 * last_digit, "{tip:?}");
+        }
+        assert!((row.wing.difference().unwrap() + 0.003).abs() < 5e-4);
+    }
+}
