@@ -2,10 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::Vector3;
-
-use crate::aircraft::Support;
-use crate::dynamics::{Configuration, Controls, EquationsOfMotion, Trim, TrimCondition, Workspace};
+use crate::dynamics::{Controls, EquationsOfMotion, Trim, Workspace};
 use crate::structure::ReducedModel;
 
 use super::integrator::{CellEnd, ErrorScale, Integrator, MAX_SUBSTEPS};
@@ -97,13 +94,8 @@ impl Simulation {
     pub fn new(model: Arc<ReducedModel>, settings: &Settings, start: f64) -> Result<Self, SimulationError> {
         let modes = settings.choose_modes(&model)?;
         let reduced = model.select(&modes);
-        let equations = EquationsOfMotion::new(&reduced, &configuration(&reduced, settings));
-        let condition = TrimCondition {
-            airspeed: settings.airspeed,
-            altitude: settings.altitude,
-            heading: settings.heading,
-        };
-        let Trim { pitch, elevator, thrust, state } = equations.trim(&condition)?;
+        let equations = EquationsOfMotion::new(&reduced, &settings.configuration(&reduced));
+        let Trim { pitch, elevator, thrust, state } = equations.trim(&settings.trim_condition())?;
         let engines = model.engines.len();
         let present =
             Point { time: start, slope: vec![0.0; state.len()], state, substeps: 1, slope_is_fresh: false };
@@ -297,24 +289,6 @@ impl Acting<'_> {
         }
         controls.wind = self.inputs.wind + self.rates.wind * elapsed;
         controls.wind_rate = self.rates.wind;
-    }
-}
-
-/// What the settings mean for the equations.
-fn configuration(model: &ReducedModel, settings: &Settings) -> Configuration {
-    let tunnel_flow = match model.support {
-        Support::Free => Vector3::zeros(),
-        Support::Clamped => {
-            let (sin, cos) = libm::sincos(settings.heading);
-            Vector3::new(cos, sin, 0.0) * -settings.airspeed
-        }
-    };
-    Configuration {
-        fidelity: settings.fidelity,
-        stiffness_scale: settings.stiffness_scale,
-        structural_damping: settings.structural_damping,
-        inflow_states: settings.inflow_states,
-        tunnel_flow,
     }
 }
 
