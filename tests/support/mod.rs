@@ -1,5 +1,6 @@
 //! The jet and its flights, shared by the tests.
 
+pub mod beams;
 pub mod linearised;
 
 use std::path::Path;
@@ -75,4 +76,16 @@ pub fn fly(
         filtered = target + (filtered - target) * libm::exp(-STEP / 0.05);
     }
     history
+}
+
+/// Numbers between −1 and 1 that look random and are the same everywhere (splitmix64; Steele, Lea, Flood 2014).
+pub fn random(seed: u64) -> impl FnMut() -> f64 {
+    let mut state = seed;
+    move || {
+        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (z ^ (z >> 31)) as f64 / u64::MAX as f64 * 2.0 - 1.0
+    }
 }

@@ -1,9 +1,14 @@
 //! Physics: each file holds one claim against a source that is not this program.
 
+mod beam;
 mod conservation;
 mod eigenvalues;
+mod equations_of_motion;
 mod fidelity_levels;
 mod flight;
 mod frequencies;
+mod modal_integrals;
+mod record;
+mod strain_energy;
 mod trim;
 mod wind_tunnel;

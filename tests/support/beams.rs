@@ -1,0 +1,80 @@
+//! A uniform cantilever in any direction, as an [`Aircraft`] without air.
+
+use flexible_aircraft::aircraft::{Aircraft, Attachment, Beam, MassBay, ModeBasis, Support};
+use nalgebra::{Matrix3, Vector3};
+
+/// A uniform beam clamped at O.
+#[derive(Clone, Debug)]
+pub struct Cantilever {
+    /// Unit vector along the beam, body axes.
+    pub axis: Vector3<f64>,
+    /// Unit vector of the section's local y, body axes.
+    pub y_axis: Vector3<f64>,
+    /// m.
+    pub length: f64,
+    /// EA, N.
+    pub axial: f64,
+    /// GJ, N·m².
+    pub torsional: f64,
+    /// EI_y, N·m²: resists w″.
+    pub bending_y: f64,
+    /// EI_z, N·m²: resists v″.
+    pub bending_z: f64,
+    /// kg/m.
+    pub mass_per_length: f64,
+    /// Radius of gyration about the axis, m; half of its square each about y and z.
+    pub gyration: f64,
+    /// Where each element's mass sits: fractions of its length and shares of its mass.
+    pub lumps: &'static [(f64, f64)],
+}
+
+/// One lump at the middle of each element, as aircraft files make them.
+pub const MIDDLE: &[(f64, f64)] = &[(0.5, 1.0)];
+
+/// Half of each element's mass at either end.
+pub const ENDS: &[(f64, f64)] = &[(0.0, 0.5), (1.0, 0.5)];
+
+impl Cantilever {
+    /// The columns are the local x, y, z axes in body axes.
+    pub fn axes(&self) -> Matrix3<f64> {
+        Matrix3::from_columns(&[self.axis, self.y_axis, self.axis.cross(&self.y_axis)])
+    }
+
+    /// The beam in equal elements, with axial modes in its basis.
+    pub fn aircraft(&self, elements: usize) -> Aircraft {
+        let step = self.length / elements as f64;
+        let beam = |index: usize| Beam {
+            component: "beam".to_owned(),
+            nodes: [index, index + 1],
+            y_axis: self.y_axis,
+            axial_stiffness: self.axial,
+            torsional_stiffness: self.torsional,
+            bending_stiffness_y: self.bending_y,
+            bending_stiffness_z: self.bending_z,
+        };
+        let bay = |(beam, &(fraction, share)): (usize, &(f64, f64))| {
+            let mass = share * step * self.mass_per_length;
+            let polar = mass * self.gyration * self.gyration;
+            let local = Matrix3::from_diagonal(&Vector3::new(polar, 0.5 * polar, 0.5 * polar));
+            MassBay {
+                attachment: Attachment { beam, fraction },
+                mass,
+                offset: Vector3::zeros(),
+                inertia: self.axes() * local * self.axes().transpose(),
+            }
+        };
+        Aircraft {
+            name: "Cantilever".to_owned(),
+            gravity: 0.0,
+            support: Support::Clamped,
+            mode_basis: ModeBasis::Full,
+            inflow_states: 0,
+            nodes: (0..=elements).map(|i| self.axis * (i as f64 * step)).collect(),
+            beams: (0..elements).map(beam).collect(),
+            bays: (0..elements).flat_map(|i| self.lumps.iter().map(move |lump| (i, lump))).map(bay).collect(),
+            strips: Vec::new(),
+            engines: Vec::new(),
+            stations: Vec::new(),
+        }
+    }
+}

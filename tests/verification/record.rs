@@ -1,0 +1,169 @@
+//! What the tests measured, for people: each test writes down its cases in a record, checks them, and compares
+//! the record with its file in `records/`; `VERIFICATION.md` is all records in the order of [`CLAIMS`].
+//!
+//! With the environment variable `UPDATE_GOLDEN=1` the tests rewrite their files instead of failing on them;
+//! a second run then rewrites `VERIFICATION.md` from all of them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A claim of `VERIFICATION.md`: its heading, the test file in this directory, the records in order.
+type Claim = (&'static str, &'static str, &'static [&'static str]);
+
+/// All claims in the order of `VERIFICATION.md`.
+const CLAIMS: &[Claim] = &[
+    (
+        "Beam element",
+        "beam",
+        &["beam-static", "beam-uniform-load", "beam-frequencies", "beam-orientation", "beam-rigid-body"],
+    ),
+    ("Modal integrals", "modal_integrals", &["modal-integrals", "mass-matrix"]),
+    ("Equations of motion", "equations_of_motion", &["equations-of-motion"]),
+    ("Strain energy", "strain_energy", &["strain-energy", "string"]),
+    ("Clamped frequencies and mass of the jet", "frequencies", &["frequencies"]),
+    ("Trim", "trim", &["trim"]),
+    ("Eigenvalues", "eigenvalues", &["eigenvalues"]),
+    ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
+    ("Fidelity levels", "fidelity_levels", &["rigid-limit", "damping"]),
+    ("Invariance of the flight", "flight", &["mirror", "steadiness", "heading"]),
+    ("Wind tunnel", "wind_tunnel", &["divergence"]),
+];
+
+/// The cases of one test.
+pub struct Record {
+    name: &'static str,
+    text: String,
+    failures: Vec<String>,
+}
+
+impl Record {
+    /// A record with the heading that says what is compared, and where the reference values come from.
+    pub fn new(name: &'static str, heading: &str, source: &str) -> Self {
+        let text = format!(
+            "### {heading}\n\nSource: {source}\n\n| case | reference | tolerance | measured | deviation |\n\
+             | --- | --- | --- | --- | --- |\n"
+        );
+        Record { name, text, failures: Vec::new() }
+    }
+
+    /// A value with a tolerance relative to its reference.
+    pub fn relative(&mut self, case: &str, reference: f64, tolerance: f64, measured: f64) {
+        let deviation = measured / reference - 1.0;
+        let cells =
+            [digits(reference, 5), format!("{tolerance:.0e} rel."), digits(measured, 5), small(deviation)];
+        self.add(case, &cells, deviation.abs() <= tolerance);
+    }
+
+    /// A value with an absolute tolerance.
+    pub fn absolute(&mut self, case: &str, reference: f64, tolerance: f64, measured: f64) {
+        let deviation = measured - reference;
+        let cells = [digits(reference, 5), format!("{tolerance:.0e}"), digits(measured, 5), small(deviation)];
+        self.add(case, &cells, deviation.abs() <= tolerance);
+    }
+
+    /// A truncation error, which should be as small as stated and shows two digits.
+    pub fn error(&mut self, case: &str, bound: f64, measured: f64) {
+        let cells = ["0".to_owned(), format!("{bound:.0e}"), format!("{measured:.1e}"), String::new()];
+        self.add(case, &cells, measured.abs() <= bound);
+    }
+
+    /// A rounding error: whatever is below the bound looks the same on every machine.
+    pub fn rounding(&mut self, case: &str, bound: f64, measured: f64) {
+        let shown = if measured.abs() <= bound { format!("< {bound:.0e}") } else { format!("{measured:e}") };
+        self.add(
+            case,
+            &["0".to_owned(), format!("{bound:.0e}"), shown, String::new()],
+            measured.abs() <= bound,
+        );
+    }
+
+    /// A value that must reach a bound.
+    pub fn at_least(&mut self, case: &str, bound: f64, measured: f64) {
+        let cells = [format!("≥ {}", digits(bound, 3)), String::new(), digits(measured, 3), String::new()];
+        self.add(case, &cells, measured >= bound);
+    }
+
+    /// A paragraph under the table.
+    pub fn remark(&mut self, text: &str) {
+        self.text.push_str(&format!("\n{text}\n"));
+    }
+
+    fn add(&mut self, case: &str, cells: &[String; 4], holds: bool) {
+        let row = format!("| {case} | {} |\n", cells.join(" | "));
+        if !holds {
+            self.failures.push(row.clone());
+        }
+        self.text.push_str(&row);
+    }
+
+    /// Fails on every case that does not hold, and when the file does not say what was measured.
+    pub fn finish(self) {
+        println!("{}", self.text);
+        assert!(self.failures.is_empty(), "these do not hold:\n{}", self.failures.concat());
+        let listed = CLAIMS.iter().any(|(_, _, records)| records.contains(&self.name));
+        assert!(listed, "{} is missing in CLAIMS", self.name);
+        compare(&record_path(self.name), &self.text);
+    }
+}
+
+#[test]
+fn verification_md_says_what_the_tests_measured() {
+    let mut page = String::from(
+        "# What is verified, against what, how closely\n\n\
+         Written by the tests in [`tests/verification`](tests/verification), one file per claim; a test fails when this\n\
+         page or a measured value changes. `UPDATE_GOLDEN=1 cargo nextest run --release verification`, run twice, rewrites it.\n\
+         *Deviation* is relative where the tolerance is; *< x* stands for anything at rounding level. \"physics.md\" is the\n\
+         authors' specification of the equations, confirmed there by two independent implementations.\n",
+    );
+    for (heading, file, records) in CLAIMS {
+        page.push_str(&format!("\n## {heading}\n\n[`{file}.rs`](tests/verification/{file}.rs)\n"));
+        for record in *records {
+            let path = record_path(record);
+            let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+            page.push_str(&format!("\n{text}"));
+        }
+    }
+    compare(&Path::new(env!("CARGO_MANIFEST_DIR")).join("VERIFICATION.md"), &page);
+}
+
+#[test]
+fn every_record_belongs_to_a_claim() {
+    for entry in fs::read_dir(record_path("x").parent().unwrap()).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
+        let listed = CLAIMS.iter().any(|(_, _, records)| records.contains(&name.as_str()));
+        assert!(listed, "{} belongs to no claim", path.display());
+    }
+}
+
+fn record_path(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/verification/records/{name}.md"))
+}
+
+/// Fails when a file does not hold the text, or writes it.
+fn compare(path: &Path, text: &str) {
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        fs::write(path, text).unwrap();
+    }
+    let found = fs::read_to_string(path).unwrap_or_default();
+    assert!(found == text, "{} is stale; UPDATE_GOLDEN=1 rewrites it. It should be:\n{text}", path.display());
+}
+
+/// A number with so many significant digits.
+fn digits(value: f64, count: usize) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let magnitude = libm::floor(libm::log10(value.abs())) as i32;
+    if (-3..7).contains(&magnitude) {
+        let decimals = (count as i32 - 1 - magnitude).max(0) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.*e}", count - 1)
+    }
+}
+
+/// A deviation with two digits; what may be rounding is not shown.
+fn small(deviation: f64) -> String {
+    if deviation.abs() < 1e-9 { "< 1e-9".to_owned() } else { format!("{deviation:+.1e}") }
+}
