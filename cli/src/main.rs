@@ -9,6 +9,7 @@ use clap::{Args, Parser, Subcommand};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft_packaging::Platform;
 
+mod chart;
 mod check;
 mod diagnostics;
 mod manoeuvre;

@@ -135,17 +135,6 @@ impl Strips {
         }
     }
 
-    /// Sets the inflow states of every strip to a wake long at rest.
-    pub fn settle_inflow(&self, around: &Surroundings, layout: &StateLayout, state: &mut [f64]) {
-        for (index, group) in self.groups.iter().enumerate() {
-            let flow = group.deform(around).flow;
-            let w3 = group.section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
-            around.inflow.settle(w3, &mut layout.group_inflow(index).write(state));
-        }
-    }
-}
-
-impl Strips {
     /// Writes the inflow's linear part at a constant airspeed (m/s) into a vector of the state's layout, 1/s.
     pub fn inflow_linear_part(
         &self,
@@ -157,6 +146,15 @@ impl Strips {
         for (index, group) in self.groups.iter().enumerate() {
             let passing = Lanes::splat(airspeed) / group.section.semichord;
             inflow.linear_part(passing, &mut layout.group_inflow(index).write(linear));
+        }
+    }
+
+    /// Sets the inflow states of every strip to a wake long at rest.
+    pub fn settle_inflow(&self, around: &Surroundings, layout: &StateLayout, state: &mut [f64]) {
+        for (index, group) in self.groups.iter().enumerate() {
+            let flow = group.deform(around).flow;
+            let w3 = group.section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
+            around.inflow.settle(w3, &mut layout.group_inflow(index).write(state));
         }
     }
 }

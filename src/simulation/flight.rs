@@ -6,7 +6,8 @@ use crate::dynamics::{Controls, EquationsOfMotion, Trim, Workspace};
 use crate::structure::ReducedModel;
 
 use super::integrator::{CellEnd, ErrorScale, Integrator, MAX_SUBSTEPS};
-use super::{InputReference, Inputs, Outputs, Settings, SimulationError, outputs};
+use super::steering::Steering;
+use super::{Inputs, Outputs, Settings, SimulationError, outputs};
 
 /// Width of a grid cell, s.
 const CELL: f64 = 5e-3;
@@ -66,12 +67,7 @@ pub struct Simulation {
     pub(super) identity: u128,
     pub(super) modes: Vec<usize>,
     pub(super) equations: EquationsOfMotion,
-    trim: TrimPoint,
-    reference: InputReference,
-    pub(super) inputs: Inputs,
-    pub(super) input_rates: Inputs,
-    /// When the inputs were set, s.
-    pub(super) input_time: f64,
+    pub(super) steering: Steering,
     /// Where the present cell begins.
     pub(super) anchor: Point,
     pub(super) present: Point,
@@ -101,11 +97,7 @@ impl Simulation {
             Point { time: start, slope: vec![0.0; state.len()], state, substeps: 1, slope_is_fresh: false };
         Ok(Simulation {
             identity: super::snapshot::identity(&model, settings),
-            trim: TrimPoint { pitch, elevator, thrust },
-            reference: settings.input_reference,
-            inputs: Inputs::zero(engines),
-            input_rates: Inputs::zero(engines),
-            input_time: start,
+            steering: Steering::new(TrimPoint { pitch, elevator, thrust }, settings, engines, start),
             anchor: present.clone(),
             before: [present.clone(), present.clone()],
             present,
@@ -127,19 +119,15 @@ impl Simulation {
 
     /// The trim found at construction.
     pub fn trim(&self) -> &TrimPoint {
-        &self.trim
+        &self.steering.trim
     }
 
     /// Sets the inputs that act from now on, and their rates of change (zero: held constant).
     pub fn set_inputs(&mut self, inputs: &Inputs, rates: &Inputs) {
-        if self.inputs == *inputs && self.input_rates.is_zero() && rates.is_zero() {
-            return;
+        if self.steering.set(inputs, rates, self.present.time) {
+            self.present.slope_is_fresh = false;
+            self.anchor.copy_from(&self.present);
         }
-        self.inputs.clone_from(inputs);
-        self.input_rates.clone_from(rates);
-        self.input_time = self.present.time;
-        self.present.slope_is_fresh = false;
-        self.anchor.copy_from(&self.present);
     }
 
     /// Flies to `end` (s, ≥ [`time`](Self::time)), without allocating.
@@ -164,8 +152,7 @@ impl Simulation {
     /// The outputs at the present time under the present inputs, without allocating.
     pub fn outputs(&mut self) -> &Outputs {
         if !self.present.slope_is_fresh {
-            let acting = acting(self.reference, &self.trim, &self.inputs, &self.input_rates, self.input_time);
-            acting.write(self.present.time, &mut self.controls);
+            self.steering.write(self.present.time, &mut self.controls);
             let Point { state, slope, .. } = &mut self.present;
             self.equations.rates(state, &self.controls, slope, &mut self.workspace);
             self.present.slope_is_fresh = true;
@@ -194,9 +181,9 @@ impl Simulation {
     fn fly_cell(&mut self, begin: f64, end: f64) -> Result<(), SimulationError> {
         let controls = &mut self.controls;
         let (equations, workspace) = (&self.equations, &mut self.workspace);
-        let acting = acting(self.reference, &self.trim, &self.inputs, &self.input_rates, self.input_time);
+        let steering = &self.steering;
         let mut rates = |time: f64, state: &[f64], rates: &mut [f64]| {
-            acting.write(time, controls);
+            steering.write(time, controls);
             equations.rates(state, controls, rates, workspace);
         };
         let Point { time, state, substeps, slope, slope_is_fresh } = &mut self.present;
@@ -214,8 +201,7 @@ impl Simulation {
 
     /// Keeps the inflow's linear part near that of the flight.
     fn follow_airspeed(&mut self) {
-        let acting = acting(self.reference, &self.trim, &self.inputs, &self.input_rates, self.input_time);
-        acting.write(self.anchor.time, &mut self.controls);
+        self.steering.write(self.anchor.time, &mut self.controls);
         let airspeed = self.equations.airspeed(&self.anchor.state, &self.controls);
         if (airspeed - self.reference_airspeed).abs() > AIRSPEED_DRIFT * self.reference_airspeed {
             self.take_reference_airspeed(airspeed);
@@ -248,47 +234,6 @@ impl Simulation {
     fn reverse_flow(&self, strip: usize) -> SimulationError {
         let component = self.model.strips[strip].component.clone();
         SimulationError::ReverseFlow { time: self.present.time, strip, component }
-    }
-}
-
-/// The inputs as functions of time.
-struct Acting<'a> {
-    reference: InputReference,
-    trim: &'a TrimPoint,
-    inputs: &'a Inputs,
-    rates: &'a Inputs,
-    since: f64,
-}
-
-/// Gathers the inputs as functions of time, `rates` counting from `since`.
-fn acting<'a>(
-    reference: InputReference,
-    trim: &'a TrimPoint,
-    inputs: &'a Inputs,
-    rates: &'a Inputs,
-    since: f64,
-) -> Acting<'a> {
-    Acting { reference, trim, inputs, rates, since }
-}
-
-impl Acting<'_> {
-    /// The absolute controls at a time.
-    fn write(&self, time: f64, controls: &mut Controls) {
-        let elapsed = time - self.since;
-        let (elevator, thrust) = match self.reference {
-            InputReference::Trim => (self.trim.elevator, self.trim.thrust),
-            InputReference::Absolute => (0.0, 0.0),
-        };
-        controls.elevator = elevator + self.inputs.elevator + elapsed * self.rates.elevator;
-        controls.aileron = self.inputs.aileron + elapsed * self.rates.aileron;
-        controls.rudder = self.inputs.rudder + elapsed * self.rates.rudder;
-        for ((acting, input), rate) in
-            controls.thrust.iter_mut().zip(&self.inputs.thrust).zip(&self.rates.thrust)
-        {
-            *acting = thrust + input + elapsed * rate;
-        }
-        controls.wind = self.inputs.wind + self.rates.wind * elapsed;
-        controls.wind_rate = self.rates.wind;
     }
 }
 

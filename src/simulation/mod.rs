@@ -8,6 +8,7 @@ mod integrator;
 mod outputs;
 mod settings;
 mod snapshot;
+mod steering;
 
 pub use crate::dynamics::Fidelity;
 pub use error::SimulationError;

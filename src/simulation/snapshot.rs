@@ -30,10 +30,10 @@ impl Simulation {
         for count in [self.anchor.substeps, self.present.substeps, self.numbers() as u32] {
             bytes.extend_from_slice(&count.to_le_bytes());
         }
-        for number in [self.anchor.time, self.present.time, self.input_time, self.reference_airspeed] {
+        for number in [self.anchor.time, self.present.time, self.steering.since, self.reference_airspeed] {
             bytes.extend_from_slice(&number.to_le_bytes());
         }
-        let inputs = self.inputs.values().chain(self.input_rates.values());
+        let inputs = self.steering.inputs.values().chain(self.steering.rates.values());
         let states = self.anchor.state.iter().chain(&self.present.state).copied();
         for number in inputs.chain(states) {
             bytes.extend_from_slice(&number.to_le_bytes());
@@ -79,9 +79,9 @@ impl Simulation {
             .chunks_exact(8)
             .map(|bytes| f64::from_le_bytes(bytes.try_into().expect("8 bytes")));
         let mut next = || numbers.next().unwrap_or(f64::NAN);
-        (self.anchor.time, self.present.time, self.input_time) = (next(), next(), next());
+        (self.anchor.time, self.present.time, self.steering.since) = (next(), next(), next());
         let reference_airspeed = next();
-        for number in self.inputs.values_mut().chain(self.input_rates.values_mut()) {
+        for number in self.steering.inputs.values_mut().chain(self.steering.rates.values_mut()) {
             *number = next();
         }
         for number in self.anchor.state.iter_mut().chain(&mut self.present.state) {
@@ -95,6 +95,6 @@ impl Simulation {
 
     /// How many floating-point numbers a snapshot holds.
     fn numbers(&self) -> usize {
-        4 + 2 * (6 + self.inputs.thrust.len()) + 2 * self.present.state.len()
+        4 + 2 * (6 + self.steering.inputs.thrust.len()) + 2 * self.present.state.len()
     }
 }

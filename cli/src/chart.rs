@@ -1,0 +1,347 @@
+//! Line charts as SVG: curves over fixed axis windows, told apart by colour, dash and width together.
+//!
+//! The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008), which colour-blind readers
+//! can tell apart; the dashes do the same in print without colour.
+
+use kuva::plot::LinePlot;
+use kuva::plot::line::LineStyle;
+use kuva::render::annotations::{ReferenceLine, ShadedRegion};
+use kuva::render::layout::{Layout, TickFormat};
+use kuva::render::plots::Plot;
+
+/// Size of a chart, px of its view box; it scales.
+const WIDTH: f64 = 720.0;
+const HEIGHT: f64 = 440.0;
+
+const FONT: &str = "system-ui, sans-serif";
+
+/// Geometry of the legend, px.
+const LEGEND_LEFT: f64 = 76.0;
+const LEGEND_ROW: f64 = 26.0;
+const LEGEND_STROKE: f64 = 44.0;
+
+/// Curves are thinned until they deviate by this share of the window, about a tenth of a pixel.
+const FLATNESS: f64 = 2.5e-4;
+
+/// Points farther than this many windows outside of the window are brought there.
+const FAR_OUTSIDE: f64 = 20.0;
+
+/// Black, blue, vermilion, bluish green, reddish purple, orange, sky blue.
+const COLOURS: [&str; 7] = ["#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+
+/// Strokes and gaps, px; coprime in number to the colours, so that 35 curves differ.
+const DASHES: [&str; 5] = ["", "9 4", "9 3 2 3", "2 3", "14 3 2 3 2 3"];
+
+/// Of the lines under the curves.
+const MARK_COLOUR: &str = "#666666";
+
+/// Curves over a common window.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// Above the chart.
+    pub title: String,
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// In the order of drawing and of the legend; the n-th has the n-th style.
+    pub curves: Vec<Curve>,
+    /// Lines with a label at particular values, under the curves.
+    pub marks: Vec<Mark>,
+    /// A range of y that is to stand out: what lies outside of it is shaded.
+    pub frame: Option<Window>,
+}
+
+/// An axis with its window.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// Quantity and unit.
+    pub label: String,
+    /// What is shown.
+    pub window: Window,
+    /// Distance of the grid lines; chosen by the chart when absent.
+    pub tick: Option<f64>,
+}
+
+/// A closed range of numbers, `min` < `max`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Window {
+    /// Lower end.
+    pub min: f64,
+    /// Upper end.
+    pub max: f64,
+}
+
+/// A labelled curve; it may leave the window.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// In the legend.
+    pub label: String,
+    /// (x, y) in ascending order of drawing.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// How a curve is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Style {
+    colour: &'static str,
+    /// Strokes and gaps, px; empty for a solid line.
+    dash: &'static str,
+    /// px.
+    width: f64,
+}
+
+/// A labelled line across the chart.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Mark {
+    /// At a value of x.
+    Vertical(f64, String),
+    /// At a value of y.
+    Horizontal(f64, String),
+}
+
+impl Window {
+    /// From `min` to `max`.
+    pub const fn new(min: f64, max: f64) -> Self {
+        Window { min, max }
+    }
+
+    /// max − min.
+    pub fn width(&self) -> f64 {
+        self.max - self.min
+    }
+
+    /// Whether a value is inside.
+    pub fn contains(&self, value: f64) -> bool {
+        (self.min..=self.max).contains(&value)
+    }
+}
+
+impl Chart {
+    /// The chart as an SVG element that stands alone in a file and scales within a page.
+    pub fn to_svg(&self) -> String {
+        let plots: Vec<Plot> = self.curves.iter().enumerate().map(|(i, curve)| self.plot(i, curve)).collect();
+        let layout = self.layout(&plots);
+        let drawing = kuva::render_to_svg(plots, layout);
+        let (legend, legend_height) = self.legend();
+        let height = HEIGHT + legend_height;
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" \
+             height=\"{height}\" role=\"img\" font-family=\"{FONT}\">\
+             <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>{drawing}{legend}</svg>\n"
+        )
+    }
+
+    /// The legend below the drawing and its height, px: strokes long enough to show their dashes.
+    fn legend(&self) -> (String, f64) {
+        let letters = self.curves.iter().map(|curve| curve.label.chars().count()).max().unwrap_or(0);
+        let entry_width = LEGEND_STROKE + 24.0 + 8.0 * letters as f64;
+        let columns = ((WIDTH - LEGEND_LEFT) / entry_width).floor().clamp(1.0, 7.0) as usize;
+        let mut svg = String::from("<g font-size=\"15\">");
+        for (index, curve) in self.curves.iter().enumerate() {
+            let x = LEGEND_LEFT + entry_width * (index % columns) as f64;
+            let y = HEIGHT + LEGEND_ROW * ((index / columns) as f64 + 0.4);
+            let Style { colour, dash, width } = Style::of(index);
+            svg += &format!(
+                "<path d=\"M{x} {y}h{LEGEND_STROKE}\" stroke=\"{colour}\" stroke-width=\"{width}\" \
+                 stroke-dasharray=\"{dash}\"/><text x=\"{}\" y=\"{}\">{}</text>",
+                x + LEGEND_STROKE + 8.0,
+                y + 5.0,
+                escaped(&curve.label)
+            );
+        }
+        (svg + "</g>", LEGEND_ROW * self.curves.len().div_ceil(columns) as f64)
+    }
+
+    fn plot(&self, index: usize, curve: &Curve) -> Plot {
+        let shown = curve.points.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
+        let points: Vec<(f64, f64)> = shown.map(|&(x, y)| (self.x.limit(x), self.y.limit(y))).collect();
+        let scale = (self.x.window.width(), self.y.window.width());
+        let Style { colour, dash, width } = Style::of(index);
+        let plot = LinePlot::new().with_data(thinned(&points, scale)).with_color(colour);
+        Plot::Line(plot.with_stroke_width(width).with_line_style(LineStyle::Custom(dash.to_owned())))
+    }
+
+    fn layout(&self, plots: &[Plot]) -> Layout {
+        let (x, y) = (&self.x.window, &self.y.window);
+        let mut layout = Layout::auto_from_plots(plots)
+            .with_width(WIDTH)
+            .with_height(HEIGHT)
+            .with_title(&self.title)
+            .with_x_label(&self.x.label)
+            .with_y_label(&self.y.label)
+            .with_x_axis_min(x.min)
+            .with_x_axis_max(x.max)
+            .with_y_axis_min(y.min)
+            .with_y_axis_max(y.max)
+            .with_box_axes()
+            .with_tick_format(TickFormat::Custom(std::sync::Arc::new(tick_label)))
+            .with_title_size(20)
+            .with_label_size(17)
+            .with_tick_size(15)
+            .with_font_family(FONT);
+        if let Some(step) = self.x.tick {
+            layout = layout.with_x_tick_step(step);
+        }
+        if let Some(step) = self.y.tick {
+            layout = layout.with_y_tick_step(step);
+        }
+        if let Some(frame) = self.frame {
+            layout = shade_outside(layout, y, &frame);
+        }
+        self.marks.iter().fold(layout, draw_mark)
+    }
+}
+
+impl Axis {
+    /// An axis whose grid the chart chooses.
+    pub fn new(label: impl Into<String>, window: Window) -> Self {
+        Axis { label: label.into(), window, tick: None }
+    }
+
+    /// Brings values from very far outside nearer, for the sake of programs that draw.
+    fn limit(&self, value: f64) -> f64 {
+        let Window { min, max } = self.window;
+        let margin = FAR_OUTSIDE * self.window.width();
+        value.clamp(min - margin, max + margin)
+    }
+}
+
+impl Style {
+    /// The style of the n-th curve. The first one lies under the others and is wide enough to be seen there.
+    fn of(index: usize) -> Self {
+        let width = if index == 0 { 2.8 } else { 1.9 };
+        Style { colour: COLOURS[index % COLOURS.len()], dash: DASHES[index % DASHES.len()], width }
+    }
+}
+
+/// Text as the content of an XML element.
+pub fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// Grey where the chart shows more than the frame, and the frame's edges.
+fn shade_outside(layout: Layout, shown: &Window, frame: &Window) -> Layout {
+    let regions = [(shown.min, frame.min), (frame.max, shown.max)];
+    let outside = regions.into_iter().zip([frame.min, frame.max]).filter(|((low, high), _)| low < high);
+    outside.fold(layout, |layout, ((low, high), edge)| {
+        layout
+            .with_shaded_region(ShadedRegion::horizontal(low, high).with_color("#808080").with_opacity(0.14))
+            .with_reference_line(
+                ReferenceLine::horizontal(edge).with_color(MARK_COLOUR).with_dasharray("5 3"),
+            )
+    })
+}
+
+fn draw_mark(layout: Layout, mark: &Mark) -> Layout {
+    let line = match mark {
+        Mark::Vertical(x, label) => ReferenceLine::vertical(*x).with_label(label),
+        Mark::Horizontal(y, label) => ReferenceLine::horizontal(*y).with_label(label),
+    };
+    layout.with_reference_line(line.with_color(MARK_COLOUR).with_dasharray("5 3"))
+}
+
+/// A number as one would write it on an axis: no superfluous zeros, a true minus.
+fn tick_label(value: f64) -> String {
+    // Ticks are sums of steps: rounding errors of that size mean zero.
+    let value = if value.abs() < 1e-12 { 0.0 } else { value };
+    let text = if value != 0.0 && (value.abs() < 1e-3 || value.abs() >= 1e5) {
+        format!("{value:.1e}")
+    } else {
+        let text = format!("{value:.4}");
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    };
+    text.replace('-', "−")
+}
+
+/// The curve with fewer points, by the method of Ramer, Douglas and Peucker: no point of the old one is
+/// farther than [`FLATNESS`] from the new one, in units of `scale`.
+fn thinned(points: &[(f64, f64)], scale: (f64, f64)) -> Vec<(f64, f64)> {
+    let mut kept = Vec::new();
+    let mut open: Vec<(usize, usize)> =
+        points.len().checked_sub(1).map(|last| (0, last)).into_iter().collect();
+    kept.extend(points.first());
+    while let Some((first, last)) = open.pop() {
+        let deviations =
+            (first + 1..last).map(|i| (i, deviation(points[i], points[first], points[last], scale)));
+        match deviations.max_by(|a, b| a.1.total_cmp(&b.1)) {
+            Some((middle, deviation)) if deviation > FLATNESS => {
+                open.extend([(middle, last), (first, middle)]);
+            }
+            _ => kept.push(points[last]),
+        }
+    }
+    kept
+}
+
+/// Distance of `p` from the segment `a`–`b`, in units of `scale`.
+fn deviation(p: (f64, f64), a: (f64, f64), b: (f64, f64), scale: (f64, f64)) -> f64 {
+    let from_a = |q: (f64, f64)| ((q.0 - a.0) / scale.0, (q.1 - a.1) / scale.1);
+    let ((px, py), (bx, by)) = (from_a(p), from_a(b));
+    let length = bx * bx + by * by;
+    let along = if length > 0.0 { ((px * bx + py * by) / length).clamp(0.0, 1.0) } else { 0.0 };
+    (px - along * bx).hypot(py - along * by)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chart() -> Chart {
+        let wave = (0..=1500).map(|i| (0.01 * f64::from(i), (0.05 * f64::from(i)).sin())).collect();
+        Chart {
+            title: "A < B & C".into(),
+            x: Axis { tick: Some(5.0), ..Axis::new("time (s)", Window::new(0.0, 15.0)) },
+            y: Axis { tick: Some(0.5), ..Axis::new("wave", Window::new(-0.5, 1.5)) },
+            curves: vec![
+                Curve { label: "wave".into(), points: wave },
+                Curve { label: "ramp".into(), points: vec![(0.0, 0.0), (7.0, 1.0), (8.0, f64::NAN)] },
+            ],
+            marks: vec![Mark::Vertical(3.0, "here".into())],
+            frame: Some(Window::new(0.0, 1.0)),
+        }
+    }
+
+    #[test]
+    fn a_chart_names_everything_as_text_and_scales() {
+        let svg = chart().to_svg();
+        for text in
+            ["A &lt; B &amp; C", "time (s)", "wave", "ramp", "here", ">15<", ">−0.5<", "viewBox=\"0 0 "]
+        {
+            assert!(svg.contains(text), "{text} is missing");
+        }
+        assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>") && !svg.contains("NaN"));
+    }
+
+    #[test]
+    fn what_is_outside_of_the_frame_is_shaded_on_both_sides() {
+        assert_eq!(chart().to_svg().matches("#808080").count(), 2);
+        let whole = Chart { frame: Some(Window::new(-0.5, 1.5)), ..chart() };
+        assert_eq!(whole.to_svg().matches("#808080").count(), 0);
+    }
+
+    #[test]
+    fn thinning_keeps_the_ends_and_the_shape() {
+        let points = &chart().curves[0].points;
+        let thin = thinned(points, (15.0, 2.0));
+        assert!(thin.len() < points.len() / 3);
+        assert_eq!((thin.first(), thin.last()), (points.first(), points.last()));
+        for &p in points {
+            let nearest = thin.windows(2).map(|ends| deviation(p, ends[0], ends[1], (15.0, 2.0)));
+            assert!(nearest.fold(f64::INFINITY, f64::min) <= FLATNESS);
+        }
+    }
+
+    #[test]
+    fn ticks_have_no_superfluous_digits() {
+        for (value, label) in [(0.1 + 0.2, "0.3"), (-15.0, "−15"), (1e-17, "0"), (-2e-4, "−2.0e−4")] {
+            assert_eq!(tick_label(value), label);
+        }
+    }
+
+    #[test]
+    fn no_two_of_thirty_five_curves_look_alike() {
+        let styles = (0..35).map(Style::of).map(|style| (style.colour, style.dash));
+        assert_eq!(styles.collect::<std::collections::HashSet<_>>().len(), 35);
+    }
+}

@@ -1,0 +1,56 @@
+//! The inputs as functions of time: values and rates set at an instant, about the trim or absolute.
+
+use crate::dynamics::Controls;
+
+use super::{InputReference, Inputs, Settings, TrimPoint};
+
+/// What acts on the aircraft from the last setting of the inputs on.
+#[derive(Clone, Debug)]
+pub struct Steering {
+    /// The trim, to which inputs may add.
+    pub trim: TrimPoint,
+    reference: InputReference,
+    /// Values at the time they were set.
+    pub inputs: Inputs,
+    /// Per second.
+    pub rates: Inputs,
+    /// When they were set, s.
+    pub since: f64,
+}
+
+impl Steering {
+    /// Hands off, from a time (s) on.
+    pub fn new(trim: TrimPoint, settings: &Settings, engines: usize, since: f64) -> Self {
+        let (inputs, rates) = (Inputs::zero(engines), Inputs::zero(engines));
+        Steering { trim, reference: settings.input_reference, inputs, rates, since }
+    }
+
+    /// Sets inputs and rates at a time (s); returns whether that changes anything.
+    pub fn set(&mut self, inputs: &Inputs, rates: &Inputs, time: f64) -> bool {
+        if self.inputs == *inputs && self.rates.is_zero() && rates.is_zero() {
+            return false;
+        }
+        self.inputs.clone_from(inputs);
+        self.rates.clone_from(rates);
+        self.since = time;
+        true
+    }
+
+    /// The absolute controls at a time (s).
+    pub fn write(&self, time: f64, controls: &mut Controls) {
+        let Steering { trim, inputs, rates, .. } = self;
+        let elapsed = time - self.since;
+        let (elevator, thrust) = match self.reference {
+            InputReference::Trim => (trim.elevator, trim.thrust),
+            InputReference::Absolute => (0.0, 0.0),
+        };
+        controls.elevator = elevator + inputs.elevator + elapsed * rates.elevator;
+        controls.aileron = inputs.aileron + elapsed * rates.aileron;
+        controls.rudder = inputs.rudder + elapsed * rates.rudder;
+        for ((acting, input), rate) in controls.thrust.iter_mut().zip(&inputs.thrust).zip(&rates.thrust) {
+            *acting = thrust + input + elapsed * rate;
+        }
+        controls.wind = inputs.wind + rates.wind * elapsed;
+        controls.wind_rate = rates.wind;
+    }
+}
