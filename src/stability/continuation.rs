@@ -1,6 +1,6 @@
 //! Following one root along a path of problems.
 
-use std::rc::Rc;
+use std::sync::Arc;
 
 use super::condensed::{Condensed, Root};
 
@@ -16,7 +16,7 @@ const SMALLEST_STEP: f64 = 1.0 / 1024.0;
 pub(super) fn follow(
     start: &Root,
     largest_step: f64,
-    mut path: impl FnMut(f64) -> Option<Rc<Condensed>>,
+    mut path: impl FnMut(f64) -> Option<Arc<Condensed>>,
 ) -> Option<Root> {
     let mut root = start.clone();
     let (mut place, mut step) = (0.0_f64, largest_step);

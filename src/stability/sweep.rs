@@ -8,7 +8,8 @@
 //! **Caveat.** A root that is unstable only between two neighbouring speeds of the range is not noticed.
 
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::Arc;
+use std::thread;
 
 use nalgebra::Complex;
 
@@ -113,9 +114,9 @@ impl Sweep {
         let aircraft = Family { model, settings };
         let (mut points, mut skipped): (Vec<Point>, Vec<Skipped>) = (Vec::new(), Vec::new());
         let mut after_gap = true;
-        for &airspeed in airspeeds {
-            match aircraft.point(airspeed, after_gap) {
-                Ok(point) => points.push(point),
+        for (point, &airspeed) in aircraft.points(airspeeds).into_iter().zip(airspeeds) {
+            match point {
+                Ok(point) => points.push(Point { after_gap, ..point }),
                 Err(reason) => skipped.push(Skipped { airspeed, reason }),
             }
             after_gap = points.last().is_none_or(|point| point.airspeed != airspeed);
@@ -143,7 +144,7 @@ struct Family<'a> {
 /// The motion at one airspeed of the range.
 struct Point {
     airspeed: f64,
-    problem: Rc<Condensed>,
+    problem: Arc<Condensed>,
     unknowns: Vec<Unknown>,
     /// One of each unstable pair.
     unstable: Vec<Complex<f64>>,
@@ -159,17 +160,32 @@ impl Family<'_> {
         Ok(equations.linearise(&trim))
     }
 
-    fn point(&self, airspeed: f64, after_gap: bool) -> Result<Point, SkipReason> {
+    /// The points of the range, computed side by side.
+    fn points(&self, airspeeds: &[f64]) -> Vec<Result<Point, SkipReason>> {
+        let workers = thread::available_parallelism().map_or(1, usize::from);
+        let share = airspeeds.len().div_ceil(workers).max(1);
+        let analyse = |part: &[f64]| part.iter().map(|&airspeed| self.point(airspeed)).collect::<Vec<_>>();
+        thread::scope(|scope| {
+            let parts: Vec<_> =
+                airspeeds.chunks(share).map(|part| scope.spawn(move || analyse(part))).collect();
+            let join = |part: thread::ScopedJoinHandle<'_, _>| {
+                part.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+            };
+            parts.into_iter().flat_map(join).collect()
+        })
+    }
+
+    fn point(&self, airspeed: f64) -> Result<Point, SkipReason> {
         let matrix = self.state_matrix(airspeed)?;
         let mut unstable = matrix.eigenvalues()?;
         unstable.retain(|eigenvalue| eigenvalue.re > UNSTABLE && eigenvalue.im >= 0.0);
         let in_shape = |unknown: &&Unknown| !matches!(unknown, Unknown::Inflow { .. });
         Ok(Point {
             airspeed,
-            problem: Rc::new(Condensed::new(&matrix)),
+            problem: Arc::new(Condensed::new(&matrix)),
             unknowns: matrix.unknowns.iter().filter(in_shape).copied().collect(),
             unstable,
-            after_gap,
+            after_gap: false,
         })
     }
 }
@@ -180,7 +196,7 @@ struct Tracks<'a> {
     points: &'a [Point],
     branches: Vec<Branch>,
     /// Problems at speeds between the points of the present interval, by the bits of the airspeed.
-    between: HashMap<u64, Option<Rc<Condensed>>>,
+    between: HashMap<u64, Option<Arc<Condensed>>>,
 }
 
 impl<'a> Tracks<'a> {
@@ -206,7 +222,7 @@ impl<'a> Tracks<'a> {
         let problem = &self.points[index].problem;
         let mut reached: Vec<Root> = Vec::new();
         for frozen in problem.frozen_roots() {
-            let path = |coupling| Some(Rc::new(problem.with_coupling(coupling)));
+            let path = |coupling| Some(Arc::new(problem.with_coupling(coupling)));
             let root = follow(&frozen, 1.0, path);
             reached.extend(root.filter(|root| !reached.iter().any(|other| same(root, other))));
         }
@@ -282,10 +298,10 @@ impl<'a> Tracks<'a> {
         let (aircraft, between) = (self.aircraft, &mut self.between);
         follow(root, largest_step, |place| {
             if place == 1.0 {
-                return Some(Rc::clone(&to.problem));
+                return Some(Arc::clone(&to.problem));
             }
             let airspeed = from.airspeed + place * width;
-            let problem = || Some(Rc::new(Condensed::new(&aircraft.state_matrix(airspeed).ok()?)));
+            let problem = || Some(Arc::new(Condensed::new(&aircraft.state_matrix(airspeed).ok()?)));
             between.entry(airspeed.to_bits()).or_insert_with(problem).clone()
         })
     }
@@ -316,7 +332,7 @@ impl<'a> Tracks<'a> {
             let middle = 0.5 * (low + high);
             let path = |place: f64| {
                 let matrix = self.aircraft.state_matrix(low + place * (middle - low)).ok()?;
-                Some(Rc::new(Condensed::new(&matrix)))
+                Some(Arc::new(Condensed::new(&matrix)))
             };
             match follow(&root, 1.0, path) {
                 Some(next) if is_unstable(&next) == is_unstable(below) => (low, root) = (middle, next),

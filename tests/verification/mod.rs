@@ -6,6 +6,7 @@ mod eigenvalues;
 mod equations_of_motion;
 mod fidelity_levels;
 mod flight;
+mod flutter;
 mod frequencies;
 mod modal_integrals;
 mod record;
