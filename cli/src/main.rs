@@ -12,6 +12,7 @@ use flexible_aircraft_packaging::Platform;
 mod chart;
 mod check;
 mod diagnostics;
+mod flutter;
 mod manoeuvre;
 mod package;
 
@@ -27,6 +28,9 @@ struct CommandLine {
 enum Command {
     /// Write an aircraft as an FMU, and prove by a short flight that it works
     Package(PackageOptions),
+
+    /// Find the airspeeds at which an aircraft flutters or diverges, and draw V–g and V–f plots
+    Flutter(flutter::FlutterOptions),
 }
 
 /// Options of `flexair package`.
@@ -61,11 +65,14 @@ fn platform_and_file(option: &str) -> Result<(Platform, PathBuf), String> {
 }
 
 fn main() -> ExitCode {
-    let Command::Package(options) = CommandLine::parse().command;
-    match package::run(options) {
+    let outcome = match CommandLine::parse().command {
+        Command::Package(options) => package::run(options).map_err(|error| error.report()),
+        Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
+    };
+    match outcome {
         Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("{}", error.report());
+        Err(report) => {
+            eprintln!("{report}");
             ExitCode::FAILURE
         }
     }

@@ -26,6 +26,7 @@ const CLAIMS: &[Claim] = &[
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
     ("Fidelity levels", "fidelity_levels", &["rigid-limit", "damping"]),
     ("Invariance of the flight", "flight", &["mirror", "steadiness", "heading"]),
+    ("Flutter", "flutter", &["flutter-section", "flutter-wings"]),
     ("Wind tunnel", "wind_tunnel", &["divergence"]),
 ];
 
