@@ -8,6 +8,7 @@ mod fidelity_levels;
 mod flight;
 mod flutter;
 mod frequencies;
+mod linearisation;
 mod modal_integrals;
 mod record;
 mod strain_energy;

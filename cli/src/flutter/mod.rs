@@ -1,6 +1,6 @@
 //! `flexair flutter`: at which airspeeds an aircraft flutters or diverges, with V–g and V–f plots.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use flexible_aircraft::aerodynamics::Air;
@@ -126,6 +126,23 @@ struct Analysis {
 
 /// Analyses, prints, and draws.
 pub fn run(options: &FlutterOptions) -> Result<(), Error> {
+    let analysis = analyse(options)?;
+    print!("{}", report::text(&analysis));
+    let name = options.aircraft.file_stem().unwrap_or_default().to_string_lossy();
+    let write_error = |path: &Path| {
+        let path = path.to_owned();
+        |source| Error::Write { path, source }
+    };
+    std::fs::create_dir_all(&options.output).map_err(write_error(&options.output))?;
+    for (kind, chart) in [("v-g", plots::dampings(&analysis)), ("v-f", plots::frequencies(&analysis))] {
+        let path = options.output.join(format!("{name}-{kind}.svg"));
+        std::fs::write(&path, chart.to_svg()).map_err(write_error(&path))?;
+        println!("{}", path.display());
+    }
+    Ok(())
+}
+
+fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
     let aircraft = Aircraft::read(&options.aircraft)?;
     let airspeeds = airspeeds(options)?;
     let (model, mode_count) = reduce(&aircraft, options)?;
@@ -141,20 +158,7 @@ pub fn run(options: &FlutterOptions) -> Result<(), Error> {
     };
     let sweep = Sweep::new(&model, &settings, &airspeeds)?;
     let model = model.select(&settings.choose_modes(&model)?);
-    let analysis = Analysis { model, settings, range: [options.from, options.to], sweep };
-    print!("{}", report::text(&analysis));
-
-    let name = options.aircraft.file_stem().unwrap_or_default().to_string_lossy();
-    std::fs::create_dir_all(&options.output)
-        .map_err(|source| Error::Write { path: options.output.clone(), source })?;
-    let drawings = [("v-g", plots::dampings(&analysis)), ("v-f", plots::frequencies(&analysis))];
-    for (kind, chart) in drawings {
-        let path = options.output.join(format!("{name}-{kind}.svg"));
-        std::fs::write(&path, chart.to_svg())
-            .map_err(|source| Error::Write { path: path.clone(), source })?;
-        println!("{}", path.display());
-    }
-    Ok(())
+    Ok(Analysis { model, settings, range: [options.from, options.to], sweep })
 }
 
 /// The airspeeds of the range.
@@ -212,5 +216,89 @@ impl Analysis {
     /// kg/m³.
     fn density(&self) -> f64 {
         Air::at(self.settings.altitude).density
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(flatten)]
+        options: FlutterOptions,
+    }
+
+    /// The options of `flexair flutter` with a shipped aircraft.
+    fn options(aircraft: &str, rest: &str) -> FlutterOptions {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft").join(aircraft);
+        let mut words = vec!["flutter".to_owned(), path.display().to_string()];
+        words.extend(rest.split_whitespace().map(str::to_owned));
+        Line::try_parse_from(words).unwrap_or_else(|error| panic!("{error}")).options
+    }
+
+    fn section(rest: &str) -> Analysis {
+        analyse(&options("typical-section.toml", rest)).unwrap()
+    }
+
+    #[test]
+    fn the_report_names_the_speeds_of_the_typical_section() {
+        let text = report::text(&section("--from 5 --to 80 --points 9 --modes 2 --inflow-states 6"));
+        // Hodges and Pierce: 2.165 and 0.6545 times b ω = 20 m/s; divergence at 2.828.
+        for line in ["43.31 m/s  flutter         13.09 rad/s (2.083 Hz)", "56.57 m/s  divergence      static"]
+        {
+            assert!(text.contains(line), "{text}");
+        }
+        assert!(text.contains("% mode 2") && text.contains("(begins as mode 2, 3.2"), "{text}");
+    }
+
+    #[test]
+    fn no_flutter_in_the_range_is_said_with_the_range() {
+        let text = report::text(&section("--from 5 --to 40 --points 5"));
+        assert!(text.contains("no flutter begins from 5 to 40 m/s"), "{text}");
+        assert!(text.contains("no divergence begins from 5 to 40 m/s"), "{text}");
+    }
+
+    #[test]
+    fn a_range_that_begins_beyond_flutter_says_so() {
+        let text = report::text(&section("--from 50 --to 55 --points 3 --modes 2"));
+        assert!(text.contains("50.00 m/s  already unstable here: "), "{text}");
+    }
+
+    #[test]
+    fn airspeeds_without_trim_are_listed_with_the_reason() {
+        let range = "--from 3 --to 127 --points 2 --altitude 7620 --modes 2";
+        let text = report::text(&analyse(&options("generic-business-jet.toml", range)).unwrap());
+        assert!(text.contains("not analysed: 3.00 m/s\n"), "{text}");
+        assert!(text.contains("no steady level flight found at 3 m/s"), "{text}");
+    }
+
+    #[test]
+    fn the_plots_show_both_modes_and_mark_both_speeds() {
+        let analysis = section("--from 5 --to 80 --points 16 --modes 2");
+        for chart in [plots::dampings(&analysis), plots::frequencies(&analysis)] {
+            assert_eq!(chart.curves.len(), 2);
+            assert!(chart.x.label.contains(", flutter 43.") && chart.x.label.contains(", divergence 56.6"));
+            assert!(chart.curves.iter().all(|curve| curve.points.len() > 5));
+        }
+    }
+
+    #[test]
+    fn a_range_that_is_none_is_refused() {
+        for range in ["--from 80 --to 5", "--from 0 --to 5", "--from 5 --to 80 --points 1"] {
+            let error = analyse(&options("typical-section.toml", range)).err().unwrap().report();
+            assert!(error.contains("0 < from < to and at least 2 points are allowed"), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_missing_file_and_too_many_modes_are_errors_for_people() {
+        let report = |aircraft, rest| analyse(&options(aircraft, rest)).err().unwrap().report();
+        let missing = report("none.toml", "--from 5 --to 80");
+        assert!(missing.contains("none.toml: cannot read the aircraft file"), "{missing}");
+        let many = report("typical-section.toml", "--from 5 --to 80 --modes 40");
+        assert!(many.starts_with("error: 40 modes were asked for, the structure has "), "{many}");
     }
 }

@@ -10,6 +10,10 @@ use super::Analysis;
 /// Modes whose share is less are not named.
 const NOTABLE: f64 = 0.05;
 
+/// A root with a greater share of rigid motion is one of flight mechanics. (Elastic modes of a free aircraft move
+/// the origin too.)
+const FLIGHT: f64 = 0.8;
+
 /// Roots with less are not oscillating, rad/s.
 const OSCILLATING: f64 = 1e-5;
 
@@ -44,10 +48,10 @@ impl Shares {
         shares
     }
 
-    /// The mode with the largest share, if that is more than the rigid motion's.
+    /// The mode with the largest share, unless the root is one of flight mechanics.
     fn leading_mode(&self) -> Option<usize> {
-        let leading = (0..self.modes.len()).max_by(|&a, &b| self.modes[a].total_cmp(&self.modes[b]))?;
-        (self.modes[leading] > self.rigid).then_some(leading)
+        let leading = (0..self.modes.len()).max_by(|&a, &b| self.modes[a].total_cmp(&self.modes[b]));
+        leading.filter(|_| self.rigid < FLIGHT)
     }
 }
 

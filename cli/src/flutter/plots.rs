@@ -15,6 +15,12 @@ const DAMPING: Window = Window::new(-0.6, 0.4);
 /// The least of it.
 const LEAST_DAMPING: Window = Window::new(-0.1, 0.05);
 
+/// The V–f plot goes up to this multiple of the highest frequency of a flutter, if there is one.
+const FREQUENCY_MARGIN: f64 = 4.0;
+
+/// Onsets that the airspeed axis names.
+const NAMED_ONSETS: usize = 4;
+
 /// Damping over airspeed.
 pub fn dampings(analysis: &Analysis) -> Chart {
     let curves = curves(analysis, |root| 2.0 * root.eigenvalue.re / root.eigenvalue.im.abs());
@@ -38,7 +44,9 @@ pub fn frequencies(analysis: &Analysis) -> Chart {
     let curves = curves(analysis, frequency);
     let values = curves.iter().flat_map(|curve| curve.points.iter().map(|point| point.1));
     let greatest = values.fold(0.0, f64::max);
-    let top = if greatest > 0.0 { 1.05 * greatest } else { 1.0 };
+    let flutter = onsets(analysis).map(|crossing| frequency(&crossing.root)).fold(0.0, f64::max);
+    let shown = if flutter > 0.0 { greatest.min(FREQUENCY_MARGIN * flutter) } else { greatest };
+    let top = if shown > 0.0 { 1.05 * shown } else { 1.0 };
     Chart {
         title: format!("{}: V–f", analysis.model.name),
         x: airspeed_axis(analysis),
@@ -51,7 +59,12 @@ pub fn frequencies(analysis: &Analysis) -> Chart {
 
 fn airspeed_axis(analysis: &Analysis) -> Axis {
     let [from, to] = analysis.range;
-    Axis::new("airspeed (m/s)", Window::new(from, to))
+    let name = |crossing: &Crossing| match crossing.kind {
+        CrossingKind::Flutter => format!(", flutter {:.1}", crossing.airspeed),
+        CrossingKind::Divergence => format!(", divergence {:.1}", crossing.airspeed),
+    };
+    let onsets: String = onsets(analysis).take(NAMED_ONSETS).map(name).collect();
+    Axis::new(format!("airspeed (m/s){onsets}"), Window::new(from, to))
 }
 
 /// One curve for each branch that oscillates, while it does.
@@ -67,15 +80,11 @@ fn curves(analysis: &Analysis, value: impl Fn(&Root) -> f64) -> Vec<Curve> {
     sweep.branches.iter().map(curve).filter(|curve| curve.points.len() > 1).collect()
 }
 
-/// Onsets of flutter and divergence.
+/// Lines at the onsets of flutter and divergence; what they are stands at the axis.
 fn marks(analysis: &Analysis) -> Vec<Mark> {
-    let onsets = analysis.sweep.crossings.iter().filter(|crossing| crossing.is_onset);
-    let mark = |crossing: &Crossing| {
-        let word = match crossing.kind {
-            CrossingKind::Flutter => "flutter",
-            CrossingKind::Divergence => "divergence",
-        };
-        Mark::Vertical(crossing.airspeed, format!("{word} {:.1} m/s", crossing.airspeed))
-    };
-    onsets.map(mark).collect()
+    onsets(analysis).map(|crossing| Mark::Vertical(crossing.airspeed, String::new())).collect()
+}
+
+fn onsets(analysis: &Analysis) -> impl Iterator<Item = &Crossing> {
+    analysis.sweep.crossings.iter().filter(|crossing| crossing.is_onset)
 }
