@@ -1,5 +1,6 @@
 //! The jet linearised at a trim, and single eigenvalues of it.
 
+use flexible_aircraft::dynamics::{EquationsOfMotion, Trim};
 use flexible_aircraft::simulation::{Fidelity, Settings};
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -7,10 +8,21 @@ use super::{eight_symmetric, jet};
 
 /// The state matrix of the jet with 8 symmetric modes and N = 5 at its trim at 7620 m.
 pub fn state_matrix(fidelity: Fidelity, stiffness_scale: f64, airspeed: f64) -> DMatrix<f64> {
-    let settings = Settings { fidelity, stiffness_scale, airspeed, ..eight_symmetric() };
+    let (equations, trim) = trimmed(fidelity, stiffness_scale, airspeed, 5);
+    equations.linearise(&trim).matrix
+}
+
+/// The jet's equations with 8 symmetric modes and their trim at 7620 m.
+pub fn trimmed(
+    fidelity: Fidelity,
+    stiffness_scale: f64,
+    airspeed: f64,
+    inflow_states: usize,
+) -> (EquationsOfMotion, Trim) {
+    let settings = Settings { fidelity, stiffness_scale, airspeed, inflow_states, ..eight_symmetric() };
     let equations = settings.equations(&jet()).unwrap();
     let trim = equations.trim(&settings.trim_condition()).unwrap();
-    equations.linearise(&trim).matrix
+    (equations, trim)
 }
 
 /// The eigenvalue nearest to a guess, by inverse iteration.

@@ -2,6 +2,8 @@
 
 pub mod beams;
 pub mod linearised;
+pub mod ritz;
+pub mod strip;
 
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
@@ -76,6 +78,11 @@ pub fn fly(
         filtered = target + (filtered - target) * libm::exp(-STEP / 0.05);
     }
     history
+}
+
+/// The derivative at 0 of a polynomial of degree ≤ 4, whatever the step.
+pub fn derivative(step: f64, f: impl Fn(f64) -> f64) -> f64 {
+    (8.0 * (f(step) - f(-step)) - (f(2.0 * step) - f(-2.0 * step))) / (12.0 * step)
 }
 
 /// Numbers between −1 and 1 that look random and are the same everywhere (splitmix64; Steele, Lea, Flood 2014).

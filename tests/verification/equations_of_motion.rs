@@ -15,11 +15,7 @@ use nalgebra::Vector3;
 
 use super::modal_integrals::{Particles, jet_and_particles, random_state, velocities};
 use super::record::Record;
-
-/// The derivative at 0 of a polynomial of degree ≤ 4.
-fn derivative(step: f64, f: impl Fn(f64) -> f64) -> f64 {
-    (8.0 * (f(step) - f(-step)) - (f(2.0 * step) - f(-2.0 * step))) / (12.0 * step)
-}
+use crate::support::derivative;
 
 /// `x + s·direction`.
 fn along(x: &[f64], direction: &[f64], s: f64) -> Vec<f64> {
@@ -56,11 +52,13 @@ fn residuals(equations: &EquationsOfMotion, particles: &Particles, state: &[f64]
     let (p_v, p_omega) = (vector(0), vector(3));
     let (v, omega) = (Vector3::from_column_slice(&nu[0..3]), Vector3::from_column_slice(&nu[3..6]));
     let mut rows = Vec::new();
-    for axis in 0..3 {
-        rows.push(vec![changes[axis], omega.cross(&p_v)[axis]]);
+    for (change, turning) in changes[0..3].iter().zip(&omega.cross(&p_v)) {
+        rows.push(vec![*change, *turning]);
     }
-    for axis in 0..3 {
-        rows.push(vec![changes[3 + axis], omega.cross(&p_omega)[axis], v.cross(&p_v)[axis]]);
+    for (change, (turning, moving)) in
+        changes[3..6].iter().zip(omega.cross(&p_omega).iter().zip(&v.cross(&p_v)))
+    {
+        rows.push(vec![*change, *turning, *moving]);
     }
     for mode in 0..q.len() {
         let kinetic = derivative(1.0, |s| particles.kinetic_energy(&moved(&q, mode, s), &nu));

@@ -20,10 +20,14 @@ const CLAIMS: &[Claim] = &[
     ("Modal integrals", "modal_integrals", &["modal-integrals", "mass-matrix"]),
     ("Equations of motion", "equations_of_motion", &["equations-of-motion"]),
     ("Strain energy", "strain_energy", &["strain-energy", "string"]),
+    ("Geometric stiffening", "spin_up", &["spin-up", "spinning"]),
+    ("Unsteady aerodynamics", "inflow", &["theodorsen", "wagner", "garrick", "flap"]),
     ("Clamped frequencies and mass of the jet", "frequencies", &["frequencies"]),
     ("Trim", "trim", &["trim"]),
     ("Eigenvalues", "eigenvalues", &["eigenvalues"]),
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
+    ("Energy balance in air", "energy_balance", &["energy-balance"]),
+    ("Phugoid and short period", "rigid_modes", &["rigid-modes"]),
     ("Fidelity levels", "fidelity_levels", &["rigid-limit", "damping"]),
     ("Invariance of the flight", "flight", &["mirror", "steadiness", "heading"]),
     ("Flutter", "flutter", &["flutter-section", "flutter-wings"]),
@@ -50,38 +54,45 @@ impl Record {
     /// A value with a tolerance relative to its reference.
     pub fn relative(&mut self, case: &str, reference: f64, tolerance: f64, measured: f64) {
         let deviation = measured / reference - 1.0;
-        let cells =
-            [digits(reference, 5), format!("{tolerance:.0e} rel."), digits(measured, 5), small(deviation)];
+        let cells = [
+            digits(reference, 5),
+            format!("{} rel.", plain(tolerance)),
+            digits(measured, 5),
+            small(deviation),
+        ];
         self.add(case, &cells, deviation.abs() <= tolerance);
     }
 
     /// A value with an absolute tolerance.
     pub fn absolute(&mut self, case: &str, reference: f64, tolerance: f64, measured: f64) {
         let deviation = measured - reference;
-        let cells = [digits(reference, 5), format!("{tolerance:.0e}"), digits(measured, 5), small(deviation)];
+        let cells = [digits(reference, 5), plain(tolerance), digits(measured, 5), small(deviation)];
         self.add(case, &cells, deviation.abs() <= tolerance);
     }
 
     /// A truncation error, which should be as small as stated and shows two digits.
     pub fn error(&mut self, case: &str, bound: f64, measured: f64) {
-        let cells = ["0".to_owned(), format!("{bound:.0e}"), format!("{measured:.1e}"), String::new()];
+        let cells = ["0".to_owned(), plain(bound), format!("{measured:.1e}"), String::new()];
         self.add(case, &cells, measured.abs() <= bound);
     }
 
     /// A rounding error: whatever is below the bound looks the same on every machine.
     pub fn rounding(&mut self, case: &str, bound: f64, measured: f64) {
-        let shown = if measured.abs() <= bound { format!("< {bound:.0e}") } else { format!("{measured:e}") };
-        self.add(
-            case,
-            &["0".to_owned(), format!("{bound:.0e}"), shown, String::new()],
-            measured.abs() <= bound,
-        );
+        let shown =
+            if measured.abs() <= bound { format!("< {}", plain(bound)) } else { format!("{measured:e}") };
+        self.add(case, &["0".to_owned(), plain(bound), shown, String::new()], measured.abs() <= bound);
     }
 
     /// A value that must reach a bound.
     pub fn at_least(&mut self, case: &str, bound: f64, measured: f64) {
         let cells = [format!("≥ {}", digits(bound, 3)), String::new(), digits(measured, 3), String::new()];
         self.add(case, &cells, measured >= bound);
+    }
+
+    /// A value that must stay below a bound.
+    pub fn at_most(&mut self, case: &str, bound: f64, measured: f64) {
+        let cells = [format!("≤ {}", digits(bound, 3)), String::new(), digits(measured, 3), String::new()];
+        self.add(case, &cells, measured <= bound);
     }
 
     /// A paragraph under the table.
@@ -156,12 +167,17 @@ fn digits(value: f64, count: usize) -> String {
         return "0".to_owned();
     }
     let magnitude = libm::floor(libm::log10(value.abs())) as i32;
-    if (-3..7).contains(&magnitude) {
+    if (-3..6).contains(&magnitude) {
         let decimals = (count as i32 - 1 - magnitude).max(0) as usize;
         format!("{value:.decimals$}")
     } else {
         format!("{value:.*e}", count - 1)
     }
+}
+
+/// A tolerance: one or two digits.
+fn plain(value: f64) -> String {
+    format!("{value:.1e}").replace(".0e", "e")
 }
 
 /// A deviation with two digits; what may be rounding is not shown.

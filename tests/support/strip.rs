@@ -1,0 +1,118 @@
+//! One aerofoil strip on an aircraft without mass or modes, whose motion a test prescribes: loads are the forces
+//! on ν = [v; ω; q̇] without the part that is proportional to accelerations.
+
+use flexible_aircraft::aircraft::{ControlGains, Flap, Support};
+use flexible_aircraft::dynamics::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
+use flexible_aircraft::structure::{ModalIntegrals, ModeShapes, ReducedModel, ReducedStrip, StrainEnergy};
+use nalgebra::{Matrix3, Vector3};
+
+/// Semichord, m.
+pub const SEMICHORD: f64 = 0.5;
+
+/// ISO 2533 at sea level, kg/m³.
+pub const DENSITY: f64 = 1.225;
+
+/// Forward speed, m/s.
+pub const SPEED: f64 = 20.0;
+
+/// A strip of 1 m width with 2π lift slope, its elastic axis a distance (in semichords) behind mid-chord.
+pub struct PrescribedStrip {
+    equations: EquationsOfMotion,
+    workspace: Workspace,
+    controls: Controls,
+    /// All states of the equations; the motion is written into them.
+    pub state: Vec<f64>,
+}
+
+impl PrescribedStrip {
+    /// At rest in its own motion, wake at rest. `hinge` is a fraction of the chord.
+    pub fn new(inflow_states: usize, axis: f64, suction: f64, hinge: f64) -> Self {
+        let flap = Flap {
+            lift_slope: std::f64::consts::TAU,
+            hinge,
+            gains: ControlGains { elevator: 1.0, ..ControlGains::default() },
+        };
+        let strip = ReducedStrip {
+            component: "strip".to_owned(),
+            position: Vector3::zeros(),
+            forward: Vector3::x(),
+            span: Vector3::y(),
+            semichord: SEMICHORD,
+            elastic_axis_aft_of_midchord: axis * SEMICHORD,
+            width: 1.0,
+            lift_slope: std::f64::consts::TAU,
+            zero_lift_offset: 0.0,
+            profile_drag: 0.0,
+            leading_edge_suction: suction,
+            flap: Some(flap),
+            shapes: ModeShapes::default(),
+        };
+        let equations = EquationsOfMotion::new(&model(strip), &configuration(inflow_states));
+        let mut state = vec![0.0; equations.layout().len()];
+        state[equations.layout().attitude().start] = 1.0;
+        state[equations.layout().velocity().start] = SPEED;
+        let workspace = Workspace::new(&equations);
+        PrescribedStrip { equations, workspace, controls: Controls::neutral(0), state }
+    }
+
+    /// Sets the flap's angle, rad.
+    pub fn deflect(&mut self, angle: f64) {
+        self.controls.elevator = angle;
+    }
+
+    /// Prescribes w = n·V (m/s) and Ω (rad/s).
+    pub fn move_with(&mut self, upwash: f64, pitch_rate: f64) {
+        let layout = *self.equations.layout();
+        self.state[layout.velocity().end - 1] = upwash;
+        self.state[layout.rate().start + 1] = pitch_rate;
+    }
+
+    /// Where the inflow states stand.
+    pub fn inflow(&self) -> std::ops::Range<usize> {
+        self.equations.layout().inflow()
+    }
+
+    /// Forces along x, z and about y, and the rates of the inflow states.
+    pub fn evaluate(&mut self) -> ([f64; 3], Vec<f64>) {
+        let mut rates = vec![0.0; self.state.len()];
+        self.equations.rates(&self.state, &self.controls, &mut rates, &mut self.workspace);
+        let forces = self.workspace.forces();
+        ([forces[0], forces[2], forces[4]], rates[self.inflow()].to_vec())
+    }
+}
+
+fn configuration(inflow_states: usize) -> Configuration {
+    Configuration {
+        fidelity: Fidelity::Rigid,
+        stiffness_scale: 1.0,
+        structural_damping: 0.0,
+        inflow_states,
+        tunnel_flow: Vector3::zeros(),
+    }
+}
+
+/// Nothing but a strip.
+fn model(strip: ReducedStrip) -> ReducedModel {
+    ReducedModel {
+        name: "Strip".to_owned(),
+        gravity: 0.0,
+        support: Support::Free,
+        inflow_states: 0,
+        modes: Vec::new(),
+        integrals: ModalIntegrals {
+            mass: 0.0,
+            first_moment: Vector3::zeros(),
+            inertia: Matrix3::zeros(),
+            momentum: Vec::new(),
+            angular_momentum: Vec::new(),
+            gamma: Vec::new(),
+            pi: Vec::new(),
+            upsilon: Vec::new(),
+            mass_matrix: Vec::new(),
+        },
+        strain_energy: StrainEnergy::zero(0),
+        strips: vec![strip],
+        engines: Vec::new(),
+        stations: Vec::new(),
+    }
+}
