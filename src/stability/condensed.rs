@@ -21,6 +21,9 @@ const MAX_ITERATIONS: usize = 12;
 /// Change of an eigenvalue that no longer counts, relative to it and to the size of F.
 const CONVERGED: (f64, f64) = (1e-10, 1e-14);
 
+/// Relative size at which the eigensolver drops a subdiagonal entry; its eigenvalues are refined afterwards.
+const DEFLATION: f64 = 1e-13;
+
 /// Relative distance within which eigenvalues count as equal.
 const EQUAL: f64 = 1e-6;
 
@@ -100,7 +103,7 @@ impl Condensed {
     pub fn frozen_roots(&self) -> Vec<Root> {
         let frozen = self.with_coupling(0.0);
         let cap = 1000 * self.motion.nrows();
-        let Some(schur) = Schur::try_new(self.motion.clone(), f64::EPSILON, cap) else {
+        let Some(schur) = Schur::try_new(self.motion.clone(), DEFLATION, cap) else {
             return Vec::new();
         };
         let mut eigenvalues: Vec<_> = schur.complex_eigenvalues().iter().copied().collect();

@@ -20,7 +20,8 @@ use crate::structure::ReducedModel;
 use super::condensed::{Condensed, Root};
 use super::continuation::follow;
 
-/// Growth that counts as unstable when branches are searched, 1/s: above the rounding of eigenvalues.
+/// Growth that counts as unstable, 1/s: above the rounding of eigenvalues that are zero. The height of a free
+/// aircraft has one, for at the same dynamic pressure it is in trim at any height; so has an undamped mode.
 const UNSTABLE: f64 = 1e-6;
 
 /// Roots slower than this at a crossing do not oscillate, 1/s.
@@ -50,7 +51,8 @@ pub struct Sweep {
 /// One root over the range.
 #[derive(Clone, Debug)]
 pub struct Branch {
-    /// At each airspeed of the sweep; none where it has not begun or has ended.
+    /// At each airspeed of the sweep; none where it has not begun or has ended: where a pair becomes two real
+    /// roots, or two real roots a pair.
     pub roots: Vec<Option<Root>>,
 }
 
