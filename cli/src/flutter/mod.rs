@@ -118,6 +118,8 @@ impl Error {
 /// What was analysed, and what came out.
 struct Analysis {
     model: ReducedModel,
+    /// Fidelity level for people.
+    level: String,
     settings: Settings,
     /// Lowest and highest airspeed asked for, m/s.
     range: [f64; 2],
@@ -158,7 +160,9 @@ fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
     };
     let sweep = Sweep::new(&model, &settings, &airspeeds)?;
     let model = model.select(&settings.choose_modes(&model)?);
-    Ok(Analysis { model, settings, range: [options.from, options.to], sweep })
+    let level =
+        options.model.to_possible_value().map_or(String::new(), |value| value.get_name().replace('_', " "));
+    Ok(Analysis { model, level, settings, range: [options.from, options.to], sweep })
 }
 
 /// The airspeeds of the range.

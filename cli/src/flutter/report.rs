@@ -33,16 +33,15 @@ pub fn text(analysis: &Analysis) -> String {
 }
 
 fn heading(analysis: &Analysis) -> String {
-    let Analysis { model, settings, range: [from, to], sweep } = analysis;
+    let Analysis { model, level, settings, range: [from, to], sweep } = analysis;
     let support = match model.support {
         Support::Free => "free, trimmed at each airspeed",
         Support::Clamped => "clamped in a wind tunnel",
     };
     format!(
-        "{}, {support}\n{:?} model, stiffness × {}, {} modes, {} inflow states, {} m ({:.4} kg/m³)\n\
+        "{}, {support}\n{level} model, stiffness × {}, {} modes, {} inflow states, {} m ({:.4} kg/m³)\n\
          {} airspeeds from {from} to {to} m/s\n\n",
         model.name,
-        settings.fidelity,
         settings.stiffness_scale,
         model.modes.len(),
         settings.inflow_states,
