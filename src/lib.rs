@@ -14,6 +14,7 @@
 //! | [`aerodynamics`] | a strip's local flow | its inflow, lift, moment, drag |
 //! | [`dynamics`] | `ReducedModel`, state, inputs | accelerations, trim |
 //! | [`simulation`] | `ReducedModel`, settings | a flight in time |
+//! | [`stability`] | `ReducedModel`, settings | flutter and divergence over a range of airspeeds |
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
 //! | `fmi2` | everything above | the C ABI (feature `fmi`) |
 
@@ -24,5 +25,6 @@ pub mod dynamics;
 pub mod fmi2;
 mod lanes;
 pub mod simulation;
+pub mod stability;
 pub mod structure;
 pub mod variables;

@@ -12,6 +12,7 @@ use flexible_aircraft_packaging::Platform;
 mod chart;
 mod check;
 mod diagnostics;
+mod flutter;
 mod manoeuvre;
 mod package;
 mod reproduce;
@@ -30,6 +31,9 @@ enum Command {
     Package(PackageOptions),
     /// Fly the flights of the thesis, and write a page that lays the results beside its figures and table
     Reproduce(ReproduceOptions),
+
+    /// Find the airspeeds at which an aircraft flutters or diverges, and draw V–g and V–f plots
+    Flutter(flutter::FlutterOptions),
 }
 
 /// Options of `flexair package`.
@@ -76,11 +80,12 @@ fn platform_and_file(option: &str) -> Result<(Platform, PathBuf), String> {
 }
 
 fn main() -> ExitCode {
-    let done = match CommandLine::parse().command {
+    let outcome = match CommandLine::parse().command {
         Command::Package(options) => package::run(options).map_err(|error| error.report()),
         Command::Reproduce(options) => reproduce::run(&options).map_err(|error| error.report()),
+        Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
     };
-    match done {
+    match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(report) => {
             eprintln!("{report}");

@@ -116,6 +116,17 @@ impl EquationsOfMotion {
         self.engines.len()
     }
 
+    /// Number of strips.
+    pub fn strip_count(&self) -> usize {
+        self.strips.count()
+    }
+
+    /// A coordinate that moves or turns some strip by about 1 m or 1 rad.
+    pub(super) fn coordinate_magnitude(&self) -> f64 {
+        let shape = self.strips.largest_shape();
+        if shape > 0.0 { 1.0 / shape } else { 1.0 }
+    }
+
     /// Rates of all states; accelerations stay in the workspace. States beyond the model's validity give NaN.
     pub fn rates(&self, state: &[f64], controls: &Controls, rates: &mut [f64], workspace: &mut Workspace) {
         let layout = &self.layout;

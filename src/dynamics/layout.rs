@@ -119,6 +119,14 @@ impl StateLayout {
         }
     }
 
+    /// Places of η̃ of one strip: its real states, then real and imaginary part of each complex one.
+    pub fn strip_inflow(&self, strip: usize) -> Vec<usize> {
+        let GroupInflow { real, re, im } = self.group_inflow(strip / LANES);
+        let lane = strip % LANES;
+        let pairs = re.zip(im).skip(lane).step_by(LANES).flat_map(|(re, im)| [re, im]);
+        real.skip(lane).step_by(LANES).chain(pairs).collect()
+    }
+
     /// The groups of states that share a unit, for error norms.
     pub fn groups(&self) -> [Range<usize>; 7] {
         [

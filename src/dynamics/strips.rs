@@ -39,6 +39,8 @@ struct Group {
 /// All strips of an aircraft.
 #[derive(Clone, Debug)]
 pub struct Strips {
+    /// Number of strips.
+    count: usize,
     groups: Vec<Group>,
 }
 
@@ -80,7 +82,21 @@ impl Strips {
     /// The strips of a model.
     pub fn new(model: &ReducedModel) -> Self {
         let modes = model.modes.len();
-        Strips { groups: model.strips.chunks(LANES).map(|strips| Group::new(strips, modes)).collect() }
+        Strips {
+            count: model.strips.len(),
+            groups: model.strips.chunks(LANES).map(|strips| Group::new(strips, modes)).collect(),
+        }
+    }
+
+    /// Number of strips.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The largest displacement or rotation of any strip by a unit coordinate, m or rad.
+    pub fn largest_shape(&self) -> f64 {
+        let shapes = self.groups.iter().flat_map(|group| group.shapes.iter().flatten());
+        shapes.flat_map(|lanes| lanes.to_array()).fold(0.0, |largest, shape| shape.abs().max(largest))
     }
 
     /// Number of groups of four strips.

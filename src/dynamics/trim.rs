@@ -48,6 +48,16 @@ pub struct Trim {
     pub state: Vec<f64>,
 }
 
+impl Trim {
+    /// The controls of the trimmed flight, in still air.
+    pub fn controls(&self, engines: usize) -> Controls {
+        let mut controls = Controls::neutral(engines);
+        controls.elevator = self.elevator;
+        controls.thrust.fill(self.thrust);
+        controls
+    }
+}
+
 /// Why there is no trim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TrimFailure {

@@ -2,10 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::Vector3;
-
-use crate::aircraft::Support;
-use crate::dynamics::{Configuration, Controls, EquationsOfMotion, Trim, TrimCondition, Workspace};
+use crate::dynamics::{Controls, EquationsOfMotion, Trim, Workspace};
 use crate::structure::ReducedModel;
 
 use super::integrator::{CellEnd, ErrorScale, Integrator, MAX_SUBSTEPS};
@@ -98,13 +95,8 @@ impl Simulation {
         check_time(start)?;
         let modes = settings.choose_modes(&model)?;
         let reduced = model.select(&modes);
-        let equations = EquationsOfMotion::new(&reduced, &configuration(&reduced, settings));
-        let condition = TrimCondition {
-            airspeed: settings.airspeed,
-            altitude: settings.altitude,
-            heading: settings.heading,
-        };
-        let Trim { pitch, elevator, thrust, state } = equations.trim(&condition)?;
+        let equations = EquationsOfMotion::new(&reduced, &settings.configuration(&reduced));
+        let Trim { pitch, elevator, thrust, state } = equations.trim(&settings.trim_condition())?;
         let engines = model.engines.len();
         let present =
             Point { time: start, slope: vec![0.0; state.len()], state, substeps: 1, slope_is_fresh: false };
@@ -254,24 +246,6 @@ impl Simulation {
 
 fn check_time(time: f64) -> Result<(), SimulationError> {
     if time.abs() <= LATEST { Ok(()) } else { Err(SimulationError::Time { found: time }) }
-}
-
-/// What the settings mean for the equations.
-fn configuration(model: &ReducedModel, settings: &Settings) -> Configuration {
-    let tunnel_flow = match model.support {
-        Support::Free => Vector3::zeros(),
-        Support::Clamped => {
-            let (sin, cos) = libm::sincos(settings.heading);
-            Vector3::new(cos, sin, 0.0) * -settings.airspeed
-        }
-    };
-    Configuration {
-        fidelity: settings.fidelity,
-        stiffness_scale: settings.stiffness_scale,
-        structural_damping: settings.structural_damping,
-        inflow_states: settings.inflow_states,
-        tunnel_flow,
-    }
 }
 
 /// Magnitudes below which errors are absolute: 10 m and 1 m/s of O, 0.1 rad/s, 0.1 m and 1 m/s of the most

@@ -2,9 +2,11 @@
 
 use std::fmt::Display;
 
+use nalgebra::Vector3;
+
 use crate::aerodynamics::PetersInflow;
-use crate::aircraft::{AIRSPEEDS, ALTITUDES};
-use crate::dynamics::Fidelity;
+use crate::aircraft::{AIRSPEEDS, ALTITUDES, Support};
+use crate::dynamics::{Configuration, EquationsOfMotion, Fidelity, TrimCondition};
 use crate::structure::{ModeFamily, ReducedModel};
 
 use super::SimulationError;
@@ -98,6 +100,38 @@ impl Settings {
             return refuse("mode_count", self.mode_count, &allowed);
         }
         Ok(candidates.into_iter().take(self.mode_count).collect())
+    }
+
+    /// The equations of motion of a model under these settings.
+    ///
+    /// # Errors
+    /// When a setting is out of range.
+    pub fn equations(&self, model: &ReducedModel) -> Result<EquationsOfMotion, SimulationError> {
+        let reduced = model.select(&self.choose_modes(model)?);
+        Ok(EquationsOfMotion::new(&reduced, &self.configuration(&reduced)))
+    }
+
+    /// The flight to be trimmed.
+    pub fn trim_condition(&self) -> TrimCondition {
+        TrimCondition { airspeed: self.airspeed, altitude: self.altitude, heading: self.heading }
+    }
+
+    /// What the settings mean for the equations of a model.
+    pub(super) fn configuration(&self, model: &ReducedModel) -> Configuration {
+        let tunnel_flow = match model.support {
+            Support::Free => Vector3::zeros(),
+            Support::Clamped => {
+                let (sin, cos) = libm::sincos(self.heading);
+                Vector3::new(cos, sin, 0.0) * -self.airspeed
+            }
+        };
+        Configuration {
+            fidelity: self.fidelity,
+            stiffness_scale: self.stiffness_scale,
+            structural_damping: self.structural_damping,
+            inflow_states: self.inflow_states,
+            tunnel_flow,
+        }
     }
 
     fn check_ranges(&self) -> Result<(), SimulationError> {

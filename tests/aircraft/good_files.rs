@@ -138,6 +138,17 @@ fn diagnostic_underlines_the_text_that_it_is_about() {
 }
 
 #[test]
+fn every_shipped_file_is_an_aircraft() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft");
+    let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let files: Vec<_> = paths.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect();
+    assert!(files.len() >= 4, "{files:?}");
+    for file in files {
+        Aircraft::read(&file).unwrap_or_else(|error| panic!("{error}"));
+    }
+}
+
+#[test]
 fn file_that_is_not_there_is_named() {
     let error = Aircraft::read(Path::new("no/such/aircraft.toml")).expect_err("no such file");
     assert!(

@@ -1,17 +1,15 @@
 //! The jet linearised at a trim, and single eigenvalues of it.
 
-use flexible_aircraft::dynamics::{
-    Configuration, Controls, EquationsOfMotion, Fidelity, Trim, TrimCondition, Workspace,
-};
-use flexible_aircraft::structure::ModeFamily;
-use nalgebra::{Complex, DMatrix, DVector, Vector3};
+use flexible_aircraft::dynamics::{EquationsOfMotion, Trim};
+use flexible_aircraft::simulation::{Fidelity, Settings};
+use nalgebra::{Complex, DMatrix, DVector};
 
-use super::jet;
+use super::{eight_symmetric, jet};
 
-/// The state matrix of the jet with 8 symmetric modes and N = 5 at its trim at 7620 m, by central differences.
+/// The state matrix of the jet with 8 symmetric modes and N = 5 at its trim at 7620 m.
 pub fn state_matrix(fidelity: Fidelity, stiffness_scale: f64, airspeed: f64) -> DMatrix<f64> {
     let (equations, trim) = trimmed(fidelity, stiffness_scale, airspeed, 5);
-    linearise(&equations, &trim)
+    equations.linearise(&trim).matrix
 }
 
 /// The jet's equations with 8 symmetric modes and their trim at 7620 m.
@@ -21,43 +19,10 @@ pub fn trimmed(
     airspeed: f64,
     inflow_states: usize,
 ) -> (EquationsOfMotion, Trim) {
-    let jet = jet();
-    let symmetric = (0..jet.modes.len()).filter(|&mode| jet.modes[mode].family == ModeFamily::Symmetric);
-    let chosen: Vec<_> = if fidelity == Fidelity::Rigid { Vec::new() } else { symmetric.take(8).collect() };
-    let configuration = Configuration {
-        fidelity,
-        stiffness_scale,
-        structural_damping: 0.0,
-        inflow_states,
-        tunnel_flow: Vector3::zeros(),
-    };
-    let equations = EquationsOfMotion::new(&jet.select(&chosen), &configuration);
-    let trim = equations.trim(&TrimCondition { airspeed, altitude: 7620.0, heading: 0.0 }).unwrap();
+    let settings = Settings { fidelity, stiffness_scale, airspeed, inflow_states, ..eight_symmetric() };
+    let equations = settings.equations(&jet()).unwrap();
+    let trim = equations.trim(&settings.trim_condition()).unwrap();
     (equations, trim)
-}
-
-/// The state matrix at a trim, by central differences.
-pub fn linearise(equations: &EquationsOfMotion, trim: &Trim) -> DMatrix<f64> {
-    let mut controls = Controls::neutral(2);
-    controls.elevator = trim.elevator;
-    controls.thrust.fill(trim.thrust);
-
-    let n = trim.state.len();
-    let mut workspace = Workspace::new(equations);
-    let mut matrix = DMatrix::zeros(n, n);
-    for column in 0..n {
-        let mut rates = [vec![0.0; n], vec![0.0; n]];
-        let step = 1e-5;
-        for (rates, sign) in rates.iter_mut().zip([1.0, -1.0]) {
-            let mut state = trim.state.clone();
-            state[column] += sign * step;
-            equations.rates(&state, &controls, rates, &mut workspace);
-        }
-        for row in 0..n {
-            matrix[(row, column)] = (rates[0][row] - rates[1][row]) / (2.0 * step);
-        }
-    }
-    matrix
 }
 
 /// The eigenvalue nearest to a guess, by inverse iteration.

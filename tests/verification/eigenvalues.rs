@@ -1,6 +1,6 @@
 //! Eigenvalues of the trimmed jet are those of physics.md §8 (N = 5, 8 symmetric modes, 127 m/s).
 
-use flexible_aircraft::dynamics::Fidelity;
+use flexible_aircraft::simulation::Fidelity;
 use nalgebra::Complex;
 
 use super::record::Record;

@@ -30,6 +30,7 @@ const CLAIMS: &[Claim] = &[
     ("Phugoid and short period", "rigid_modes", &["rigid-modes"]),
     ("Fidelity levels", "fidelity_levels", &["rigid-limit", "damping"]),
     ("Invariance of the flight", "flight", &["mirror", "steadiness", "heading"]),
+    ("Flutter", "flutter", &["flutter-section", "flutter-wings"]),
     ("Wind tunnel", "wind_tunnel", &["divergence"]),
 ];
 

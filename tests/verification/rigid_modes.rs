@@ -1,41 +1,36 @@
 //! The phugoid and the short period of the rigid aircraft are those of the textbooks, as far as these go.
 
-use flexible_aircraft::dynamics::{EquationsOfMotion, Fidelity, Trim};
+use flexible_aircraft::dynamics::{EquationsOfMotion, Fidelity, StateMatrix, Trim, Unknown};
 use nalgebra::{Complex, DMatrix, Matrix2, Matrix3};
 
 use super::record::Record;
 use crate::support::jet;
-use crate::support::linearised::{eigenvalue_near, linearise, trimmed};
+use crate::support::linearised::{eigenvalue_near, trimmed};
 
 const SPEED: f64 = 127.0;
 const ALTITUDE: f64 = 7620.0;
 
 /// The matrix of longitudinal motion in stability axes on [u, θ, h, w, q], without wake states.
 fn longitudinal(equations: &EquationsOfMotion, trim: &Trim) -> DMatrix<f64> {
-    let full = linearise(equations, trim);
-    let layout = equations.layout();
-    let (x, z) = (layout.velocity().start, layout.velocity().start + 2);
-    let (scalar, pitch) = (layout.attitude().start, layout.attitude().start + 2);
-    let (down, rate) = (layout.position().start + 2, layout.rate().start + 1);
+    let StateMatrix { unknowns, matrix } = equations.linearise(trim);
+    let place = |wanted| unknowns.iter().position(|unknown| *unknown == wanted).unwrap();
+    let (x, z) = (place(Unknown::Velocity(0)), place(Unknown::Velocity(2)));
     let (sin, cos) = libm::sincos(trim.pitch);
-    let (half_sin, half_cos) = libm::sincos(0.5 * trim.pitch);
-    // How each variable moves the state, and how it is read from its rate.
+    // How each variable moves the unknowns, and how it is read from their rates.
     let moves = [
         vec![(x, cos), (z, sin)],
-        vec![(scalar, -0.5 * half_sin), (pitch, 0.5 * half_cos)],
-        vec![(down, -1.0)],
+        vec![(place(Unknown::Pitch), 1.0)],
+        vec![(place(Unknown::Down), -1.0)],
         vec![(x, -sin), (z, cos)],
-        vec![(rate, 1.0)],
+        vec![(place(Unknown::Rate(1)), 1.0)],
     ];
-    let reads = |variable: usize| {
-        let factor = if variable == 1 { 4.0 } else { 1.0 };
-        moves[variable].iter().map(move |&(place, c)| (place, factor * c))
-    };
-    DMatrix::from_fn(5, 5, |i, j| {
-        reads(i)
-            .map(|(row, a)| moves[j].iter().map(|&(column, b)| a * full[(row, column)] * b).sum::<f64>())
-            .sum()
-    })
+    let mut chosen = DMatrix::zeros(unknowns.len(), moves.len());
+    for (variable, terms) in moves.iter().enumerate() {
+        for &(unknown, factor) in terms {
+            chosen[(unknown, variable)] = factor;
+        }
+    }
+    chosen.transpose() * matrix * chosen
 }
 
 /// The oscillation of a 3 × 3 matrix.
@@ -91,7 +86,7 @@ fn phugoid_and_short_period_are_those_of_the_textbooks() {
     both(&mut record, "phugoid, w and q following with their lag", lagging, [1e-3, 4e-3], phugoid);
 
     let (unsteady, trim) = trimmed(Fidelity::Rigid, 1.0, SPEED, 5);
-    let unsteady = linearise(&unsteady, &trim);
+    let unsteady = unsteady.linearise(&trim).matrix;
     both(
         &mut record,
         "short period with N = 5 against N = 0",

@@ -1,0 +1,219 @@
+//! The linearised motion with its wake eliminated: a small nonlinear eigenvalue problem.
+//!
+//! With x the rigid motion, q and q̇ and η the inflow, ẋ = F x + B η and η̇ = C x + D η. D is diagonal but for
+//! the 2 × 2 blocks of complex inflow states, so that η = (λ − D)⁻¹ C x is cheap and
+//!
+//! ```text
+//! T(λ) x = [λ − F − κ B (λ − D)⁻¹ C] x = 0,
+//! ```
+//!
+//! with κ = 1; κ = 0 freezes the wake and leaves the eigenvalues of F. A root near a known one is found by
+//! inverse iteration (Ruhe, *Algorithms for the nonlinear eigenvalue problem*, SIAM J. Numer. Anal. 10, 1973):
+//! u = T⁻¹ T′ x, λ ← λ − 1/(xᴴu), x ← u/|u|; it is Newton's method, and converges quadratically.
+
+use nalgebra::{Complex, DMatrix, DVector, Schur};
+
+use crate::dynamics::{StateMatrix, Unknown};
+
+/// Iterations in which a near root is found, or none.
+const MAX_ITERATIONS: usize = 12;
+
+/// Change of an eigenvalue that no longer counts, relative to it and to the size of F.
+const CONVERGED: (f64, f64) = (1e-10, 1e-14);
+
+/// Relative size at which the eigensolver drops a subdiagonal entry; its eigenvalues are refined afterwards.
+const DEFLATION: f64 = 1e-13;
+
+/// Relative distance within which eigenvalues count as equal.
+const EQUAL: f64 = 1e-6;
+
+/// A root of the linearised motion: e^(λt) times a shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Root {
+    /// λ, 1/s.
+    pub eigenvalue: Complex<f64>,
+    /// Rigid motion, q and q̇ of the motion, of unit length; the wake is left out.
+    pub shape: DVector<Complex<f64>>,
+}
+
+impl Root {
+    /// How much the shapes agree, 0 to 1 (the modal assurance criterion).
+    pub fn agreement(&self, other: &Root) -> f64 {
+        self.shape.dotc(&other.shape).norm_sqr()
+    }
+
+    /// Whether the eigenvalues are the same but for rounding.
+    pub fn is_at(&self, eigenvalue: Complex<f64>) -> bool {
+        (self.eigenvalue - eigenvalue).norm() <= EQUAL * (1.0 + eigenvalue.norm())
+    }
+}
+
+/// F, B, C, D and κ.
+#[derive(Clone, Debug)]
+pub(super) struct Condensed {
+    motion: DMatrix<f64>,
+    wake_on_motion: DMatrix<f64>,
+    motion_on_wake: DMatrix<f64>,
+    wake: Vec<WakeBlock>,
+    coupling: f64,
+}
+
+/// A diagonal block of D, and the row where it begins.
+#[derive(Clone, Copy, Debug)]
+enum WakeBlock {
+    Lag { row: usize, rate: f64 },
+    Pair { row: usize, rates: [[f64; 2]; 2] },
+}
+
+impl Condensed {
+    /// Of the whole linearised motion.
+    pub fn new(state_matrix: &StateMatrix) -> Self {
+        let StateMatrix { unknowns, matrix } = state_matrix;
+        let inflow = |unknown: &&Unknown| matches!(unknown, Unknown::Inflow { .. });
+        let wake = unknowns.iter().filter(inflow).count();
+        let motion = unknowns.len() - wake;
+        let inner = matrix.view((motion, motion), (wake, wake));
+        let mut blocks = Vec::new();
+        let mut row = 0;
+        while row < wake {
+            let paired = row + 1 < wake && inner[(row, row + 1)] != 0.0;
+            blocks.push(if paired {
+                let rates = [0, 1].map(|i| [0, 1].map(|j| inner[(row + i, row + j)]));
+                WakeBlock::Pair { row, rates }
+            } else {
+                WakeBlock::Lag { row, rate: inner[(row, row)] }
+            });
+            row += if paired { 2 } else { 1 };
+        }
+        Condensed {
+            motion: matrix.view((0, 0), (motion, motion)).into_owned(),
+            wake_on_motion: matrix.view((0, motion), (motion, wake)).into_owned(),
+            motion_on_wake: matrix.view((motion, 0), (wake, motion)).into_owned(),
+            wake: blocks,
+            coupling: 1.0,
+        }
+    }
+
+    /// The same with another κ.
+    pub fn with_coupling(&self, coupling: f64) -> Self {
+        Condensed { coupling, ..self.clone() }
+    }
+
+    /// The roots with the wake frozen (κ = 0), one of each complex pair, slowest first.
+    pub fn frozen_roots(&self) -> Vec<Root> {
+        let frozen = self.with_coupling(0.0);
+        let cap = 1000 * self.motion.nrows();
+        let Some(schur) = Schur::try_new(self.motion.clone(), DEFLATION, cap) else {
+            return Vec::new();
+        };
+        let mut eigenvalues: Vec<_> = schur.complex_eigenvalues().iter().copied().collect();
+        eigenvalues.retain(|eigenvalue| eigenvalue.im >= 0.0);
+        eigenvalues.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
+        let mut roots: Vec<Root> = Vec::new();
+        for eigenvalue in eigenvalues {
+            let found = frozen.root_at(eigenvalue, &roots);
+            roots.extend(found);
+        }
+        roots
+    }
+
+    /// The root at a known eigenvalue, with a shape other than those of the known roots that share it.
+    pub fn root_at(&self, eigenvalue: Complex<f64>, known: &[Root]) -> Option<Root> {
+        let beside = eigenvalue + Complex::from(1e-9 * (1.0 + eigenvalue.norm()));
+        let inverse = self.characteristic(beside).try_inverse()?;
+        let sharing: Vec<&Root> = known.iter().filter(|root| root.is_at(eigenvalue)).collect();
+        let shapes = inverse.column_iter().map(|column| {
+            let mut shape = column.into_owned();
+            for root in &sharing {
+                let share = root.shape.dotc(&shape);
+                shape.axpy(-share, &root.shape, Complex::from(1.0));
+            }
+            shape
+        });
+        let mut shape = shapes.max_by(|a, b| a.norm().total_cmp(&b.norm()))?;
+        shape /= Complex::from(shape.norm());
+        self.refine(&Root { eigenvalue: beside, shape }).filter(|root| root.is_at(eigenvalue))
+    }
+
+    /// The root near a guess.
+    pub fn refine(&self, guess: &Root) -> Option<Root> {
+        let Root { mut eigenvalue, mut shape } = guess.clone();
+        let (relative, absolute) = CONVERGED;
+        let floor = absolute * self.motion.norm();
+        for _ in 0..MAX_ITERATIONS {
+            let slope = self.slope(eigenvalue, &shape);
+            // A singular T says that the eigenvalue is exact.
+            let Some(next) = self.characteristic(eigenvalue).lu().solve(&slope) else {
+                return Some(Root { eigenvalue, shape });
+            };
+            let correction = shape.dotc(&next).inv();
+            let size = next.norm();
+            if !(correction.norm().is_finite() && size.is_finite()) {
+                return None;
+            }
+            eigenvalue -= correction;
+            shape = next / Complex::from(size);
+            if correction.norm() <= relative * eigenvalue.norm() + floor {
+                return Some(Root { eigenvalue, shape });
+            }
+        }
+        None
+    }
+
+    /// T(λ).
+    fn characteristic(&self, eigenvalue: Complex<f64>) -> DMatrix<Complex<f64>> {
+        let (wake, motion) = self.motion_on_wake.shape();
+        let (mut re, mut im) = (DMatrix::zeros(wake, motion), DMatrix::zeros(wake, motion));
+        for column in 0..motion {
+            let forcing = self.motion_on_wake.column(column);
+            self.answer(
+                eigenvalue,
+                |row| Complex::from(forcing[row]),
+                |row, value| {
+                    re[(row, column)] = value.re;
+                    im[(row, column)] = value.im;
+                },
+            );
+        }
+        let (re, im) = (&self.wake_on_motion * re, &self.wake_on_motion * im);
+        DMatrix::from_fn(motion, motion, |i, j| {
+            let diagonal = if i == j { eigenvalue } else { Complex::from(0.0) };
+            diagonal - self.motion[(i, j)] - Complex::new(re[(i, j)], im[(i, j)]) * self.coupling
+        })
+    }
+
+    /// T′(λ) x = x + κ B (λ − D)⁻² C x.
+    fn slope(&self, eigenvalue: Complex<f64>, shape: &DVector<Complex<f64>>) -> DVector<Complex<f64>> {
+        let forcing = product(&self.motion_on_wake, shape);
+        let (mut once, mut twice) = (forcing.clone(), forcing.clone());
+        self.answer(eigenvalue, |row| forcing[row], |row, value| once[row] = value);
+        self.answer(eigenvalue, |row| once[row], |row, value| twice[row] = value);
+        shape + product(&self.wake_on_motion, &twice) * Complex::from(self.coupling)
+    }
+
+    /// (λ − D)⁻¹ times a forcing, row by row.
+    fn answer(
+        &self,
+        eigenvalue: Complex<f64>,
+        forcing: impl Fn(usize) -> Complex<f64>,
+        mut write: impl FnMut(usize, Complex<f64>),
+    ) {
+        for block in &self.wake {
+            match *block {
+                WakeBlock::Lag { row, rate } => write(row, forcing(row) / (eigenvalue - rate)),
+                WakeBlock::Pair { row, rates: [[a, b], [c, d]] } => {
+                    let (first, second) = (forcing(row), forcing(row + 1));
+                    let determinant = (eigenvalue - a) * (eigenvalue - d) - Complex::from(b * c);
+                    write(row, ((eigenvalue - d) * first + second * b) / determinant);
+                    write(row + 1, ((eigenvalue - a) * second + first * c) / determinant);
+                }
+            }
+        }
+    }
+}
+
+/// A real matrix times a complex vector.
+fn product(matrix: &DMatrix<f64>, vector: &DVector<Complex<f64>>) -> DVector<Complex<f64>> {
+    let (re, im) = (matrix * vector.map(|x| x.re), matrix * vector.map(|x| x.im));
+    re.zip_map(&im, Complex::new)
+}

@@ -1,0 +1,36 @@
+//! Following one root along a path of problems.
+
+use std::sync::Arc;
+
+use super::condensed::{Condensed, Root};
+
+/// Shapes of neighbouring roots that agree less than this are not taken for one root.
+const SAME_SHAPE: f64 = 0.95;
+
+/// Steps smaller than this part of the path are not tried.
+const SMALLEST_STEP: f64 = 1.0 / 1024.0;
+
+/// Follows a root from the beginning (0) of a path to its end (1), in steps of at most `largest_step`; smaller
+/// ones where the shape changes fast. None when the path or the root ends on the way: two roots that meet,
+/// such as a pair that becomes real, have no continuation.
+pub(super) fn follow(
+    start: &Root,
+    largest_step: f64,
+    mut path: impl FnMut(f64) -> Option<Arc<Condensed>>,
+) -> Option<Root> {
+    let mut root = start.clone();
+    let (mut place, mut step) = (0.0_f64, largest_step);
+    while place < 1.0 {
+        let target = (place + step).min(1.0);
+        let next = path(target).and_then(|problem| problem.refine(&root));
+        if let Some(next) = next.filter(|next| next.agreement(&root) > SAME_SHAPE) {
+            (root, place) = (next, target);
+            step = (2.0 * step).min(largest_step);
+        } else if step > SMALLEST_STEP {
+            step *= 0.5;
+        } else {
+            return None;
+        }
+    }
+    Some(root)
+}

@@ -1,0 +1,196 @@
+//! Flutter and divergence of published wings: a typical section, Goland's wing, Patil's wing.
+
+use std::path::Path;
+
+use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::simulation::Settings;
+use flexible_aircraft::stability::{CrossingKind, Sweep};
+use flexible_aircraft::structure::ReducedModel;
+use nalgebra::{Complex, Matrix2, Vector2};
+
+use super::record::Record;
+use crate::support::{eight_symmetric, jet};
+
+/// Where the standard atmosphere has Patil's 0.0889 kg/m³, m.
+const PATILS_ALTITUDE: f64 = 19_938.0;
+
+/// The roots of a shipped wing over a range of `points` airspeeds.
+fn sweep(file: &str, settings: &Settings, [from, to]: [f64; 2], points: usize) -> Sweep {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft").join(file);
+    let model = ReducedModel::new(&Aircraft::read(&path).unwrap(), settings.mode_count).unwrap();
+    let step = (to - from) / (points - 1) as f64;
+    let airspeeds: Vec<f64> = (0..points).map(|i| from + step * i as f64).collect();
+    Sweep::new(&model, settings, &airspeeds).unwrap()
+}
+
+fn settings(altitude: f64, mode_count: usize, inflow_states: usize) -> Settings {
+    Settings { altitude, mode_count, inflow_states, ..Settings::default() }
+}
+
+/// The lowest onset of a kind: airspeed, m/s, and angular frequency, rad/s.
+fn onset(sweep: &Sweep, kind: CrossingKind) -> (f64, f64) {
+    let crossing =
+        sweep.crossings.iter().find(|crossing| crossing.kind == kind && crossing.is_onset).unwrap();
+    (crossing.airspeed, crossing.root.eigenvalue.im)
+}
+
+/// Theodorsen's C(k) by Hankel functions of the second kind.
+fn theodorsen(k: f64) -> Complex<f64> {
+    let h0 = Complex::new(libm::j0(k), -libm::y0(k));
+    let h1 = Complex::new(libm::j1(k), -libm::y1(k));
+    h1 / (h1 + Complex::<f64>::i() * h0)
+}
+
+/// The flutter determinant of the section of [`the_typical_section`] with Theodorsen's function, over πρb⁴ω²;
+/// `stiffness` is (ω_θ/ω)².
+fn flutter_determinant(k: f64, stiffness: f64) -> Vector2<f64> {
+    let (a, e, mu, r2, sigma) = (-0.2, -0.1, 20.0, 0.24, 0.4);
+    let (x, ik, c) = (e - a, Complex::<f64>::i() / k, theodorsen(k) * 2.0);
+    let circulation = [c * ik, c * (ik * (0.5 - a) + 1.0 / (k * k))];
+    let lift = [circulation[0] - 1.0, circulation[1] + ik + a];
+    let moment =
+        [circulation[0] * (0.5 + a) - a, circulation[1] * (0.5 + a) - ik * (0.5 - a) + 0.125 + a * a];
+    let determinant = (lift[0] + mu * (sigma * sigma * stiffness - 1.0))
+        * (-moment[1] + mu * r2 * (stiffness - 1.0))
+        - (lift[1] - mu * x) * (-moment[0] - mu * x);
+    Vector2::new(determinant.re, determinant.im)
+}
+
+/// Flutter of the section with Theodorsen's function: U/(bω_θ) and ω/ω_θ, by Newton's method.
+fn exact_section_flutter() -> (f64, f64) {
+    let mut unknowns = Vector2::new(0.3, 2.4);
+    for _ in 0..30 {
+        let value = flutter_determinant(unknowns.x, unknowns.y);
+        let derivative = |step: Vector2<f64>| {
+            let [ahead, behind] =
+                [unknowns + step, unknowns - step].map(|at| flutter_determinant(at.x, at.y));
+            (ahead - behind) / 2e-6
+        };
+        let jacobian = Matrix2::from_columns(&[
+            derivative(Vector2::new(1e-6, 0.0)),
+            derivative(Vector2::new(0.0, 1e-6)),
+        ]);
+        unknowns -= jacobian.try_inverse().unwrap() * value;
+    }
+    let frequency = 1.0 / unknowns.y.sqrt();
+    (frequency / unknowns.x, frequency)
+}
+
+#[test]
+fn the_typical_section() {
+    // b = 1 m and ω_θ = 20 rad/s in aircraft/typical-section.toml.
+    let flutter = |inflow_states| {
+        let sweep = sweep("typical-section.toml", &settings(0.0, 2, inflow_states), [5.0, 80.0], 16);
+        let (speed, frequency) = onset(&sweep, CrossingKind::Flutter);
+        let (divergence, _) = onset(&sweep, CrossingKind::Divergence);
+        (speed / 20.0, frequency / 20.0, divergence / 20.0)
+    };
+    let mut record = Record::new(
+        "flutter-section",
+        "Flutter of the typical section a = −1/5, e = −1/10, μ = 20, r² = 6/25, σ = 2/5: U/(bω_θ) and ω/ω_θ",
+        "D. H. Hodges, G. A. Pierce, *Introduction to Structural Dynamics and Aeroelasticity* (2011), §5.5; Theodorsen's \
+         solution solved here too, from the exact Hankel functions; divergence: √(μr²/(1 + 2a))",
+    );
+    let (speed, frequency, divergence) = flutter(6);
+    record.absolute("Peters, N = 6: speed", 2.165, 5e-4, speed);
+    record.absolute("Peters, N = 6: frequency", 0.6545, 5e-5, frequency);
+    record.rounding("divergence speed, relative to 2.8284: deviation", 1e-6, divergence / 8_f64.sqrt() - 1.0);
+    let exact = exact_section_flutter();
+    record.absolute("Theodorsen, solved in the test: speed", 2.184, 5e-4, exact.0);
+    record.absolute("Theodorsen, solved in the test: frequency", 0.649, 5e-4, exact.1);
+    let (speed, frequency, _) = flutter(8);
+    record.relative("Peters, N = 8, against Theodorsen: speed", exact.0, 3e-3, speed);
+    record.relative("Peters, N = 8, against Theodorsen: frequency", exact.1, 3e-3, frequency);
+    record.finish();
+}
+
+#[test]
+fn the_wings_of_goland_and_patil() {
+    let mut record = Record::new(
+        "flutter-wings",
+        "Flutter (m/s, rad/s) and divergence (m/s) of cantilever wings, undeformed, N = 8, 8 modes",
+        "M. Goland, J. Appl. Mech. 12 (1945) A197 and issue 3 of the project; M. J. Patil, D. H. Hodges, C. E. S. Cesnik, \
+         J. Aircraft 38 (2001) 88 and issue 3; divergence of a uniform wing: Bisplinghoff, Ashley, Halfman, \
+         *Aeroelasticity* (1955), §8-2",
+    );
+    let uniform_divergence = |length: f64, torsional_stiffness: f64, chord: f64, arm: f64, density: f64| {
+        let wave_number = std::f64::consts::FRAC_PI_2 / length;
+        let pressure =
+            torsional_stiffness * wave_number * wave_number / (chord * arm * std::f64::consts::TAU);
+        (2.0 * pressure / density).sqrt()
+    };
+
+    let goland = sweep("goland-wing.toml", &settings(0.0, 8, 8), [100.0, 300.0], 9);
+    let (speed, frequency) = onset(&goland, CrossingKind::Flutter);
+    record.relative("Goland: flutter speed", 137.3, 1e-3, speed);
+    record.relative("Goland: flutter frequency", 70.1, 1e-3, frequency);
+    let expected = uniform_divergence(6.096, 0.99e6, 1.8288, 0.08 * 1.8288, 1.225);
+    record.relative(
+        "Goland: divergence speed, closed form",
+        expected,
+        1e-3,
+        onset(&goland, CrossingKind::Divergence).0,
+    );
+
+    let patil = sweep("patil-wing.toml", &settings(PATILS_ALTITUDE, 8, 8), [20.0, 45.0], 6);
+    let (speed, frequency) = onset(&patil, CrossingKind::Flutter);
+    let divergence = onset(&patil, CrossingKind::Divergence).0;
+    record.relative("Patil: flutter speed", 32.5, 2e-3, speed);
+    record.relative("Patil: flutter frequency", 22.4, 5e-3, frequency);
+    record.relative("Patil: divergence speed", 37.15, 1e-3, divergence);
+    let expected = uniform_divergence(16.0, 1e4, 1.0, 0.25, 0.0889);
+    record.relative("Patil: divergence speed, closed form", expected, 1e-3, divergence);
+
+    let patil = sweep("patil-wing.toml", &settings(PATILS_ALTITUDE, 8, 6), [20.0, 45.0], 6);
+    let (speed, frequency) = onset(&patil, CrossingKind::Flutter);
+    record.relative("Patil, as published, N = 6: flutter speed", 32.21, 5e-3, speed);
+    record.relative("Patil, as published, N = 6: flutter frequency", 22.61, 5e-3, frequency);
+    record.relative(
+        "Patil, as published: divergence speed",
+        37.29,
+        5e-3,
+        onset(&patil, CrossingKind::Divergence).0,
+    );
+    record.finish();
+}
+
+#[test]
+fn a_coarse_range_finds_the_same_flutter_as_a_fine_one() {
+    let flutter = |points| {
+        let sweep = sweep("goland-wing.toml", &settings(0.0, 4, 4), [60.0, 180.0], points);
+        onset(&sweep, CrossingKind::Flutter)
+    };
+    let (coarse, fine) = (flutter(3), flutter(25));
+    assert!((coarse.0 / fine.0 - 1.0).abs() < 1e-6, "{coarse:?} {fine:?}");
+    assert!((coarse.1 / fine.1 - 1.0).abs() < 1e-6, "{coarse:?} {fine:?}");
+}
+
+#[test]
+fn below_its_flutter_speed_a_wing_has_no_crossing() {
+    assert!(sweep("goland-wing.toml", &settings(0.0, 4, 4), [60.0, 130.0], 8).crossings.is_empty());
+}
+
+#[test]
+fn branches_are_distinct_roots_at_every_speed() {
+    let sweep = sweep("goland-wing.toml", &settings(0.0, 4, 4), [60.0, 180.0], 13);
+    for index in 0..sweep.airspeeds.len() {
+        let roots: Vec<_> = sweep.branches.iter().filter_map(|branch| branch.roots[index].as_ref()).collect();
+        assert!(roots.len() >= 4);
+        for (one, root) in roots.iter().enumerate() {
+            assert!(roots[..one].iter().all(|other| !root.is_at(other.eigenvalue)), "{index}: {root:?}");
+        }
+    }
+}
+
+#[test]
+fn a_speed_at_which_a_free_aircraft_has_no_trim_is_skipped_and_the_others_are_not() {
+    let sweep = Sweep::new(&jet(), &eight_symmetric(), &[3.0, 127.0, 130.0]).unwrap();
+    let [skipped] = sweep.skipped.as_slice() else { panic!("{:?}", sweep.skipped) };
+    assert_eq!(skipped.airspeed, 3.0);
+    assert!(skipped.reason.to_string().contains("no steady level flight found at 3 m/s"));
+    assert_eq!(sweep.airspeeds, [127.0, 130.0]);
+    // physics.md §8: the short period at 127 m/s, with these modes.
+    let short_period = Complex::new(-0.534, 1.186);
+    let nearest = sweep.branches.iter().filter_map(|branch| branch.roots[0].as_ref());
+    assert!(nearest.into_iter().any(|root| (root.eigenvalue - short_period).norm() < 1e-3));
+}

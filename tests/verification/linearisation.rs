@@ -1,0 +1,67 @@
+//! The state matrix of a trimmed aircraft: kinematics that are known exactly, and what it leaves out.
+
+use flexible_aircraft::dynamics::{StateMatrix, Unknown};
+use flexible_aircraft::simulation::Settings;
+
+use crate::support::{eight_symmetric, jet};
+
+/// The jet with 8 symmetric modes at 127 m/s, and its pitch angle.
+fn trimmed() -> (StateMatrix, f64) {
+    let settings = eight_symmetric();
+    let equations = settings.equations(&jet()).unwrap();
+    let trim = equations.trim(&settings.trim_condition()).unwrap();
+    (equations.linearise(&trim), trim.pitch)
+}
+
+/// ∂(rate of `row`)/∂`column`.
+fn entry(StateMatrix { unknowns, matrix }: &StateMatrix, row: Unknown, column: Unknown) -> f64 {
+    let index = |wanted| unknowns.iter().position(|unknown| *unknown == wanted).unwrap();
+    matrix[(index(row), index(column))]
+}
+
+#[test]
+fn the_kinematic_rows_are_exact() {
+    let (a, pitch) = trimmed();
+    let expected = [
+        (Unknown::Down, Unknown::Velocity(0), -pitch.sin()),
+        (Unknown::Down, Unknown::Velocity(2), pitch.cos()),
+        (Unknown::Down, Unknown::Pitch, -127.0),
+        (Unknown::Down, Unknown::Down, 0.0),
+        (Unknown::Pitch, Unknown::Rate(1), 1.0),
+        (Unknown::Roll, Unknown::Rate(0), 1.0),
+        (Unknown::Roll, Unknown::Rate(2), pitch.tan()),
+        (Unknown::Coordinate(3), Unknown::CoordinateRate(3), 1.0),
+        (Unknown::Coordinate(3), Unknown::CoordinateRate(4), 0.0),
+    ];
+    for (row, column, expected) in expected {
+        let found = entry(&a, row, column);
+        assert!((found - expected).abs() < 1e-9, "∂{row:?}/∂{column:?} = {found}, expected {expected}");
+    }
+}
+
+#[test]
+fn longitudinal_and_lateral_motion_do_not_couple() {
+    let (a, _) = trimmed();
+    for longitudinal in [Unknown::Velocity(0), Unknown::Velocity(2), Unknown::Rate(1), Unknown::Pitch] {
+        for lateral in [Unknown::Velocity(1), Unknown::Rate(0), Unknown::Rate(2), Unknown::Roll] {
+            for found in [entry(&a, longitudinal, lateral), entry(&a, lateral, longitudinal)] {
+                assert!(found.abs() < 1e-8, "{longitudinal:?}, {lateral:?}: {found}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_free_aircraft_keeps_nine_rigid_unknowns_and_a_clamped_one_none() {
+    let unknowns = |model: &flexible_aircraft::structure::ReducedModel| {
+        let settings = Settings { mode_count: 4, inflow_states: 3, ..Settings::default() };
+        let equations = settings.equations(model).unwrap();
+        equations.linearise(&equations.trim(&settings.trim_condition()).unwrap()).unknowns
+    };
+    let strips = 3 * jet().strips.len();
+    assert_eq!(unknowns(&jet()).len(), 9 + 2 * 4 + strips);
+    let mut held = (*jet()).clone();
+    held.support = flexible_aircraft::aircraft::Support::Clamped;
+    let held = unknowns(&held);
+    assert_eq!((held.len(), held[0]), (2 * 4 + strips, Unknown::Coordinate(0)));
+}
