@@ -115,9 +115,7 @@ mod tests {
     fn flaps_are_drawn_where_a_control_moves_them() {
         let text = include_str!("../../aircraft/generic-business-jet.toml");
         let jet = Aircraft::parse(text, "jet").unwrap();
-        let moved = |strip: &&Strip| {
-            strip.flap.is_some_and(|f| [f.gains.elevator, f.gains.aileron, f.gains.rudder] != [0.0; 3])
-        };
+        let moved = |strip: &&Strip| strip.flap.is_some_and(|f| f.gains != ControlGains::default());
         let (moved, all) =
             (jet.strips.iter().filter(moved).count(), jet.strips.iter().filter(|s| s.flap.is_some()));
         assert!(moved > 0 && moved < all.count());

@@ -228,7 +228,7 @@ impl Assembly {
     }
 }
 
-/// A mirrored elevator moves alike, ailerons and rudders move oppositely (with respect to +n).
+/// Mirrored elevators and ailerons used together move alike, ailerons and rudders oppositely (with respect to +n).
 fn gains_on(side: Side, gains: ControlGains) -> ControlGains {
     match side {
         Side::AsWritten => gains,

@@ -148,6 +148,8 @@ pub struct ControlGains {
     pub elevator: f64,
     /// Per aileron angle.
     pub aileron: f64,
+    /// Per angle of both ailerons together.
+    pub aileron_symmetric: f64,
     /// Per rudder angle.
     pub rudder: f64,
 }

@@ -324,7 +324,12 @@ fn read_flap(value: &Value) -> Option<FlapSpec> {
 }
 
 fn read_control(table: &Table) -> Option<ControlSpec> {
-    let inputs = [("elevator", Input::Elevator), ("aileron", Input::Aileron), ("rudder", Input::Rudder)];
+    let inputs = [
+        ("elevator", Input::Elevator),
+        ("aileron", Input::Aileron),
+        ("aileron_symmetric", Input::AileronSymmetric),
+        ("rudder", Input::Rudder),
+    ];
     let input = table.required("input").and_then(|v| v.one_of(&inputs));
     let gain = table.required("gain").and_then(|v| v.number(&GAIN));
     let (from, to) = read_stretch(table);

@@ -118,6 +118,7 @@ pub(super) struct FlapSpec {
 pub(super) enum Input {
     Elevator,
     Aileron,
+    AileronSymmetric,
     Rudder,
 }
 

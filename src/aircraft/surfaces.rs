@@ -115,6 +115,7 @@ fn gains(controls: &[ControlSpec], points: &[Point], report: &Report) -> Option<
             match control.input {
                 Input::Elevator => gains.elevator += control.gain,
                 Input::Aileron => gains.aileron += control.gain,
+                Input::AileronSymmetric => gains.aileron_symmetric += control.gain,
                 Input::Rudder => gains.rudder += control.gain,
             }
         }

@@ -9,6 +9,8 @@ pub struct Controls {
     pub elevator: f64,
     /// rad, rolls right.
     pub aileron: f64,
+    /// rad, both ailerons' trailing edges down.
+    pub aileron_symmetric: f64,
     /// rad, yaws right.
     pub rudder: f64,
     /// N per engine.
@@ -25,6 +27,7 @@ impl Controls {
         Controls {
             elevator: 0.0,
             aileron: 0.0,
+            aileron_symmetric: 0.0,
             rudder: 0.0,
             thrust: vec![0.0; engines],
             wind: Vector3::zeros(),

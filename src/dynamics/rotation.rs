@@ -72,8 +72,12 @@ impl Rotation {
 
 /// A single vector turned by a single rotation vector.
 pub fn turned(rotation: &Vector3<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
-    let turned = Rotation::new(LaneVector::splat(rotation)).apply(&LaneVector::splat(vector));
-    Vector3::new(turned.x.to_array()[0], turned.y.to_array()[0], turned.z.to_array()[0])
+    first_lane(&Rotation::new(LaneVector::splat(rotation)).apply(&LaneVector::splat(vector)))
+}
+
+/// The vector of the first lane.
+pub fn first_lane(vectors: &LaneVector) -> Vector3<f64> {
+    Vector3::new(vectors.x.to_array()[0], vectors.y.to_array()[0], vectors.z.to_array()[0])
 }
 
 /// 1 − r₀x (1 − r₁x (1 − …)).
@@ -103,8 +107,7 @@ mod tests {
             let step = 1e-5;
             let [ahead, behind] = [step, -step].map(|step| turned(&(vector + rate * step), &arm));
             let excess = Rotation::new(LaneVector::splat(&vector)).excess_spin(&LaneVector::splat(&rate));
-            let first = |lanes: Lanes| lanes.to_array()[0];
-            let spin = rate + Vector3::new(first(excess.x), first(excess.y), first(excess.z));
+            let spin = rate + first_lane(&excess);
             let error = (ahead - behind) / (2.0 * step) - spin.cross(&turned(&vector, &arm));
             assert!(error.norm() < 1e-9, "{error}");
         }

@@ -30,8 +30,8 @@ struct Group {
     width: Lanes,
     zero_lift_offset: Lanes,
     section: Section,
-    /// Flap angle per elevator, aileron, rudder.
-    gains: [Lanes; 3],
+    /// Flap angle per elevator, aileron, ailerons together, rudder.
+    gains: [Lanes; 4],
     /// Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z of each mode.
     shapes: Vec<[Lanes; 6]>,
 }
@@ -195,7 +195,12 @@ impl Group {
                 flap_lift: flap(&|effect| effect.lift),
                 flap_moment: flap(&|effect| effect.moment),
             },
-            gains: [gain(&|g| g.elevator), gain(&|g| g.aileron), gain(&|g| g.rudder)],
+            gains: [
+                gain(&|g| g.elevator),
+                gain(&|g| g.aileron),
+                gain(&|g| g.aileron_symmetric),
+                gain(&|g| g.rudder),
+            ],
             shapes: (0..modes).map(|mode| std::array::from_fn(|row| shape(mode, row))).collect(),
         }
     }
@@ -218,7 +223,7 @@ impl Group {
 
         let (chordwise, across) = (forward.dot(&air_velocity), normal.dot(&air_velocity));
         let transport = rate.cross(&(elastic_velocity + wind)) - LaneVector::splat(&around.wind_rate);
-        let Controls { elevator, aileron, rudder, .. } = *around.controls;
+        let Controls { elevator, aileron, aileron_symmetric, rudder, .. } = *around.controls;
         let flow = LocalFlow {
             density: Lanes::splat(around.density),
             chordwise,
@@ -231,7 +236,8 @@ impl Group {
             induced: Lanes::splat(0.0),
             flap_angle: self.gains[0] * Lanes::splat(elevator)
                 + self.gains[1] * Lanes::splat(aileron)
-                + self.gains[2] * Lanes::splat(rudder),
+                + self.gains[2] * Lanes::splat(aileron_symmetric)
+                + self.gains[3] * Lanes::splat(rudder),
         };
         let excess = turn.excess_spin(&elastic_rate);
         let unforced = self.section.three_quarter_chord_upwash(

@@ -254,7 +254,8 @@ impl Instance {
         if let Err(error) = self.flight()?.advance_to(end) {
             return Err(Refusal::error(format!("in the step from t = {began} s to {end} s: {error}")));
         }
-        self.advance_inputs(end - began);
+        // The simulation knows that the inputs have ramped; this is for reading them.
+        self.inputs.add(end - began, &self.rates);
         self.time = end;
         Ok(())
     }
@@ -291,18 +292,6 @@ impl Instance {
         let settings = Settings { tolerance, ..settings.clone() };
         Simulation::new(self.model.clone(), &settings, experiment.start)
             .map_err(|error| Refusal::error(error.to_string()))
-    }
-
-    /// The inputs have ramped with their rates for a time; the simulation knows, this is for reading them.
-    fn advance_inputs(&mut self, duration: f64) {
-        let (inputs, rates) = (&mut self.inputs, &self.rates);
-        inputs.elevator += rates.elevator * duration;
-        inputs.aileron += rates.aileron * duration;
-        inputs.rudder += rates.rudder * duration;
-        inputs.wind += rates.wind * duration;
-        for (thrust, rate) in inputs.thrust.iter_mut().zip(&rates.thrust) {
-            *thrust += rate * duration;
-        }
     }
 }
 

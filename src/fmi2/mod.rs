@@ -5,6 +5,7 @@
 //! | `exports` | the functions of the C header: pointers in, safe Rust types out, nothing else |
 //! | `instance` | an instance: life cycle, experiment, steps, in safe Rust |
 //! | `values` | getting and setting variables of an instance |
+//! | `derivatives` | directional derivatives of outputs with respect to inputs |
 //! | `saved_state` | the state of an instance as bytes |
 //! | `life_cycle` | which function may be called in which state |
 //! | `logger` | messages to the importer |
@@ -14,6 +15,7 @@
 //! This is the only module with `unsafe`: in `exports`, where C's pointers arrive, and in `logger`, where the
 //! importer's function is called. A refused call leaves the instance as it was.
 
+mod derivatives;
 mod exports;
 mod instance;
 mod life_cycle;

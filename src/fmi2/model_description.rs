@@ -75,6 +75,7 @@ fn co_simulation(xml: &mut Xml) -> io::Result<()> {
             ("canNotUseMemoryManagementFunctions", "true"),
             ("canGetAndSetFMUstate", "true"),
             ("canSerializeFMUstate", "true"),
+            ("providesDirectionalDerivative", "true"),
         ])
         .write_empty()?;
     Ok(())

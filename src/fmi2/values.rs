@@ -142,7 +142,7 @@ impl Instance {
         }))
     }
 
-    fn variable(&self, reference: ValueReference, family: Family) -> Result<&Variable, Refusal> {
+    pub(super) fn variable(&self, reference: ValueReference, family: Family) -> Result<&Variable, Refusal> {
         let variable = self.table.get(reference).ok_or_else(|| Refusal::error(unknown(reference)))?;
         let found = Family::of(variable.kind);
         if found != family {
@@ -152,7 +152,7 @@ impl Instance {
         Ok(variable)
     }
 
-    fn input(&self, reference: ValueReference) -> Result<InputSlot, Refusal> {
+    pub(super) fn input(&self, reference: ValueReference) -> Result<InputSlot, Refusal> {
         let variable = self.variable(reference, Family::Real)?;
         match variable.slot {
             Slot::Input(slot) => Ok(slot),

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::dynamics::{Controls, EquationsOfMotion, Trim, Workspace};
-use crate::structure::ReducedModel;
+use crate::structure::{ReducedModel, ReducedStation};
 
 use super::integrator::{CellEnd, ErrorScale, Integrator, MAX_SUBSTEPS};
 use super::steering::Steering;
@@ -71,6 +71,8 @@ pub struct Simulation {
     pub(super) identity: u128,
     pub(super) modes: Vec<usize>,
     pub(super) equations: EquationsOfMotion,
+    /// With the shapes of the modes that take part.
+    pub(super) stations: Vec<ReducedStation>,
     pub(super) steering: Steering,
     /// Where the present cell begins.
     pub(super) anchor: Point,
@@ -112,6 +114,7 @@ impl Simulation {
             integrator: Integrator::new(equations.layout(), error_scale(&reduced, settings.tolerance)),
             outputs: Outputs::new(&model),
             equations,
+            stations: reduced.stations,
             modes,
             model,
         })

@@ -9,6 +9,8 @@ pub struct Inputs {
     pub elevator: f64,
     /// rad, positive rolls right.
     pub aileron: f64,
+    /// rad, of both ailerons together, positive trailing edges down (more lift on both wings).
+    pub aileron_symmetric: f64,
     /// rad, positive yaws right.
     pub rudder: f64,
     /// N, one per engine in the order of [`ReducedModel::engines`](crate::structure::ReducedModel).
@@ -24,8 +26,9 @@ impl Clone for Inputs {
 
     /// Without allocating when both have as many engines: inputs are passed on in every step.
     fn clone_from(&mut self, source: &Self) {
-        let Inputs { elevator, aileron, rudder, ref thrust, wind } = *source;
-        (self.elevator, self.aileron, self.rudder, self.wind) = (elevator, aileron, rudder, wind);
+        let Inputs { elevator, aileron, aileron_symmetric, rudder, ref thrust, wind } = *source;
+        (self.elevator, self.aileron, self.rudder) = (elevator, aileron, rudder);
+        (self.aileron_symmetric, self.wind) = (aileron_symmetric, wind);
         self.thrust.clone_from(thrust);
     }
 }
@@ -37,9 +40,17 @@ impl Inputs {
         Inputs {
             elevator: 0.0,
             aileron: 0.0,
+            aileron_symmetric: 0.0,
             rudder: 0.0,
             thrust: vec![0.0; engine_count],
             wind: Vector3::zeros(),
+        }
+    }
+
+    /// Adds `factor` times others, such as rates of change times an elapsed time.
+    pub(crate) fn add(&mut self, factor: f64, others: &Inputs) {
+        for (value, other) in self.values_mut().zip(others.values()) {
+            *value += factor * other;
         }
     }
 
@@ -50,13 +61,13 @@ impl Inputs {
 
     /// All numbers, in the order of [`values_mut`](Self::values_mut).
     pub(crate) fn values(&self) -> impl Iterator<Item = f64> {
-        let Inputs { elevator, aileron, rudder, thrust, wind } = self;
-        [elevator, aileron, rudder].into_iter().chain(thrust).chain(wind.iter()).copied()
+        let Inputs { elevator, aileron, aileron_symmetric, rudder, thrust, wind } = self;
+        [elevator, aileron, aileron_symmetric, rudder].into_iter().chain(thrust).chain(wind.iter()).copied()
     }
 
     /// All numbers, to be changed.
     pub(super) fn values_mut(&mut self) -> impl Iterator<Item = &mut f64> {
-        let Inputs { elevator, aileron, rudder, thrust, wind } = self;
-        [elevator, aileron, rudder].into_iter().chain(thrust).chain(wind.iter_mut())
+        let Inputs { elevator, aileron, aileron_symmetric, rudder, thrust, wind } = self;
+        [elevator, aileron, aileron_symmetric, rudder].into_iter().chain(thrust).chain(wind.iter_mut())
     }
 }

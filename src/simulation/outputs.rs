@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::aerodynamics::{Air, STANDARD_GRAVITY};
-use crate::dynamics::{Attitude, combine};
+use crate::dynamics::{Attitude, BodyMotion, Sensors, combine};
 use crate::structure::ReducedModel;
 
 use super::Simulation;
@@ -27,6 +27,8 @@ pub struct Outputs {
     pub air: AirData,
     /// One per station of the model.
     pub deflections: Vec<Deflection>,
+    /// One per station of the model.
+    pub sensors: Vec<Sensors>,
     /// Generalised coordinates of all packaged modes; those not in use are 0.
     pub modal_q: Vec<f64>,
     /// Their rates, 1/s.
@@ -35,6 +37,8 @@ pub struct Outputs {
     pub elevator: f64,
     /// Absolute aileron angle acting, rad.
     pub aileron: f64,
+    /// Absolute angle of both ailerons together, rad.
+    pub aileron_symmetric: f64,
     /// Absolute rudder angle acting, rad.
     pub rudder: f64,
     /// Absolute thrust acting per engine, N.
@@ -79,10 +83,12 @@ impl Outputs {
             load_factor: Vector3::zeros(),
             air: AirData::default(),
             deflections: vec![Deflection::default(); model.stations.len()],
+            sensors: vec![Sensors::default(); model.stations.len()],
             modal_q: vec![0.0; model.modes.len()],
             modal_q_dot: vec![0.0; model.modes.len()],
             elevator: 0.0,
             aileron: 0.0,
+            aileron_symmetric: 0.0,
             rudder: 0.0,
             thrust: vec![0.0; model.engines.len()],
         }
@@ -91,7 +97,8 @@ impl Outputs {
 
 /// Writes the outputs of a simulation whose accelerations and controls are up to date.
 pub(super) fn write(simulation: &mut Simulation) {
-    let Simulation { equations, present, controls, workspace, outputs, model, modes, .. } = simulation;
+    let Simulation { equations, present, controls, workspace, outputs, model, modes, stations, .. } =
+        simulation;
     let state = &present.state;
     let layout = equations.layout();
     let attitude = Attitude::from_quaternion(&state[layout.attitude()]);
@@ -114,14 +121,25 @@ pub(super) fn write(simulation: &mut Simulation) {
         outputs.modal_q[packaged] = *q;
         outputs.modal_q_dot[packaged] = *q_dot;
     }
-    for (deflection, station) in outputs.deflections.iter_mut().zip(&model.stations) {
+    let body = BodyMotion {
+        motion,
+        acceleration,
+        angular_acceleration: Vector3::from_column_slice(&workspace.accelerations()[3..6]),
+        gravity: to_body * Vector3::new(0.0, 0.0, model.gravity),
+        q,
+        q_dot,
+        q_ddot: &workspace.accelerations()[6..],
+    };
+    let places = outputs.deflections.iter_mut().zip(&mut outputs.sensors);
+    for ((deflection, sensors), station) in places.zip(stations.iter()) {
         *deflection = Deflection {
-            displacement: combine(&station.shapes.translation, &outputs.modal_q),
-            twist: station.twist_axis.dot(&combine(&station.shapes.rotation, &outputs.modal_q)),
+            displacement: combine(&station.shapes.translation, q),
+            twist: station.twist_axis.dot(&combine(&station.shapes.rotation, q)),
         };
+        *sensors = Sensors::read(station, &body);
     }
-    (outputs.elevator, outputs.aileron, outputs.rudder) =
-        (controls.elevator, controls.aileron, controls.rudder);
+    (outputs.elevator, outputs.rudder) = (controls.elevator, controls.rudder);
+    (outputs.aileron, outputs.aileron_symmetric) = (controls.aileron, controls.aileron_symmetric);
     outputs.thrust.copy_from_slice(&controls.thrust);
 }
 

@@ -11,7 +11,7 @@ use super::integrator::MAX_SUBSTEPS;
 use super::{Settings, Simulation, SimulationError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXSNP01";
+const MAGIC: &[u8; 8] = b"FLXSNP02";
 
 /// Bytes before the numbers.
 const HEADER: usize = 8 + 16 + 3 * 4;
@@ -103,6 +103,6 @@ impl Simulation {
 
     /// How many floating-point numbers a snapshot holds.
     fn numbers(&self) -> usize {
-        4 + 2 * (6 + self.steering.inputs.thrust.len()) + 2 * self.present.state.len()
+        4 + 2 * self.steering.inputs.values().count() + 2 * self.present.state.len()
     }
 }

@@ -46,6 +46,7 @@ impl Steering {
         };
         controls.elevator = elevator + inputs.elevator + elapsed * rates.elevator;
         controls.aileron = inputs.aileron + elapsed * rates.aileron;
+        controls.aileron_symmetric = inputs.aileron_symmetric + elapsed * rates.aileron_symmetric;
         controls.rudder = inputs.rudder + elapsed * rates.rudder;
         for ((acting, input), rate) in controls.thrust.iter_mut().zip(&inputs.thrust).zip(&rates.thrust) {
             *acting = thrust + input + elapsed * rate;

@@ -7,11 +7,12 @@ use super::{AirQuantity, Axis, InputSlot, OutputSlot, ParameterSlot};
 /// the wind; positions, velocities and deformations are states and follow only by integration.
 pub(super) fn direct(output: OutputSlot, input: InputSlot) -> bool {
     match output {
-        OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) => true,
+        OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) | OutputSlot::SpecificForce { .. } => true,
         OutputSlot::Air(AirQuantity::Density) => false,
         OutputSlot::Air(_) => matches!(input, InputSlot::Wind(_)),
         OutputSlot::Elevator => input == InputSlot::Elevator,
         OutputSlot::Aileron => input == InputSlot::Aileron,
+        OutputSlot::AileronSymmetric => input == InputSlot::AileronSymmetric,
         OutputSlot::Rudder => input == InputSlot::Rudder,
         OutputSlot::Thrust(engine) => input == InputSlot::Thrust(engine),
         _ => false,
@@ -27,14 +28,15 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot) -> bool {
         OutputSlot::Position(_)
         | OutputSlot::Attitude(Axis::X)
         | OutputSlot::Rate(_)
+        | OutputSlot::StationRate { .. }
         | OutputSlot::ModalRate(_) => false,
-        OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) => {
+        OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) | OutputSlot::SpecificForce { .. } => {
             !matches!(parameter, StructuralDamping | Tolerance)
         }
         OutputSlot::Air(AirQuantity::Density) => parameter == Altitude,
         OutputSlot::Air(_) => parameter == Heading || trims(parameter),
         OutputSlot::Elevator | OutputSlot::Thrust(_) => parameter == InputReference || trims(parameter),
-        OutputSlot::Aileron | OutputSlot::Rudder => false,
+        OutputSlot::Aileron | OutputSlot::AileronSymmetric | OutputSlot::Rudder => false,
         OutputSlot::Attitude(Axis::Y)
         | OutputSlot::Velocity(_)
         | OutputSlot::Deflection { .. }

@@ -114,6 +114,7 @@ pub enum DeflectionComponent {
 pub enum InputSlot {
     Elevator,
     Aileron,
+    AileronSymmetric,
     Rudder,
     /// Of the engine with this index.
     Thrust(usize),
@@ -153,12 +154,23 @@ pub enum OutputSlot {
         station: usize,
         component: DeflectionComponent,
     },
+    /// What an accelerometer at the station with this index reads.
+    SpecificForce {
+        station: usize,
+        axis: Axis,
+    },
+    /// What a rate gyro at the station with this index reads.
+    StationRate {
+        station: usize,
+        axis: Axis,
+    },
     /// Of the mode with this index.
     ModalCoordinate(usize),
     /// Of the mode with this index.
     ModalRate(usize),
     Elevator,
     Aileron,
+    AileronSymmetric,
     Rudder,
     /// Of the engine with this index.
     Thrust(usize),
@@ -182,6 +194,7 @@ impl InputSlot {
         match self {
             InputSlot::Elevator => &mut inputs.elevator,
             InputSlot::Aileron => &mut inputs.aileron,
+            InputSlot::AileronSymmetric => &mut inputs.aileron_symmetric,
             InputSlot::Rudder => &mut inputs.rudder,
             InputSlot::Thrust(engine) => &mut inputs.thrust[engine],
             InputSlot::Wind(axis) => &mut inputs.wind[axis.index()],
@@ -193,6 +206,7 @@ impl InputSlot {
         match self {
             InputSlot::Elevator => inputs.elevator,
             InputSlot::Aileron => inputs.aileron,
+            InputSlot::AileronSymmetric => inputs.aileron_symmetric,
             InputSlot::Rudder => inputs.rudder,
             InputSlot::Thrust(engine) => inputs.thrust[engine],
             InputSlot::Wind(axis) => inputs.wind[axis.index()],
@@ -280,10 +294,15 @@ impl OutputSlot {
                     DeflectionComponent::Twist => deflection.twist,
                 }
             }
+            OutputSlot::SpecificForce { station, axis } => {
+                outputs.sensors[station].specific_force[axis.index()]
+            }
+            OutputSlot::StationRate { station, axis } => outputs.sensors[station].rate[axis.index()],
             OutputSlot::ModalCoordinate(mode) => outputs.modal_q[mode],
             OutputSlot::ModalRate(mode) => outputs.modal_q_dot[mode],
             OutputSlot::Elevator => outputs.elevator,
             OutputSlot::Aileron => outputs.aileron,
+            OutputSlot::AileronSymmetric => outputs.aileron_symmetric,
             OutputSlot::Rudder => outputs.rudder,
             OutputSlot::Thrust(engine) => outputs.thrust[engine],
             OutputSlot::TrimPitch => trim.pitch,

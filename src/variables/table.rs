@@ -16,6 +16,7 @@ pub(super) fn rows(model: &ReducedModel) -> Vec<Variable> {
     rows.extend(motion());
     rows.extend(flow());
     rows.extend(deflections(model));
+    rows.extend(sensors(model));
     rows.extend(modal_coordinates(model));
     rows.extend(controls_and_trim(model));
     rows
@@ -25,6 +26,11 @@ fn inputs(model: &ReducedModel) -> Vec<Variable> {
     let surfaces = [
         ("elevator", InputSlot::Elevator, "Elevator deflection, positive nose-down"),
         ("aileron", InputSlot::Aileron, "Aileron deflection, positive rolls right"),
+        (
+            "aileron_symmetric",
+            InputSlot::AileronSymmetric,
+            "Deflection of both ailerons together, positive trailing edges down (more lift)",
+        ),
         ("rudder", InputSlot::Rudder, "Rudder deflection, positive nose right"),
     ];
     let mut rows: Vec<_> =
@@ -183,6 +189,32 @@ fn deflections(model: &ReducedModel) -> Vec<Variable> {
     rows
 }
 
+fn sensors(model: &ReducedModel) -> Vec<Variable> {
+    let mut rows = Vec::new();
+    for (station, point) in model.stations.iter().enumerate() {
+        let name = &point.name;
+        for (axis, component) in Axis::ALL.into_iter().zip(["x", "y", "z"]) {
+            rows.push(output(
+                format!("station.{name}.specific_force.{component}"),
+                Unit::MetrePerSecondSquared,
+                OutputSlot::SpecificForce { station, axis },
+                format!(
+                    "Reading of an accelerometer on the deformed section at {name}, its {component} axis"
+                ),
+            ));
+        }
+        for (axis, component) in Axis::ALL.into_iter().zip(["x", "y", "z"]) {
+            rows.push(output(
+                format!("station.{name}.rate.{component}"),
+                Unit::RadianPerSecond,
+                OutputSlot::StationRate { station, axis },
+                format!("Reading of a rate gyro on the deformed section at {name}, its {component} axis"),
+            ));
+        }
+    }
+    rows
+}
+
 fn modal_coordinates(model: &ReducedModel) -> Vec<Variable> {
     let mut rows = Vec::new();
     for mode in 0..model.modes.len() {
@@ -202,13 +234,14 @@ fn modal_coordinates(model: &ReducedModel) -> Vec<Variable> {
 
 fn controls_and_trim(model: &ReducedModel) -> Vec<Variable> {
     let surfaces = [
-        ("elevator", OutputSlot::Elevator),
-        ("aileron", OutputSlot::Aileron),
-        ("rudder", OutputSlot::Rudder),
+        ("elevator", OutputSlot::Elevator, "elevator deflection"),
+        ("aileron", OutputSlot::Aileron, "aileron deflection"),
+        ("aileron_symmetric", OutputSlot::AileronSymmetric, "deflection of both ailerons together"),
+        ("rudder", OutputSlot::Rudder, "rudder deflection"),
     ];
     let mut rows = Vec::new();
-    for (name, slot) in surfaces {
-        let text = format!("Acting {name} deflection, trim included");
+    for (name, slot, text) in surfaces {
+        let text = format!("Acting {text}, trim included");
         rows.push(output(format!("surface.{name}"), Unit::Radian, slot, text));
     }
     for (i, engine) in model.engines.iter().enumerate() {

@@ -31,7 +31,7 @@ fn row(name: &str) -> Variable {
 #[test]
 fn the_jet_has_exactly_the_variables_of_the_contract() {
     let mut expected: Vec<String> = [
-        "elevator aileron rudder thrust_left thrust_right wind_north wind_east wind_down input_reference model",
+        "elevator aileron aileron_symmetric surface.aileron_symmetric rudder thrust_left thrust_right wind_north wind_east wind_down input_reference model",
         "airspeed altitude heading stiffness_scale structural_damping mode_family mode_count inflow_states",
         "tolerance position.north position.east position.down attitude.roll attitude.pitch attitude.yaw",
         "velocity.x velocity.y velocity.z rate.x rate.y rate.z acceleration.x acceleration.y acceleration.z",
@@ -44,6 +44,8 @@ fn the_jet_has_exactly_the_variables_of_the_contract() {
     .collect();
     for station in ["wing_tip_right", "wing_tip_left", "htail_tip_right", "htail_tip_left", "vtail_tip"] {
         expected.extend(["x", "y", "z", "up", "twist"].map(|c| format!("deflection.{station}.{c}")));
+        expected.extend(["x", "y", "z"].map(|c| format!("station.{station}.specific_force.{c}")));
+        expected.extend(["x", "y", "z"].map(|c| format!("station.{station}.rate.{c}")));
     }
     for mode in 1..=ReducedModel::USUAL_MODES {
         expected.extend([format!("modal.q[{mode}]"), format!("modal.q_dot[{mode}]")]);
@@ -154,12 +156,19 @@ fn states_do_not_depend_directly_on_inputs_but_accelerations_depend_on_all() {
         let names = table.dependencies(slot).into_iter().map(|r| table.get(r).unwrap().name.clone());
         names.collect::<Vec<_>>()
     };
-    for state in
-        ["position.down", "velocity.x", "rate.y", "deflection.wing_tip_left.up", "modal.q[1]", "trim.pitch"]
-    {
+    for state in [
+        "position.down",
+        "velocity.x",
+        "rate.y",
+        "deflection.wing_tip_left.up",
+        "modal.q[1]",
+        "trim.pitch",
+        "station.vtail_tip.rate.x",
+    ] {
         assert!(direct(state).is_empty(), "{state}");
     }
-    assert_eq!(direct("acceleration.z").len(), 8);
+    assert_eq!(direct("acceleration.z").len(), 9);
+    assert_eq!(direct("station.wing_tip_left.specific_force.z").len(), 9);
     assert_eq!(direct("air.alpha"), ["wind_north", "wind_east", "wind_down"]);
     assert_eq!(direct("engine.right.thrust"), ["thrust_right"]);
 }

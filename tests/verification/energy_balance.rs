@@ -77,6 +77,7 @@ fn strip_power(motion: &Motion, strip: &ReducedStrip, controls: &Controls) -> f6
         let gains = &flap.gains;
         let angle = gains.elevator * controls.elevator
             + gains.aileron * controls.aileron
+            + gains.aileron_symmetric * controls.aileron_symmetric
             + gains.rudder * controls.rudder;
         let hinge = libm::acos(2.0 * flap.hinge - 1.0);
         let (sin, cos) = libm::sincos(hinge);
@@ -211,6 +212,7 @@ fn instantaneous(fidelity: Fidelity) -> f64 {
         }
         let mut controls = Controls::neutral(2);
         (controls.elevator, controls.aileron, controls.rudder) = (0.2 * next(), 0.2 * next(), 0.2 * next());
+        controls.aileron_symmetric = 0.2 * next();
         controls.thrust.fill(3e4 * next());
         let mut rates = vec![0.0; state.len()];
         equations.rates(&state, &controls, &mut rates, &mut workspace);

@@ -40,6 +40,19 @@ fn a_mirrored_rudder_gives_the_mirrored_flight() {
 }
 
 #[test]
+fn both_ailerons_down_lift_both_wings_alike() {
+    let settings = Settings::default();
+    let neutral = Simulation::new(jet(), &settings, 0.0).unwrap().outputs().clone();
+    let lifted = fly(&settings, 0.5, |_| 0.05, |inputs, angle| inputs.aileron_symmetric = angle);
+    let last = lifted.last().unwrap();
+    assert!(last.load_factor.z > 1.02, "{}", last.load_factor.z);
+    for tip in ["wing_tip_right", "wing_tip_left"] {
+        assert!(up(last, tip) > up(&neutral, tip), "{tip}");
+    }
+    assert!(last.attitude.x.abs() < 1e-9 && (up(last, "wing_tip_right") - up(last, "wing_tip_left")).abs() < 1e-9);
+}
+
+#[test]
 fn a_rudder_to_the_right_yaws_and_an_aileron_to_the_right_rolls_right() {
     let settings = Settings::default();
     let yawed = fly(&settings, 2.0, |_| 0.02, |inputs, angle| inputs.rudder = angle);

@@ -15,6 +15,7 @@ mod modal_integrals;
 mod record;
 mod refusals;
 mod rigid_modes;
+mod sensors;
 mod spin_up;
 mod strain_energy;
 mod trim;

@@ -2,25 +2,39 @@
 
 use std::ffi::c_int;
 
-use super::{Outcome, array, on, write};
+use super::{Outcome, array, array_to_fill, on, write};
 use crate::fmi2::instance::{Instance, Refusal};
 use crate::fmi2::life_cycle::Function;
 use crate::fmi2::types::{
     Boolean, CString, Component, FALSE, LAST_SUCCESSFUL_TIME, Status, TERMINATED, ValueReference,
 };
 
-/// Refused, as `providesDirectionalDerivative` says.
+/// How outputs change with inputs, along a direction.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
     component: Component,
-    _unknowns: *const ValueReference,
-    _unknown_count: usize,
-    _knowns: *const ValueReference,
-    _known_count: usize,
-    _known_changes: *const f64,
-    _unknown_changes: *mut f64,
+    unknowns: *const ValueReference,
+    unknown_count: usize,
+    knowns: *const ValueReference,
+    known_count: usize,
+    known_changes: *const f64,
+    unknown_changes: *mut f64,
 ) -> Status {
-    let body = |_: &mut Instance| Err(Refusal::error("this FMU provides no directional derivatives"));
+    let body = |instance: &mut Instance| {
+        // SAFETY: arrays as the module says.
+        let (unknowns, knowns, direction, places) = unsafe {
+            (
+                array(unknowns, unknown_count, "vUnknown_ref")?,
+                array(knowns, known_count, "vKnown_ref")?,
+                array(known_changes, known_count, "dvKnown")?,
+                array_to_fill(unknown_changes, unknown_count, "dvUnknown")?,
+            )
+        };
+        for (place, derivative) in places.iter_mut().zip(instance.derivatives(unknowns, knowns, direction)?) {
+            place.write(derivative);
+        }
+        Ok(())
+    };
     // SAFETY: components as the module says.
     unsafe { on(component, Function::GetDirectionalDerivative, body) }
 }

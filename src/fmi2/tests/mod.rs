@@ -1,6 +1,7 @@
 //! The C ABI driven as an importer drives it, through the exported functions.
 
 mod allocation;
+mod derivatives;
 mod flight;
 mod identity;
 mod instantiation;

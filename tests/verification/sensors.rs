@@ -1,0 +1,95 @@
+//! Sensors at the stations read what a real one fixed to the moving, deformed section would: the second derivative
+//! of its path less gravity, and the spin of its axes, both found here by differentiating the flight's history.
+
+use flexible_aircraft::simulation::{Inputs, Outputs, Settings, Simulation};
+use nalgebra::{Matrix3, Rotation3, Vector3};
+
+use super::record::Record;
+use crate::support::{jet, station};
+
+/// Between the samples, s: the modes of up to 55 rad/s turn by 0.1 rad.
+const STEP: f64 = 2e-3;
+
+/// A section's place, north-east-down, m, and the rotation that turns its components into north-east-down ones.
+struct Sample {
+    place: Vector3<f64>,
+    axes: Matrix3<f64>,
+}
+
+impl Sample {
+    fn new(outputs: &Outputs, index: usize) -> Self {
+        let model = jet();
+        let section = &model.stations[index];
+        let modes = model.modes.len();
+        let turn = Vector3::from_fn(|axis, _| {
+            let row = &section.shapes.rotation[axis * modes..(axis + 1) * modes];
+            row.iter().zip(&outputs.modal_q).map(|(shape, q)| shape * q).sum()
+        });
+        let attitude = outputs.attitude;
+        let to_inertial = Rotation3::from_euler_angles(attitude.x, attitude.y, attitude.z);
+        Sample {
+            place: outputs.position
+                + to_inertial * (section.position + outputs.deflections[index].displacement),
+            axes: (to_inertial * Rotation3::new(turn)).into_inner(),
+        }
+    }
+}
+
+/// Flies a manoeuvre about all axes at a tenth of the stiffness, so that wing tips move by metres; returns the
+/// outputs at five neighbouring instants.
+fn five_instants() -> Vec<Outputs> {
+    let settings = Settings { stiffness_scale: 0.1, tolerance: 1e-11, ..Settings::default() };
+    let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
+    let mut inputs = Inputs::zero(2);
+    (inputs.elevator, inputs.aileron, inputs.rudder) = (-0.05, 0.03, 0.02);
+    inputs.wind = Vector3::new(2.0, 5.0, -3.0);
+    flight.set_inputs(&inputs, &Inputs::zero(2));
+    let instants = (-2..=2).map(|instant| {
+        flight.advance_to(1.2 + f64::from(instant) * STEP).unwrap();
+        flight.outputs().clone()
+    });
+    instants.collect()
+}
+
+#[test]
+fn accelerometers_and_gyros_on_deformed_sections_read_what_their_paths_say() {
+    let mut record = Record::new(
+        "sensors",
+        "Jet at a tenth of its stiffness in a turn: readings at stations against differentiated paths",
+        "five-point differences of the history, each over 8 ms; as a share of the largest component",
+    );
+    let outputs = five_instants();
+    for name in ["wing_tip_right", "wing_tip_left", "htail_tip_left", "vtail_tip"] {
+        let index = station(name);
+        let samples: Vec<Sample> = outputs.iter().map(|outputs| Sample::new(outputs, index)).collect();
+        let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|i: usize| samples[i].place);
+        let acceleration = ((b + d) * 16.0 - (a + e) - c * 30.0) / (12.0 * STEP * STEP);
+        let to_section = samples[2].axes.transpose();
+        let specific_force = to_section * (acceleration - Vector3::z() * jet().gravity);
+
+        let [a, b, d, e] = [0, 1, 3, 4].map(|i: usize| samples[i].axes);
+        let spin = to_section * ((d - b) * 8.0 - (e - a)) / (12.0 * STEP);
+        let rate = Vector3::new(spin[(2, 1)], spin[(0, 2)], spin[(1, 0)]);
+
+        let sensors = outputs[2].sensors[index];
+        let share = |error: Vector3<f64>, of: Vector3<f64>| error.amax() / of.amax();
+        let deviation = share(sensors.specific_force - specific_force, specific_force);
+        record.rounding(&format!("{name}: specific force"), 1e-4, deviation);
+        record.rounding(&format!("{name}: rate"), 1e-4, share(sensors.rate - rate, rate));
+        record.at_least(&format!("{name}: largest rate, rad/s"), 0.01, sensors.rate.amax());
+    }
+    record.finish();
+}
+
+#[test]
+fn in_level_flight_accelerometers_feel_the_weight_turned_into_their_section() {
+    let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+    let outputs = flight.outputs();
+    for sensors in &outputs.sensors {
+        assert!((sensors.specific_force.norm() - jet().gravity).abs() < 1e-6, "{sensors:?}");
+        assert!(sensors.specific_force.z < -0.9 * jet().gravity, "{sensors:?}");
+        assert_eq!(sensors.rate, Vector3::zeros());
+    }
+    let lean = |name: &str| outputs.sensors[station(name)].specific_force.y;
+    assert!(lean("wing_tip_right") > 0.0 && lean("wing_tip_left") < 0.0, "the tips are bent up");
+}
