@@ -40,16 +40,17 @@ fn a_mirrored_rudder_gives_the_mirrored_flight() {
 }
 
 #[test]
-fn both_ailerons_down_lift_both_wings_alike() {
+fn both_ailerons_down_bend_both_wings_up_alike() {
     let settings = Settings::default();
     let neutral = Simulation::new(jet(), &settings, 0.0).unwrap().outputs().clone();
     let lifted = fly(&settings, 0.5, |_| 0.05, |inputs, angle| inputs.aileron_symmetric = angle);
     let last = lifted.last().unwrap();
-    assert!(last.load_factor.z > 1.02, "{}", last.load_factor.z);
     for tip in ["wing_tip_right", "wing_tip_left"] {
         assert!(up(last, tip) > up(&neutral, tip), "{tip}");
     }
-    assert!(last.attitude.x.abs() < 1e-9 && (up(last, "wing_tip_right") - up(last, "wing_tip_left")).abs() < 1e-9);
+    assert!(
+        last.attitude.x.abs() < 1e-9 && (up(last, "wing_tip_right") - up(last, "wing_tip_left")).abs() < 1e-9
+    );
 }
 
 #[test]
