@@ -16,6 +16,7 @@ mod flutter;
 mod manoeuvre;
 mod package;
 mod reproduce;
+mod ssp;
 
 /// Nonlinear flight dynamics of flexible aircraft, packaged for simulation tools (FMI 2.0 co-simulation)
 #[derive(Parser)]
@@ -34,6 +35,9 @@ enum Command {
 
     /// Find the airspeeds at which an aircraft flutters or diverges, and draw V–g and V–f plots
     Flutter(flutter::FlutterOptions),
+
+    /// Join the aircraft's FMU and others, such as control laws, to a system that masters run (SSP, OSP)
+    Ssp(ssp::SspOptions),
 }
 
 /// Options of `flexair package`.
@@ -84,6 +88,7 @@ fn main() -> ExitCode {
         Command::Package(options) => package::run(options).map_err(|error| error.report()),
         Command::Reproduce(options) => reproduce::run(&options).map_err(|error| error.report()),
         Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
+        Command::Ssp(options) => ssp::run(&options).map_err(|error| format!("error: {error}")),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

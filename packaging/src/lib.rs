@@ -20,6 +20,7 @@ mod licences;
 mod model_description;
 mod plan_view;
 mod platform;
+pub mod system;
 
 pub use draft::Draft;
 pub use error::{FmuError, PackageError};

@@ -1,17 +1,43 @@
-//! Reads an FMU's `modelDescription.xml`: what the calling side and the documentation page need of it.
+//! Reads an FMU's `modelDescription.xml`: what the calling side, the documentation page and a system of several
+//! FMUs need of it.
+
+use std::fmt;
 
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
 
-/// The part of a model description that is needed to load an FMU, to address its variables and to list them.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// The part of a model description that is needed to load an FMU, to address its variables, to list and to connect
+/// them.
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ModelDescription {
     /// Identifies the content.
     pub guid: String,
     /// Name of the shared library, without extension.
     pub model_identifier: String,
+    /// By name.
+    units: Vec<(String, Option<BaseUnit>)>,
     /// In the order of the file.
     pub variables: Vec<Variable>,
+}
+
+/// How a unit is made of SI base units; without, it is known by its name only.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct BaseUnit {
+    /// Of kg, m, s, A, K, mol, cd, rad.
+    exponents: [i32; 8],
+    factor: f64,
+    offset: f64,
+}
+
+/// The element that holds a variable's value.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum VariableType {
+    #[default]
+    Real,
+    Integer,
+    Boolean,
+    String,
+    Enumeration,
 }
 
 /// A scalar variable; texts are empty where the file says nothing.
@@ -21,6 +47,7 @@ pub(crate) struct Variable {
     pub value_reference: u32,
     pub causality: String,
     pub description: String,
+    pub kind: VariableType,
     pub unit: String,
     pub start: String,
 }
@@ -29,23 +56,43 @@ impl ModelDescription {
     /// Reads the text of a `modelDescription.xml`; the error says what is wrong with it.
     pub fn parse(xml: &str) -> Result<Self, String> {
         let mut reader = Reader::from_str(xml);
-        let mut guid = None;
-        let mut model_identifier = None;
+        let (mut guid, mut model_identifier) = (None, None);
+        let mut units: Vec<(String, Option<BaseUnit>)> = Vec::new();
+        // Name and unit.
+        let mut types: Vec<(String, String)> = Vec::new();
         let mut variables: Vec<Variable> = Vec::new();
         loop {
             match reader.read_event().map_err(|error| error.to_string())? {
                 Event::Start(element) | Event::Empty(element) => match element.local_name().as_ref() {
-                    "fmiModelDescription" => guid = Some(required(&element, "guid")?),
+                    "fmiModelDescription" => {
+                        let version = optional(&element, "fmiVersion")?.unwrap_or_else(|| "2.0".into());
+                        if version != "2.0" {
+                            return Err(format!("found FMI version {version}, allowed is 2.0"));
+                        }
+                        guid = Some(required(&element, "guid")?);
+                    }
                     "CoSimulation" => model_identifier = Some(required(&element, "modelIdentifier")?),
-                    "ScalarVariable" => variables.push(scalar_variable(&element)?),
-                    "Real" | "Integer" | "Enumeration" => {
-                        // Outside of a variable these elements define types.
-                        if let Some(variable) = variables.last_mut() {
-                            variable.unit = optional(&element, "unit")?.unwrap_or_default();
-                            variable.start = optional(&element, "start")?.unwrap_or_default();
+                    "Unit" => units.push((required(&element, "name")?, None)),
+                    "BaseUnit" => {
+                        if let Some((_, base)) = units.last_mut() {
+                            *base = Some(base_unit(&element)?);
                         }
                     }
-                    _ => {}
+                    "SimpleType" => types.push((required(&element, "name")?, String::new())),
+                    "ScalarVariable" => variables.push(scalar_variable(&element)?),
+                    name => {
+                        if let Some(kind) = VariableType::of_element(name) {
+                            // Before the first variable these elements define types.
+                            match variables.last_mut() {
+                                Some(variable) => complete(variable, kind, &element, &types)?,
+                                None => {
+                                    if let Some((_, unit)) = types.last_mut() {
+                                        *unit = optional(&element, "unit")?.unwrap_or_default();
+                                    }
+                                }
+                            }
+                        }
+                    }
                 },
                 Event::Eof => break,
                 _ => {}
@@ -54,14 +101,73 @@ impl ModelDescription {
         Ok(ModelDescription {
             guid: guid.ok_or("no element fmiModelDescription")?,
             model_identifier: model_identifier.ok_or("no element CoSimulation")?,
+            units,
             variables,
         })
+    }
+
+    /// What a unit is made of; none where that is not said.
+    pub fn base_unit(&self, unit: &str) -> Option<BaseUnit> {
+        self.units.iter().find(|(name, _)| name == unit).and_then(|(_, base)| *base)
     }
 
     /// The variable of this name.
     pub fn variable(&self, name: &str) -> Option<&Variable> {
         self.variables.iter().find(|variable| variable.name == name)
     }
+}
+
+impl VariableType {
+    fn of_element(name: &str) -> Option<Self> {
+        Some(match name {
+            "Real" => VariableType::Real,
+            "Integer" => VariableType::Integer,
+            "Boolean" => VariableType::Boolean,
+            "String" => VariableType::String,
+            "Enumeration" => VariableType::Enumeration,
+            _ => return None,
+        })
+    }
+}
+
+impl fmt::Display for VariableType {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(self, f)
+    }
+}
+
+/// Reads a variable's value element; the unit may come from its declared type.
+fn complete(
+    variable: &mut Variable,
+    kind: VariableType,
+    element: &BytesStart<'_>,
+    types: &[(String, String)],
+) -> Result<(), String> {
+    let declared = optional(element, "declaredType")?;
+    let declared = declared.and_then(|name| types.iter().find(|(known, _)| *known == name));
+    variable.kind = kind;
+    variable.unit = match optional(element, "unit")? {
+        Some(unit) => unit,
+        None => declared.map(|(_, unit)| unit.clone()).unwrap_or_default(),
+    };
+    variable.start = optional(element, "start")?.unwrap_or_default();
+    Ok(())
+}
+
+fn base_unit(element: &BytesStart<'_>) -> Result<BaseUnit, String> {
+    fn number<T: std::str::FromStr>(element: &BytesStart<'_>, name: &str, default: T) -> Result<T, String> {
+        let Some(text) = optional(element, name)? else { return Ok(default) };
+        text.trim().parse().map_err(|_| format!("<BaseUnit {name}=\"{text}\">: not a number"))
+    }
+    let mut exponents = [0; 8];
+    for (exponent, name) in exponents.iter_mut().zip(["kg", "m", "s", "A", "K", "mol", "cd", "rad"]) {
+        *exponent = number(element, name, 0)?;
+    }
+    Ok(BaseUnit {
+        exponents,
+        factor: number(element, "factor", 1.0)?,
+        offset: number(element, "offset", 0.0)?,
+    })
 }
 
 fn scalar_variable(element: &BytesStart<'_>) -> Result<Variable, String> {
@@ -111,9 +217,33 @@ mod tests {
     }
 
     #[test]
+    fn units_are_known_by_what_they_are_made_of_and_inherited_from_types() {
+        let xml = r#"<fmiModelDescription fmiVersion="2.0" guid="g"><CoSimulation modelIdentifier="M"/>
+            <UnitDefinitions><Unit name="deg"><BaseUnit rad="1" factor="0.0174532925199433"/></Unit>
+            <Unit name="rad"><BaseUnit rad="1"/></Unit><Unit name="Radiant"><BaseUnit rad="1"/></Unit>
+            <Unit name="odd"/></UnitDefinitions>
+            <TypeDefinitions><SimpleType name="Angle"><Real unit="rad"/></SimpleType></TypeDefinitions>
+            <ModelVariables><ScalarVariable name="a" valueReference="1"><Real declaredType="Angle"/></ScalarVariable>
+            <ScalarVariable name="b" valueReference="2"><Boolean/></ScalarVariable></ModelVariables>
+            </fmiModelDescription>"#;
+        let description = ModelDescription::parse(xml).unwrap();
+        assert_eq!(description.variable("a").unwrap().unit, "rad");
+        assert_eq!(description.variable("b").unwrap().kind, VariableType::Boolean);
+        assert_eq!(description.base_unit("rad"), description.base_unit("Radiant"));
+        assert_ne!(description.base_unit("rad"), description.base_unit("deg"));
+        assert_eq!((description.base_unit("odd"), description.base_unit("none")), (None, None));
+    }
+
+    #[test]
     fn a_variable_without_value_reference_is_refused() {
         let error = ModelDescription::parse(r#"<ScalarVariable name="x"/>"#).unwrap_err();
         assert_eq!(error, "<ScalarVariable> has no attribute valueReference");
+    }
+
+    #[test]
+    fn another_version_of_the_standard_is_refused() {
+        let error = ModelDescription::parse(r#"<fmiModelDescription fmiVersion="3.0"/>"#).unwrap_err();
+        assert_eq!(error, "found FMI version 3.0, allowed is 2.0");
     }
 
     #[test]

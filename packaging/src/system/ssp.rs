@@ -1,0 +1,129 @@
+//! The SSP archive: `SystemStructure.ssd` and the FMUs under `resources/`.
+//!
+//! Every component shows its connected variables, and all its outputs of a type that every master takes, so that
+//! a master records them. Inputs that nobody feeds are left out: FMPy would set them to 0 instead of their start.
+//! libcosim finds its step in an annotation of its own; it wants the prefixes `ssd:`, `ssc:`, `ssv:` just so.
+
+use std::io;
+
+use super::setting::Setting;
+use super::xml::{Xml, document, element, leaf};
+use super::{Component, Connection, System};
+use crate::PackageError;
+use crate::archive::{self, Entry};
+use crate::model_description::{Variable, VariableType};
+
+const NAMESPACES: [(&str, &str); 3] = [
+    ("xmlns:ssc", "http://ssp-standard.org/SSP1/SystemStructureCommon"),
+    ("xmlns:ssd", "http://ssp-standard.org/SSP1/SystemStructureDescription"),
+    ("xmlns:ssv", "http://ssp-standard.org/SSP1/SystemStructureParameterValues"),
+];
+const OSP_NAMESPACE: (&str, &str) = ("xmlns:osp", "http://opensimulationplatform.com/SSP/OSPAnnotations");
+
+const NAME: (&str, &str) = ("name", "System");
+const VERSION: (&str, &str) = ("version", "1.0");
+
+/// The bytes of the `.ssp`.
+pub(super) fn to_bytes(system: &System) -> Result<Vec<u8>, PackageError> {
+    let structure = document(|xml| {
+        let [common, description, values] = NAMESPACES;
+        let attributes = [common, description, values, VERSION, NAME];
+        element(xml, "ssd:SystemStructureDescription", &attributes, |xml| {
+            element(xml, "ssd:System", &[NAME], |xml| elements_and_connections(xml, system))?;
+            experiment(xml, system)
+        })
+    });
+    let mut entries = vec![Entry::new("SystemStructure.ssd", structure)];
+    let fmus = system.components.iter();
+    entries.extend(fmus.map(|component| Entry::new(source(component), component.fmu.as_slice())));
+    Ok(archive::to_bytes(&entries)?)
+}
+
+/// Where a component's FMU is in the archive.
+fn source(component: &Component) -> String {
+    format!("resources/{}.fmu", component.name)
+}
+
+fn elements_and_connections(xml: &mut Xml, system: &System) -> io::Result<()> {
+    element(xml, "ssd:Elements", &[], |xml| {
+        system.components.iter().try_for_each(|one| component(xml, one, system))
+    })?;
+    if system.connections.is_empty() {
+        return Ok(());
+    }
+    element(xml, "ssd:Connections", &[], |xml| {
+        system.connections.iter().try_for_each(|one| connection(xml, one))
+    })
+}
+
+fn component(xml: &mut Xml, component: &Component, system: &System) -> io::Result<()> {
+    let source = source(component);
+    let attributes = [
+        ("name", component.name.as_str()),
+        ("type", "application/x-fmu-sharedlibrary"),
+        ("source", &source),
+        ("implementation", "CoSimulation"),
+    ];
+    element(xml, "ssd:Component", &attributes, |xml| {
+        let shown = component.description.variables.iter().filter(|v| is_shown(v, component, system));
+        let shown: Vec<&Variable> = shown.collect();
+        if !shown.is_empty() {
+            element(xml, "ssd:Connectors", &[], |xml| {
+                shown.into_iter().try_for_each(|variable| connector(xml, variable))
+            })?;
+        }
+        let settings = system.settings_of(component);
+        if settings.is_empty() { Ok(()) } else { parameters(xml, &settings) }
+    })
+}
+
+fn is_shown(variable: &Variable, component: &Component, system: &System) -> bool {
+    let common = matches!(variable.kind, VariableType::Real | VariableType::Integer | VariableType::Boolean);
+    let ends = system.connections.iter().flat_map(|connection| [&connection.output, &connection.input]);
+    let mut ends = ends.filter(|end| end.component == component.name);
+    (common && variable.causality == "output") || ends.any(|end| end.variable == variable.name)
+}
+
+/// Without a unit: SSP then takes that of the FMU.
+fn connector(xml: &mut Xml, variable: &Variable) -> io::Result<()> {
+    let attributes = [("name", variable.name.as_str()), ("kind", &variable.causality)];
+    element(xml, "ssd:Connector", &attributes, |xml| leaf(xml, &format!("ssc:{}", variable.kind), &[]))
+}
+
+/// The start values of a component, inline.
+fn parameters(xml: &mut Xml, settings: &[&Setting]) -> io::Result<()> {
+    let parameter = |xml: &mut Xml, setting: &Setting| {
+        element(xml, "ssv:Parameter", &[("name", &setting.at.variable)], |xml| {
+            leaf(xml, &format!("ssv:{}", setting.kind), &[("value", &setting.value)])
+        })
+    };
+    let set = |xml: &mut Xml| {
+        element(xml, "ssv:ParameterSet", &[VERSION, ("name", "start")], |xml| {
+            element(xml, "ssv:Parameters", &[], |xml| {
+                settings.iter().try_for_each(|setting| parameter(xml, setting))
+            })
+        })
+    };
+    element(xml, "ssd:ParameterBindings", &[], |xml| {
+        element(xml, "ssd:ParameterBinding", &[], |xml| element(xml, "ssd:ParameterValues", &[], set))
+    })
+}
+
+fn connection(xml: &mut Xml, Connection { output, input, .. }: &Connection) -> io::Result<()> {
+    let start = [("startElement", output.component.as_str()), ("startConnector", &output.variable)];
+    let end = [("endElement", input.component.as_str()), ("endConnector", &input.variable)];
+    leaf(xml, "ssd:Connection", &[start, end].concat())
+}
+
+fn experiment(xml: &mut Xml, system: &System) -> io::Result<()> {
+    let [step, stop] = [system.experiment.step, system.experiment.stop_time].map(|time| time.to_string());
+    element(xml, "ssd:DefaultExperiment", &[("startTime", "0"), ("stopTime", &stop)], |xml| {
+        element(xml, "ssd:Annotations", &[], |xml| {
+            element(xml, "ssc:Annotation", &[("type", "com.opensimulationplatform")], |xml| {
+                element(xml, "osp:Algorithm", &[OSP_NAMESPACE], |xml| {
+                    leaf(xml, "osp:FixedStepAlgorithm", &[("baseStepSize", &step)])
+                })
+            })
+        })
+    })
+}
