@@ -10,6 +10,8 @@ mod nearest;
 mod osp;
 mod setting;
 mod ssp;
+#[cfg(test)]
+mod tests;
 mod xml;
 
 pub use endpoint::Endpoint;

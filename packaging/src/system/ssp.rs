@@ -2,7 +2,8 @@
 //!
 //! Every component shows its connected variables, and all its outputs of a type that every master takes, so that
 //! a master records them. Inputs that nobody feeds are left out: FMPy would set them to 0 instead of their start.
-//! libcosim finds its step in an annotation of its own; it wants the prefixes `ssd:`, `ssc:`, `ssv:` just so.
+//! libcosim finds its step in an annotation of its own. It wants the prefixes `ssd:`, `ssc:`, `ssv:`, `osp:` just so,
+//! and no attribute at `osp:Algorithm`: all namespaces are declared at the root.
 
 use std::io;
 
@@ -13,30 +14,33 @@ use crate::PackageError;
 use crate::archive::{self, Entry};
 use crate::model_description::{Variable, VariableType};
 
-const NAMESPACES: [(&str, &str); 3] = [
+const ROOT: [(&str, &str); 6] = [
     ("xmlns:ssc", "http://ssp-standard.org/SSP1/SystemStructureCommon"),
     ("xmlns:ssd", "http://ssp-standard.org/SSP1/SystemStructureDescription"),
     ("xmlns:ssv", "http://ssp-standard.org/SSP1/SystemStructureParameterValues"),
+    ("xmlns:osp", "http://opensimulationplatform.com/SSP/OSPAnnotations"),
+    VERSION,
+    NAME,
 ];
-const OSP_NAMESPACE: (&str, &str) = ("xmlns:osp", "http://opensimulationplatform.com/SSP/OSPAnnotations");
-
-const NAME: (&str, &str) = ("name", "System");
 const VERSION: (&str, &str) = ("version", "1.0");
+const NAME: (&str, &str) = ("name", "System");
 
 /// The bytes of the `.ssp`.
 pub(super) fn to_bytes(system: &System) -> Result<Vec<u8>, PackageError> {
-    let structure = document(|xml| {
-        let [common, description, values] = NAMESPACES;
-        let attributes = [common, description, values, VERSION, NAME];
-        element(xml, "ssd:SystemStructureDescription", &attributes, |xml| {
-            element(xml, "ssd:System", &[NAME], |xml| elements_and_connections(xml, system))?;
-            experiment(xml, system)
-        })
-    });
-    let mut entries = vec![Entry::new("SystemStructure.ssd", structure)];
+    let mut entries = vec![Entry::new("SystemStructure.ssd", structure(system))];
     let fmus = system.components.iter();
     entries.extend(fmus.map(|component| Entry::new(source(component), component.fmu.as_slice())));
     Ok(archive::to_bytes(&entries)?)
+}
+
+/// The bytes of `SystemStructure.ssd`.
+pub(super) fn structure(system: &System) -> Vec<u8> {
+    document(|xml| {
+        element(xml, "ssd:SystemStructureDescription", &ROOT, |xml| {
+            element(xml, "ssd:System", &[NAME], |xml| elements_and_connections(xml, system))?;
+            experiment(xml, system)
+        })
+    })
 }
 
 /// Where a component's FMU is in the archive.
@@ -120,7 +124,7 @@ fn experiment(xml: &mut Xml, system: &System) -> io::Result<()> {
     element(xml, "ssd:DefaultExperiment", &[("startTime", "0"), ("stopTime", &stop)], |xml| {
         element(xml, "ssd:Annotations", &[], |xml| {
             element(xml, "ssc:Annotation", &[("type", "com.opensimulationplatform")], |xml| {
-                element(xml, "osp:Algorithm", &[OSP_NAMESPACE], |xml| {
+                element(xml, "osp:Algorithm", &[], |xml| {
                     leaf(xml, "osp:FixedStepAlgorithm", &[("baseStepSize", &step)])
                 })
             })

@@ -1,0 +1,204 @@
+//! The aircraft and a control law in one Rust program, stepped as a co-simulation master steps two FMUs.
+//!
+//! ```sh
+//! cargo run --release --example closed_loop -- pitch_attitude_hold > hold.csv
+//! cargo run --release --example closed_loop -- gust_load_alleviation > alleviation.csv
+//! cargo run --release --example closed_loop -- gust_load_alleviation open > open.csv
+//! ```
+//!
+//! The laws are those of the Python files beside this one, line by line. A law is sampled: it reads its inputs at
+//! the beginning of a communication step and what it makes of them acts from the step's end on. All parts step
+//! from the same values (Jacobi's way), so that their order does not matter; an aircraft that a law steers answers
+//! one step late, and a law's accelerometers feel the old deflections. `tests/coupling` compares what masters make of the FMUs with what this program writes.
+
+use std::error::Error;
+use std::f64::consts::PI;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+use std::sync::Arc;
+
+use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::simulation::{Inputs, Outputs, Settings, Simulation};
+use flexible_aircraft::structure::ReducedModel;
+
+/// Communication step, s, and their number.
+const STEP: f64 = 0.01;
+const STEPS: u32 = 1500;
+
+/// When the laws begin to act, s.
+const ENGAGE_TIME: f64 = 0.5;
+
+/// `vertical_gust.py`: beginning, s, and peak, m/s.
+const GUST_START: f64 = 1.0;
+const GUST_PEAK: f64 = -10.0;
+
+/// Which wing tip is where among the stations.
+struct WingTips {
+    right: usize,
+    left: usize,
+}
+
+/// A control law between two communication points.
+enum Law {
+    Open,
+    PitchAttitudeHold(PitchAttitudeHold),
+    GustLoadAlleviation(GustLoadAlleviation),
+}
+
+/// `pitch_attitude_hold.py`.
+#[derive(Default)]
+struct PitchAttitudeHold {
+    reference: Option<f64>,
+    integral: f64,
+    elevator: f64,
+}
+
+/// `gust_load_alleviation.py`.
+#[derive(Default)]
+struct GustLoadAlleviation {
+    steady: Option<f64>,
+    filtered: f64,
+    aileron_symmetric: f64,
+}
+
+impl Law {
+    /// One step: what is read belongs to its beginning.
+    fn step(&mut self, outputs: &Outputs, tips: &WingTips) {
+        match self {
+            Law::Open => {}
+            Law::PitchAttitudeHold(law) => law.step(outputs.attitude.y, outputs.rate.y),
+            Law::GustLoadAlleviation(law) => {
+                let down = |tip: usize| outputs.sensors[tip].specific_force.z;
+                law.step(down(tips.right), down(tips.left));
+            }
+        }
+    }
+
+    /// What acts on the aircraft in the next step.
+    fn command(&self, inputs: &mut Inputs) {
+        match self {
+            Law::Open => {}
+            Law::PitchAttitudeHold(law) => inputs.elevator = law.elevator,
+            Law::GustLoadAlleviation(law) => inputs.aileron_symmetric = law.aileron_symmetric,
+        }
+    }
+}
+
+impl PitchAttitudeHold {
+    const PITCH_GAIN: f64 = 3.0;
+    const INTEGRAL_GAIN: f64 = 1.0;
+    const RATE_GAIN: f64 = 2.0;
+    const LIMIT: f64 = 0.2;
+
+    fn step(&mut self, pitch: f64, pitch_rate: f64) {
+        let deviation = pitch - *self.reference.get_or_insert(pitch);
+        self.integral += deviation * STEP;
+        let wanted =
+            Self::PITCH_GAIN * deviation + Self::INTEGRAL_GAIN * self.integral + Self::RATE_GAIN * pitch_rate;
+        self.elevator = wanted.clamp(-Self::LIMIT, Self::LIMIT);
+    }
+}
+
+impl GustLoadAlleviation {
+    const GAIN: f64 = 0.06;
+    const HIGH_PASS_TIME: f64 = 2.0;
+    const LOW_PASS_TIME: f64 = 0.5;
+    const LIMIT: f64 = 0.35;
+
+    fn step(&mut self, force_right: f64, force_left: f64) {
+        let upward = -0.5 * (force_right + force_left);
+        let steady = self.steady.get_or_insert(upward);
+        *steady += STEP / (Self::HIGH_PASS_TIME + STEP) * (upward - *steady);
+        let fast = upward - *steady;
+        self.filtered += STEP / (Self::LOW_PASS_TIME + STEP) * (fast - self.filtered);
+        self.aileron_symmetric = (-Self::GAIN * self.filtered).clamp(-Self::LIMIT, Self::LIMIT);
+    }
+}
+
+/// `vertical_gust.py`: velocity of the air mass downwards, m/s, at a time, s.
+fn gust(time: f64, duration: f64) -> f64 {
+    let phase = (time - GUST_START) / duration;
+    if phase > 0.0 && phase < 1.0 { 0.5 * GUST_PEAK * (1.0 - (2.0 * PI * phase).cos()) } else { 0.0 }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    // The law, and how long the gust lasts, s.
+    let (law, gust_duration) = match arguments[..] {
+        ["pitch_attitude_hold"] => (Law::PitchAttitudeHold(PitchAttitudeHold::default()), 4.0),
+        ["gust_load_alleviation"] => (Law::GustLoadAlleviation(GustLoadAlleviation::default()), 1.0),
+        ["pitch_attitude_hold", "open"] => (Law::Open, 4.0),
+        ["gust_load_alleviation", "open"] => (Law::Open, 1.0),
+        _ => {
+            return Err(
+                "expected `pitch_attitude_hold` or `gust_load_alleviation`, and perhaps `open`".into()
+            );
+        }
+    };
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/generic-business-jet.toml");
+    let model = Arc::new(ReducedModel::new(&Aircraft::read(&file)?, ReducedModel::USUAL_MODES)?);
+    let station = |name: &str| model.stations.iter().position(|station| station.name == name);
+    let tips = WingTips {
+        right: station("wing_tip_right").ok_or("the aircraft has no station wing_tip_right")?,
+        left: station("wing_tip_left").ok_or("the aircraft has no station wing_tip_left")?,
+    };
+    let aircraft = Simulation::new(model, &Settings::default(), 0.0)?;
+    fly(aircraft, law, gust_duration, &tips, &mut BufWriter::new(io::stdout().lock()))?;
+    Ok(())
+}
+
+/// Flies the aircraft with the law through the gust and writes a line per communication point.
+fn fly(
+    mut aircraft: Simulation,
+    mut law: Law,
+    gust_duration: f64,
+    tips: &WingTips,
+    table: &mut impl Write,
+) -> Result<(), Box<dyn Error>> {
+    writeln!(table, "{}", COLUMNS.join(","))?;
+    write_line(table, 0.0, aircraft.outputs(), tips)?;
+    let mut inputs = Inputs::zero(aircraft.outputs().thrust.len());
+    let constant = inputs.clone();
+    for step in 0..STEPS {
+        let (begin, end) = (f64::from(step) * STEP, f64::from(step + 1) * STEP);
+        // Before the inputs change: with them, accelerations jump.
+        if begin + 0.5 * STEP >= ENGAGE_TIME {
+            law.step(aircraft.outputs(), tips);
+        }
+        aircraft.set_inputs(&inputs, &constant);
+        aircraft.advance_to(end)?;
+        law.command(&mut inputs);
+        inputs.wind.z = gust(end, gust_duration);
+        write_line(table, end, aircraft.outputs(), tips)?;
+    }
+    Ok(())
+}
+
+/// Names of the columns: those of the FMU's outputs.
+const COLUMNS: [&str; 9] = [
+    "time",
+    "attitude.pitch",
+    "rate.y",
+    "load_factor.z",
+    "air.speed",
+    "deflection.wing_tip_right.up",
+    "station.wing_tip_right.specific_force.z",
+    "surface.elevator",
+    "surface.aileron_symmetric",
+];
+
+fn write_line(table: &mut impl Write, time: f64, outputs: &Outputs, tips: &WingTips) -> io::Result<()> {
+    let values = [
+        time,
+        outputs.attitude.y,
+        outputs.rate.y,
+        outputs.load_factor.z,
+        outputs.air.speed,
+        -outputs.deflections[tips.right].displacement.z,
+        outputs.sensors[tips.right].specific_force.z,
+        outputs.elevator,
+        outputs.aileron_symmetric,
+    ];
+    writeln!(table, "{}", values.map(|value| value.to_string()).join(","))
+}

@@ -1,0 +1,132 @@
+//! Small systems of made-up FMUs.
+
+use super::*;
+
+const PLANT: &str = r#"<fmiModelDescription fmiVersion="2.0" guid="p"><CoSimulation modelIdentifier="P"/>
+    <UnitDefinitions><Unit name="rad"><BaseUnit rad="1"/></Unit></UnitDefinitions><ModelVariables>
+    <ScalarVariable name="surface" valueReference="0" causality="input"><Real unit="rad" start="0"/></ScalarVariable>
+    <ScalarVariable name="attitude.pitch" valueReference="1" causality="output"><Real unit="rad"/></ScalarVariable>
+    <ScalarVariable name="name" valueReference="2" causality="output"><String/></ScalarVariable>
+    <ScalarVariable name="inner" valueReference="3"><Real/></ScalarVariable>
+    <ScalarVariable name="count" valueReference="4" causality="parameter"><Integer start="3"/></ScalarVariable>
+    </ModelVariables></fmiModelDescription>"#;
+
+const LAW: &str = r#"<fmiModelDescription fmiVersion="2.0" guid="l"><CoSimulation modelIdentifier="L"/>
+    <UnitDefinitions><Unit name="Radiant"><BaseUnit rad="1"/></Unit>
+    <Unit name="deg"><BaseUnit rad="1" factor="0.017453292519943295"/></Unit></UnitDefinitions><ModelVariables>
+    <ScalarVariable name="pitch" valueReference="0" causality="input"><Real unit="Radiant"/></ScalarVariable>
+    <ScalarVariable name="degrees" valueReference="1" causality="input"><Real unit="deg"/></ScalarVariable>
+    <ScalarVariable name="steps" valueReference="2" causality="input"><Integer/></ScalarVariable>
+    <ScalarVariable name="command" valueReference="3" causality="output"><Real/></ScalarVariable>
+    </ModelVariables></fmiModelDescription>"#;
+
+fn components() -> Vec<Component> {
+    let component = |name: &str, xml: &str| Component {
+        name: name.into(),
+        fmu: xml.as_bytes().to_vec(),
+        description: ModelDescription::parse(xml).unwrap(),
+    };
+    vec![component("plant", PLANT), component("law", LAW)]
+}
+
+/// A system with connections written as on the command line.
+fn system(connections: &[&str], settings: &[&str]) -> Result<System, SystemError> {
+    let halves = |text: &str| {
+        let (left, right) = text.split_once('=').unwrap();
+        (left.parse::<Endpoint>().unwrap(), right.to_owned())
+    };
+    let connections = connections.iter().map(|text| halves(text)).map(|(a, b)| (a, b.parse().unwrap()));
+    let settings: Vec<_> = settings.iter().map(|text| halves(text)).collect();
+    let experiment = Experiment { step: 0.01, stop_time: 2.0 };
+    System::new(components(), &connections.collect::<Vec<_>>(), &settings, experiment)
+}
+
+#[track_caller]
+fn check_refusal(connections: &[&str], settings: &[&str], reason: &str) {
+    let error = system(connections, settings).unwrap_err().to_string();
+    assert!(error.contains(reason), "{error}");
+}
+
+#[test]
+fn the_output_comes_first_in_whichever_order_a_connection_is_given() {
+    for connection in ["plant.attitude.pitch=law.pitch", "law.pitch=plant.attitude.pitch"] {
+        let system = system(&[connection], &[]).unwrap();
+        assert_eq!(system.connections[0].output.to_string(), "plant.attitude.pitch");
+        assert_eq!(system.connections[0].input.to_string(), "law.pitch");
+    }
+}
+
+/// `rad` and `Radiant` are made of the same base units, degrees are not; `law.command` does not say.
+#[test]
+fn units_agree_by_definition_and_silence_is_told() {
+    assert_eq!(system(&["plant.attitude.pitch=law.pitch"], &[]).unwrap().units_taken_on_trust().count(), 0);
+    check_refusal(&["plant.attitude.pitch=law.degrees"], &[], "the output is in rad, the input in deg");
+    let silent = system(&["law.command=plant.surface"], &[]).unwrap();
+    let ends: Vec<String> = silent.units_taken_on_trust().map(ToString::to_string).collect();
+    assert_eq!(ends, ["law.command"]);
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    check_refusal(
+        &["plant.attitude.pitch=law.steps"],
+        &[],
+        "output is of type Real, the input of type Integer",
+    );
+    check_refusal(
+        &["plant.inner=law.pitch"],
+        &[],
+        "the local variable `plant.inner` and the input `law.pitch`",
+    );
+    check_refusal(&["plant.pitch=law.pitch"], &[], "the nearest are `attitude.pitch`");
+    let twice = ["plant.attitude.pitch=law.pitch", "law.command=law.pitch"];
+    check_refusal(
+        &twice,
+        &[],
+        "law.command=law.pitch: the input `law.pitch` is fed by `plant.attitude.pitch`",
+    );
+    check_refusal(&["law.command=plant.surface"], &["plant.surface=1"], "connected or set already");
+    check_refusal(&[], &["plant.count=2.5"], "an integer of 32 bits is allowed");
+    check_refusal(&[], &["plant.surface=NaN"], "a finite number is allowed");
+}
+
+#[test]
+fn names_and_times_must_be_possible() {
+    let experiment = |step, stop_time| System::new(components(), &[], &[], Experiment { step, stop_time });
+    assert!(matches!(experiment(0.0, 1.0), Err(SystemError::Experiment(_))));
+    assert!(matches!(experiment(0.1, f64::NAN), Err(SystemError::Experiment(_))));
+    assert!(matches!(experiment(0.1, 0.05), Err(SystemError::Experiment(_))));
+    let same = vec![components().remove(0), components().remove(0)];
+    let twice = System::new(same, &[], &[], Experiment { step: 0.1, stop_time: 1.0 });
+    assert!(matches!(twice, Err(SystemError::TwoComponents(name)) if name == "plant"));
+    for name in ["", "a.b", "a/b", "ä"] {
+        assert!(matches!(Component::read(name, Path::new("x.fmu")), Err(SystemError::ComponentName(_))));
+    }
+}
+
+#[test]
+fn both_descriptions_of_a_system_say_the_same() {
+    let system = system(&["plant.attitude.pitch=law.pitch"], &["plant.count=5"]).unwrap();
+    let ssp = String::from_utf8(ssp::structure(&system)).unwrap();
+    let osp = String::from_utf8(osp::structure(&system)).unwrap();
+    let in_ssp = [
+        r#"<ssd:Component name="law" type="application/x-fmu-sharedlibrary" source="resources/law.fmu""#,
+        r#"<ssd:Connection startElement="plant" startConnector="attitude.pitch" endElement="law" endConnector="pitch"/>"#,
+        r#"<ssv:Integer value="5"/>"#,
+        r#"<osp:FixedStepAlgorithm baseStepSize="0.01"/>"#,
+        r#"<ssd:DefaultExperiment startTime="0" stopTime="2">"#,
+    ];
+    let in_osp = [
+        r#"<Simulator name="law" source="law.fmu"/>"#,
+        r#"<Variable simulator="plant" name="attitude.pitch"/>"#,
+        r#"<Variable simulator="law" name="pitch"/>"#,
+        r#"<Integer value="5"/>"#,
+        "<BaseStepSize>0.01</BaseStepSize>",
+    ];
+    assert!(in_ssp.iter().all(|part| ssp.contains(part)), "{ssp}");
+    assert!(in_osp.iter().all(|part| osp.contains(part)), "{osp}");
+    // Texts are no numbers that a master could record, unconnected inputs keep their start values.
+    for hidden in [r#"name="name""#, r#"name="surface""#, r#"name="degrees""#] {
+        assert!(!ssp.contains(hidden), "{hidden}");
+    }
+}

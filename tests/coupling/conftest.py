@@ -1,0 +1,101 @@
+"""Systems of the aircraft, a control law and a gust, and how the same loops go in Rust.
+
+The FMU of the aircraft is the file named by the environment variable FMU, the command the one named by FLEXAIR.
+"""
+
+import csv
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "examples"
+
+# Of each law: its FMU, the gust's duration, its connections. Names as in the README.
+LAWS = {
+    "pitch_attitude_hold": (
+        "PitchAttitudeHold",
+        4.0,
+        ["aircraft.attitude.pitch=law.pitch", "aircraft.rate.y=law.pitch_rate", "law.elevator=aircraft.elevator"],
+    ),
+    "gust_load_alleviation": (
+        "GustLoadAlleviation",
+        1.0,
+        [
+            "aircraft.station.wing_tip_right.specific_force.z=law.force_right",
+            "aircraft.station.wing_tip_left.specific_force.z=law.force_left",
+            "law.aileron_symmetric=aircraft.aileron_symmetric",
+        ],
+    ),
+}
+
+
+@pytest.fixture(scope="session")
+def aircraft():
+    """Path of the aircraft's FMU."""
+    path = Path(os.environ.get("FMU", ROOT / "target/fmu/FlexibleAircraft.fmu"))
+    assert path.is_file(), f"{path} does not exist: run `cargo run --release -- package`"
+    return path
+
+
+@pytest.fixture(scope="session")
+def flexair():
+    """A function that runs `flexair ssp` with some options."""
+    program = os.environ.get("FLEXAIR", ROOT / "target/release/flexair")
+
+    def flexair(*options):
+        return subprocess.run([program, "ssp", *map(str, options)], capture_output=True, encoding="utf-8")
+
+    return flexair
+
+
+@pytest.fixture(scope="session")
+def fmus(tmp_path_factory):
+    """Folder with the FMUs of the laws and the gust, which pythonfmu makes."""
+    folder = tmp_path_factory.mktemp("fmus")
+    for script in [*LAWS, "vertical_gust"]:
+        command = [sys.executable, "-m", "pythonfmu", "build", "--file", EXAMPLES / f"{script}.py", "--dest", folder]
+        subprocess.run([*command, EXAMPLES / "fmu_with_units.py"], check=True)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def system(flexair, aircraft, fmus, tmp_path_factory):
+    """A function that gives the .ssp and the OSP folder of a law's system; they are written once."""
+    systems = {}
+
+    def system(law):
+        if law not in systems:
+            fmu, duration, connections = LAWS[law]
+            folder = tmp_path_factory.mktemp(law)
+            ssp, osp = folder / f"{law}.ssp", folder / "osp"
+            options = ["--component", f"law={fmus / fmu}.fmu", "--component", f"gust={fmus / 'VerticalGust.fmu'}"]
+            for connection in [*connections, "gust.wind_down=aircraft.wind_down"]:
+                options += ["--connect", connection]
+            options += ["--set", f"gust.duration={duration}", "--output", ssp, "--osp", osp]
+            written = flexair(aircraft, *options)
+            assert written.returncode == 0, written.stderr
+            systems[law] = ssp, osp
+        return systems[law]
+
+    return system
+
+
+@pytest.fixture(scope="session")
+def in_rust():
+    """A function that flies a loop in Rust, closed unless `open` is said too: columns by name."""
+    flights = {}
+
+    def in_rust(*arguments):
+        if arguments not in flights:
+            command = ["cargo", "run", "--release", "--quiet", "--example", "closed_loop", "--", *arguments]
+            table = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, encoding="utf-8").stdout
+            rows = list(csv.reader(table.splitlines()))
+            flights[arguments] = dict(zip(rows[0], np.array(rows[1:], dtype=float).T))
+        return flights[arguments]
+
+    return in_rust
