@@ -24,6 +24,7 @@ STOP_TIME = 15.0  # s
 PANELS = {
     "hold": {
         "aircraft.attitude.pitch": ("pitch angle (°)", np.degrees),
+        "aircraft.load_factor.z": ("load factor", np.asarray),
         "aircraft.surface.elevator": ("elevator (°)", np.degrees),
     },
     "alleviation": {
@@ -33,8 +34,8 @@ PANELS = {
     },
 }
 TITLES = {
-    "hold": "pitch-attitude hold, gust of 4 s, 10 m/s up",
-    "alleviation": "gust-load alleviation, gust of 1 s, 10 m/s up",
+    "hold": "Pitch-attitude hold, upward gust of 10 m/s for 4 s",
+    "alleviation": "Gust-load alleviation, upward gust of 10 m/s for 1 s",
 }
 
 
@@ -68,7 +69,7 @@ def fly(system, names, closed):
 
 def main(folder):
     log_output_level(CosimLogLevel.ERROR)
-    figure, grid = plt.subplots(3, 2, sharex=True, figsize=(11, 7.5), layout="constrained")
+    figure, grid = plt.subplots(3, 2, sharex=True, figsize=(11, 7), layout="constrained")
     for column, (system, panels) in zip(grid.T, PANELS.items()):
         for closed in (False, True):
             history = fly(folder / f"{system}.ssp", panels, closed)
@@ -78,13 +79,10 @@ def main(folder):
                 axis.set_ylabel(label)
                 axis.grid(alpha=0.3)
         column[0].set_title(TITLES[system], fontsize="medium", loc="left")
-        column[0].legend()
-        column[len(panels) - 1].set_xlabel("time (s)")
-        column[len(panels) - 1].tick_params(labelbottom=True)
-        for axis in column[len(panels) :]:
-            axis.remove()
+        column[0].legend(loc="upper right")
+        column[-1].set_xlabel("time (s)")
     picture = folder / "closed-loop.png"
-    figure.savefig(picture, dpi=110)
+    figure.savefig(picture, dpi=100)
     print(picture)
 
 

@@ -85,8 +85,8 @@ impl Law {
 }
 
 impl PitchAttitudeHold {
-    const PITCH_GAIN: f64 = 3.0;
-    const INTEGRAL_GAIN: f64 = 1.0;
+    const PITCH_GAIN: f64 = 4.0;
+    const INTEGRAL_GAIN: f64 = 0.4;
     const RATE_GAIN: f64 = 2.0;
     const LIMIT: f64 = 0.2;
 

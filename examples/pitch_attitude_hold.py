@@ -18,8 +18,8 @@ class PitchAttitudeHold(FmuWithUnits):
         self.pitch_rate = 0.0
         self.elevator = 0.0
         self.engage_time = 0.5
-        self.pitch_gain = 3.0
-        self.integral_gain = 1.0
+        self.pitch_gain = 4.0
+        self.integral_gain = 0.4
         self.rate_gain = 2.0
         self.limit = 0.2
         self.input("pitch", "rad", "Pitch angle")

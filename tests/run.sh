@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# All tests: Rust, then the packaged FMU through FMPy. Needs Rust, a C compiler and Python 3.11 or newer.
+# All tests: Rust, then the packaged FMU through FMPy, alone and coupled with control laws. Needs Rust, a C compiler and Python 3.11 or newer.
 #
 # Everything is built in release mode: the FMU needs that anyway, and nothing is compiled twice.
 set -euo pipefail
@@ -15,12 +15,21 @@ cargo test --workspace --doc --release
 
 cargo run --release --quiet -- package --no-check --output "$target/fmu/FlexibleAircraft.fmu"
 
-# The environment is made anew when the pinned versions change.
-venv=$target/venv
-if ! cmp --silent tests/fmpy/requirements.txt "$venv/requirements.txt"; then
-    rm -rf "$venv"
-    python3 -m venv "$venv"
-    "$venv/bin/pip" install --quiet --disable-pip-version-check --requirement tests/fmpy/requirements.txt
-    cp tests/fmpy/requirements.txt "$venv/requirements.txt"
-fi
-FMU=$target/fmu/FlexibleAircraft.fmu "$venv/bin/python" -m pytest tests/fmpy
+# environment NAME REQUIREMENTS…: a Python environment, made anew when the pinned versions change.
+environment() {
+    local venv=$target/$1
+    shift
+    if ! cat "$@" | cmp --silent - "$venv/requirements.txt"; then
+        rm -rf "$venv"
+        python3 -m venv "$venv"
+        "$venv/bin/pip" install --quiet --disable-pip-version-check "${@/#/--requirement=}"
+        cat "$@" >"$venv/requirements.txt"
+    fi
+}
+
+export FMU=$target/fmu/FlexibleAircraft.fmu
+environment venv tests/fmpy/requirements.txt
+"$target/venv/bin/python" -m pytest tests/fmpy
+
+environment venv-coupling examples/requirements.txt tests/coupling/requirements.txt
+FLEXAIR=$target/release/flexair "$target/venv-coupling/bin/python" -m pytest tests/coupling

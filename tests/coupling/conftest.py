@@ -4,6 +4,7 @@ The FMU of the aircraft is the file named by the environment variable FMU, the c
 """
 
 import csv
+import functools
 import os
 import subprocess
 import sys
@@ -64,38 +65,39 @@ def fmus(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def system(flexair, aircraft, fmus, tmp_path_factory):
-    """A function that gives the .ssp and the OSP folder of a law's system; they are written once."""
-    systems = {}
+def write_system(flexair, aircraft, fmus):
+    """A function that writes a law's system into a folder: the .ssp and the OSP folder."""
 
-    def system(law):
-        if law not in systems:
-            fmu, duration, connections = LAWS[law]
-            folder = tmp_path_factory.mktemp(law)
-            ssp, osp = folder / f"{law}.ssp", folder / "osp"
-            options = ["--component", f"law={fmus / fmu}.fmu", "--component", f"gust={fmus / 'VerticalGust.fmu'}"]
-            for connection in [*connections, "gust.wind_down=aircraft.wind_down"]:
-                options += ["--connect", connection]
-            options += ["--set", f"gust.duration={duration}", "--output", ssp, "--osp", osp]
-            written = flexair(aircraft, *options)
-            assert written.returncode == 0, written.stderr
-            systems[law] = ssp, osp
-        return systems[law]
+    def write_system(law, folder, settings=()):
+        fmu, duration, connections = LAWS[law]
+        ssp, osp = folder / f"{law}.ssp", folder / "osp"
+        options = ["--component", f"law={fmus / fmu}.fmu", "--component", f"gust={fmus / 'VerticalGust.fmu'}"]
+        for connection in [*connections, "gust.wind_down=aircraft.wind_down"]:
+            options += ["--connect", connection]
+        for setting in [f"gust.duration={duration}", *settings]:
+            options += ["--set", setting]
+        written = flexair(aircraft, *options, "--output", ssp, "--osp", osp)
+        assert written.returncode == 0, written.stderr
+        return ssp, osp
 
-    return system
+    return write_system
+
+
+@pytest.fixture(scope="session")
+def system(write_system, tmp_path_factory):
+    """A function that gives the .ssp and the OSP folder of a law's system, written once."""
+    return functools.cache(lambda law: write_system(law, tmp_path_factory.mktemp(law)))
 
 
 @pytest.fixture(scope="session")
 def in_rust():
     """A function that flies a loop in Rust, closed unless `open` is said too: columns by name."""
-    flights = {}
 
+    @functools.cache
     def in_rust(*arguments):
-        if arguments not in flights:
-            command = ["cargo", "run", "--release", "--quiet", "--example", "closed_loop", "--", *arguments]
-            table = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, encoding="utf-8").stdout
-            rows = list(csv.reader(table.splitlines()))
-            flights[arguments] = dict(zip(rows[0], np.array(rows[1:], dtype=float).T))
-        return flights[arguments]
+        command = ["cargo", "run", "--release", "--quiet", "--example", "closed_loop", "--", *arguments]
+        table = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
+        rows = list(csv.reader(table.splitlines()))
+        return dict(zip(rows[0], np.array(rows[1:], dtype=float).T))
 
     return in_rust
