@@ -79,7 +79,7 @@ def main(folder):
                 axis.set_ylabel(label)
                 axis.grid(alpha=0.3)
         column[0].set_title(TITLES[system], fontsize="medium", loc="left")
-        column[0].legend(loc="upper right")
+        column[0].legend(loc="lower right")
         column[-1].set_xlabel("time (s)")
     picture = folder / "closed-loop.png"
     figure.savefig(picture, dpi=100)
