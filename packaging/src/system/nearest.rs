@@ -44,10 +44,10 @@ mod tests {
     #[test]
     fn the_nearest_names_come_first() {
         let names = ["rudder", "elevator", "aileron", "surface.elevator"];
-        assert_eq!(nearest("elevatr", names.into_iter()), "`elevator`, `aileron`, `rudder`");
+        assert_eq!(nearest("elevatr", names.into_iter()), "`elevator`, `rudder`, `aileron`");
         assert_eq!(
             nearest("pitch", ["rate.y", "model", "trim.pitch"].into_iter()),
-            "`trim.pitch`, `model`, `rate.y`"
+            "`trim.pitch`, `rate.y`, `model`"
         );
     }
 }
