@@ -29,7 +29,7 @@ PANELS = {
     },
     "alleviation": {
         "aircraft.deflection.wing_tip_right.up": ("wing tip up (m)", np.asarray),
-        "aircraft.station.wing_tip_right.specific_force.z": ("specific force, wing tip (m/s²)", np.asarray),
+        "aircraft.station.wing_tip_right.specific_force.z": ("tip's specific force (m/s²)", np.asarray),
         "aircraft.surface.aileron_symmetric": ("ailerons, both (°)", np.degrees),
     },
 }

@@ -79,7 +79,7 @@ def test_the_hold_keeps_the_pitch_angle(in_rust):
 
 
 def test_the_alleviation_takes_load_off_the_wing(in_rust):
-    """A fifth off the peak of the wing tip's deflection, two fifths off that of its acceleration."""
+    """A fifth off the peak of the wing tip's deflection from trim, a third off that of its acceleration."""
     free, alleviated = (in_rust("gust_load_alleviation", *how) for how in (["open"], []))
     for name, share in [("deflection.wing_tip_right.up", 0.8), ("station.wing_tip_right.specific_force.z", 0.65)]:
         peak = lambda flight: np.abs(flight[name] - flight[name][0]).max()
