@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+import sys
 import xml.etree.ElementTree as ElementTree
 import zipfile
 from dataclasses import dataclass
@@ -49,14 +50,30 @@ def fmu():
     return path
 
 
-@pytest.fixture(scope="session")
-def description(fmu):
+def describe(fmu):
     root = ElementTree.fromstring(zipfile.ZipFile(fmu).read("modelDescription.xml"))
     variables = {
         variable.get("name"): Variable(int(variable.get("valueReference")), variable[0].tag, variable.get("causality"))
         for variable in root.find("ModelVariables")
     }
     return Description(root.get("guid"), variables)
+
+
+@pytest.fixture(scope="session")
+def description(fmu):
+    return describe(fmu)
+
+
+@pytest.fixture(scope="session")
+def fmucontainer(fmu, tmp_path_factory):
+    """Written by fmucontainer, of the FMU Manipulation Toolbox."""
+    folder = tmp_path_factory.mktemp("fmucontainer")
+    content = {"name": "container.fmu", "step_size": 0.01, "auto_parameter": True, "fmu": [fmu.name]}
+    (folder / "container.json").write_text(json.dumps(content))
+    (folder / fmu.name).symlink_to(fmu)
+    tool = Path(sys.executable).with_name("fmucontainer")
+    subprocess.run([tool, "-container", "container.json", "-fmu-directory", "."], cwd=folder, check=True)
+    return folder / "container.fmu"
 
 
 @pytest.fixture(scope="session")

@@ -1,10 +1,6 @@
 """The aircraft inside of an FMU that another tool writes around it: importers in C and C++ that FMPy flies."""
 
 import copy
-import json
-import subprocess
-import sys
-from pathlib import Path
 
 import fmpy
 import pytest
@@ -27,18 +23,6 @@ def fly(container, description, flight, prefix=""):
         input=signals(flight),
         output=list(description.outputs),
     )
-
-
-@pytest.fixture(scope="session")
-def fmucontainer(fmu, tmp_path_factory):
-    """Written by fmucontainer, of the FMU Manipulation Toolbox."""
-    folder = tmp_path_factory.mktemp("fmucontainer")
-    content = {"name": "container.fmu", "step_size": 0.01, "auto_parameter": True, "fmu": [fmu.name]}
-    (folder / "container.json").write_text(json.dumps(content))
-    (folder / fmu.name).symlink_to(fmu)
-    tool = Path(sys.executable).with_name("fmucontainer")
-    subprocess.run([tool, "-container", "container.json", "-fmu-directory", "."], cwd=folder, check=True)
-    return folder / "container.fmu"
 
 
 @pytest.mark.parametrize("flight", FLIGHTS, ids=lambda flight: flight.name)

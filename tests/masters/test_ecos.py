@@ -8,10 +8,10 @@ import pytest
 
 # Ecos is linked against oneTBB, which its wheel does not bring and the wheel `tbb` does.
 ctypes.CDLL(Path(sys.prefix) / "lib/libtbb.so.12")
-import ecospy  # noqa: E402
-from ecospy import EcosSimulation, EcosSimulationStructure  # noqa: E402
+import ecospy
+from ecospy import EcosSimulation, EcosSimulationStructure
 
-from flights import ENUMERATIONS, MANOEUVRE, PARAMETERS, STRAIGHT  # noqa: E402
+from flights import ENUMERATIONS, MANOEUVRE, PARAMETERS, STRAIGHT
 
 BINARIES = Path(ecospy.__file__).parent / "binaries"
 

@@ -1,11 +1,14 @@
 """libcosimpy (PyPI): libcosim, the C++ master of the Open Simulation Platform."""
 
+from dataclasses import replace
+
 import pytest
 from libcosimpy.CosimExecution import CosimExecution
 from libcosimpy.CosimManipulator import CosimManipulator
 from libcosimpy.CosimObserver import CosimObserver
 from libcosimpy.CosimSlave import CosimLocalSlave
 
+from conftest import describe
 from flights import ENUMERATIONS, MANOEUVRE, PARAMETERS, STRAIGHT
 
 STEP = 10_000_000  # ns
@@ -65,3 +68,11 @@ def test_libcosim_has_no_enumerations(fmu, description):
         variable = description.variables[name]
         if variable.type == "Enumeration":
             assert not execution.execution.integer_initial_value(execution.index, variable.reference, value)
+
+
+def test_libcosim_sets_enumerations_as_integers_of_a_container(fmucontainer, reference, agrees):
+    """Of the FMU Manipulation Toolbox."""
+    parameters = {f"flexibleaircraft.{name}": value for name, value in ENUMERATIONS.parameters.items()}
+    execution = Execution(fmucontainer, describe(fmucontainer), replace(ENUMERATIONS, parameters=parameters))
+    history = without_start(execution.fly(), reference(ENUMERATIONS))
+    agrees("libcosimpy, FMU Manipulation Toolbox", ENUMERATIONS, history)
