@@ -109,7 +109,7 @@ def ramped(flight):
 def deviation(history, reference):
     """The largest difference of any signal of the history, in parts of that signal's peak, and the signal's name."""
     found = {}
-    for name in getattr(history, "dtype", None) and history.dtype.names or history:
+    for name in history.dtype.names if isinstance(history, np.ndarray) else history:
         expected, values = reference[name], np.asarray(history[name], dtype=float)
         assert values.shape == expected.shape, f"{name}: {values.shape} values instead of {expected.shape}"
         difference, peak = np.abs(values - expected).max(), np.abs(expected).max()
