@@ -29,5 +29,5 @@ python_of() {
 export FMU=$target/fmu/FlexibleAircraft.fmu FLEXAIR=$target/release/flexair
 for tests in fmpy masters; do
     python=$(python_of $tests)
-    "$python" -m pytest tests/$tests
+    "$python" -m pytest -rs tests/$tests
 done

@@ -17,7 +17,9 @@ from flights import deviation
 ROOT = Path(__file__).parents[2]
 TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
 # The command line, built already if the environment says so.
-FLEXAIR = [str(Path(os.environ["FLEXAIR"]).resolve())] if "FLEXAIR" in os.environ else ["cargo", "run", "--release", "--quiet", "--"]
+FLEXAIR = ["cargo", "run", "--release", "--quiet", "--"]
+if "FLEXAIR" in os.environ:
+    FLEXAIR = [Path(os.environ["FLEXAIR"]).resolve()]
 # Of a signal's peak.
 TOLERANCE = 1e-9
 

@@ -45,10 +45,12 @@ def test_a_flight_is_that_of_the_rust_library(fmu, description, agrees, flight):
     agrees("ecospy", flight, fly(str(fmu), description.outputs, flight))
 
 
-def test_the_aircraft_flies_in_a_process_apart(fmu, agrees):
+def test_the_aircraft_flies_in_a_process_apart(fmu, agrees, tmp_path, monkeypatch):
     """With few outputs: proxyfmu of Ecos 0.7.2 sometimes takes its client down when 80 and more are read."""
     # The wheel unpacks it without the right to be executed.
     (BINARIES / "proxyfmu").chmod(0o755)
+    # It writes a log into the working directory.
+    monkeypatch.chdir(tmp_path)
     location = f"proxyfmu://localhost?file={fmu}"
     outputs = ["attitude.pitch", "attitude.roll", "load_factor.z", "deflection.wing_tip_right.up", "modal.q[3]"]
     agrees("ecospy, proxyfmu", PARAMETERS, fly(location, outputs, PARAMETERS))

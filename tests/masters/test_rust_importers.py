@@ -9,9 +9,10 @@ from conftest import TARGET
 from flights import MANOEUVRE, STRAIGHT
 
 FMI_SIM = TARGET / "masters/fmi-sim-0.7.0/bin/fmi-sim"
+MISSING = "no fmi-sim: `bash tests/masters/rust-importers.sh` builds it, which takes minutes"
 
 
-@pytest.mark.skipif(not FMI_SIM.is_file(), reason="no fmi-sim: `bash tests/masters/rust-importers.sh` builds it (minutes)")
+@pytest.mark.skipif(not FMI_SIM.is_file(), reason=MISSING)
 @pytest.mark.parametrize("flight", [STRAIGHT, MANOEUVRE], ids=lambda flight: flight.name)
 def test_fmi_sim_flies_as_the_rust_library(fmu, agrees, flight, tmp_path):
     """It cannot set parameters from its command line."""
