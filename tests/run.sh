@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# All tests: Rust, then the packaged FMU through FMPy. Needs Rust, a C compiler and Python 3.11 or newer.
+# All tests: Rust, then the packaged FMU through FMPy, then through every importer that a registry has. Needs Rust, a C compiler and Python 3.11 or newer.
 #
 # Everything is built in release mode: the FMU needs that anyway, and nothing is compiled twice.
 set -euo pipefail
@@ -15,12 +15,19 @@ cargo test --workspace --doc --release
 
 cargo run --release --quiet -- package --no-check --output "$target/fmu/FlexibleAircraft.fmu"
 
-# The environment is made anew when the pinned versions change.
-venv=$target/venv
-if ! cmp --silent tests/fmpy/requirements.txt "$venv/requirements.txt"; then
-    rm -rf "$venv"
-    python3 -m venv "$venv"
-    "$venv/bin/pip" install --quiet --disable-pip-version-check --requirement tests/fmpy/requirements.txt
-    cp tests/fmpy/requirements.txt "$venv/requirements.txt"
-fi
-FMU=$target/fmu/FlexibleAircraft.fmu "$venv/bin/python" -m pytest tests/fmpy
+# The environment of a folder of tests; it is made anew when the pinned versions change.
+python_of() {
+    local requirements=tests/$1/requirements.txt venv=$target/venv-$1
+    if ! cmp --silent "$requirements" "$venv/requirements.txt"; then
+        rm -rf "$venv"
+        python3 -m venv "$venv"
+        "$venv/bin/pip" install --quiet --disable-pip-version-check --requirement "$requirements"
+        cp "$requirements" "$venv/requirements.txt"
+    fi
+    echo "$venv/bin/python"
+}
+export FMU=$target/fmu/FlexibleAircraft.fmu FLEXAIR=$target/release/flexair
+for tests in fmpy masters; do
+    python=$(python_of $tests)
+    "$python" -m pytest -rs tests/$tests
+done
