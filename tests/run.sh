@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# All tests: Rust, then the packaged FMU through FMPy, alone and coupled with control laws. Needs Rust, a C compiler and Python 3.11 or newer.
+# All tests: Rust, then the packaged FMU through FMPy, through every importer that a registry has, and coupled with
+# control laws. Needs Rust, a C compiler and Python 3.11 or newer.
 #
 # Everything is built in release mode: the FMU needs that anyway, and nothing is compiled twice.
 set -euo pipefail
@@ -15,21 +16,19 @@ cargo test --workspace --doc --release
 
 cargo run --release --quiet -- package --no-check --output "$target/fmu/FlexibleAircraft.fmu"
 
-# environment NAME REQUIREMENTS…: a Python environment, made anew when the pinned versions change.
-environment() {
-    local venv=$target/$1
-    shift
-    if ! cat "$@" | cmp --silent - "$venv/requirements.txt"; then
+# The environment of a folder of tests; it is made anew when the pinned versions change.
+python_of() {
+    local requirements=tests/$1/requirements.txt venv=$target/venv-$1
+    if ! cmp --silent "$requirements" "$venv/requirements.txt"; then
         rm -rf "$venv"
         python3 -m venv "$venv"
-        "$venv/bin/pip" install --quiet --disable-pip-version-check "${@/#/--requirement=}"
-        cat "$@" >"$venv/requirements.txt"
+        "$venv/bin/pip" install --quiet --disable-pip-version-check --requirement "$requirements"
+        cp "$requirements" "$venv/requirements.txt"
     fi
+    echo "$venv/bin/python"
 }
-
-export FMU=$target/fmu/FlexibleAircraft.fmu
-environment venv tests/fmpy/requirements.txt
-"$target/venv/bin/python" -m pytest tests/fmpy
-
-environment venv-coupling examples/requirements.txt tests/coupling/requirements.txt
-FLEXAIR=$target/release/flexair "$target/venv-coupling/bin/python" -m pytest tests/coupling
+export FMU=$target/fmu/FlexibleAircraft.fmu FLEXAIR=$target/release/flexair
+for tests in fmpy masters coupling; do
+    python=$(python_of $tests)
+    "$python" -m pytest -rs tests/$tests
+done

@@ -16,6 +16,7 @@ mod flutter;
 mod manoeuvre;
 mod package;
 mod reproduce;
+mod simulate;
 mod ssp;
 
 /// Nonlinear flight dynamics of flexible aircraft, packaged for simulation tools (FMI 2.0 co-simulation)
@@ -32,6 +33,9 @@ enum Command {
     Package(PackageOptions),
     /// Fly the flights of the thesis, and write a page that lays the results beside its figures and table
     Reproduce(ReproduceOptions),
+
+    /// Fly an aircraft without any FMI tool: inputs from a file, all outputs into another
+    Simulate(simulate::SimulateOptions),
 
     /// Find the airspeeds at which an aircraft flutters or diverges, and draw V–g and V–f plots
     Flutter(flutter::FlutterOptions),
@@ -87,6 +91,7 @@ fn main() -> ExitCode {
     let outcome = match CommandLine::parse().command {
         Command::Package(options) => package::run(options).map_err(|error| error.report()),
         Command::Reproduce(options) => reproduce::run(&options).map_err(|error| error.report()),
+        Command::Simulate(options) => simulate::run(&options).map_err(|error| error.report()),
         Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
         Command::Ssp(options) => ssp::run(&options).map_err(|error| format!("error: {error}")),
     };
