@@ -1,13 +1,13 @@
 use super::*;
 
 /// A saved state, freed in the end.
-struct Saved<'a> {
+pub(super) struct Saved<'a> {
     fmu: &'a Fmu,
     state: FmuState,
 }
 
 impl<'a> Saved<'a> {
-    fn of(fmu: &'a Fmu) -> Self {
+    pub(super) fn of(fmu: &'a Fmu) -> Self {
         let mut state = null_mut();
         // SAFETY: the component is alive.
         assert_eq!(unsafe { fmi2GetFMUstate(fmu.component, &mut state) }, Status::Ok);
@@ -35,7 +35,7 @@ impl<'a> Saved<'a> {
         bytes
     }
 
-    fn restore(&self) -> Status {
+    pub(super) fn restore(&self) -> Status {
         // SAFETY: component and state are alive.
         unsafe { fmi2SetFMUstate(self.fmu.component, self.state) }
     }
