@@ -2,10 +2,9 @@
 
 #![no_main]
 
-mod support;
-
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 use flexible_aircraft::structure::ReducedModel;
+use flexible_aircraft_fuzz as support;
 use libfuzzer_sys::fuzz_target;
 
 /// Larger aircraft take too long to reduce for a fuzzer; they differ in nothing else.

@@ -2,9 +2,8 @@
 
 #![no_main]
 
-mod support;
-
 use flexible_aircraft::structure::ReducedModel;
+use flexible_aircraft_fuzz as support;
 use libfuzzer_sys::fuzz_target;
 
 /// Magic, length, hash.

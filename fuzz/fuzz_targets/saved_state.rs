@@ -3,14 +3,13 @@
 
 #![no_main]
 
-mod support;
-
 use std::cell::OnceCell;
 use std::ffi::{CString, c_char, c_int, c_void};
 use std::ptr::{null, null_mut};
 
 use flexible_aircraft::fmi2;
 use flexible_aircraft::variables::{Slot, Type, VariableTable};
+use flexible_aircraft_fuzz as support;
 use libfuzzer_sys::fuzz_target;
 use support::{fnv1a, wing};
 
@@ -51,7 +50,8 @@ unsafe extern "C" {
     fn fmi2FreeFMUstate(component: Handle, state: *mut Handle) -> c_int;
     fn fmi2SerializedFMUstateSize(component: Handle, state: Handle, size: *mut usize) -> c_int;
     fn fmi2SerializeFMUstate(component: Handle, state: Handle, bytes: *mut u8, size: usize) -> c_int;
-    fn fmi2DeSerializeFMUstate(component: Handle, bytes: *const u8, size: usize, state: *mut Handle) -> c_int;
+    fn fmi2DeSerializeFMUstate(component: Handle, bytes: *const u8, size: usize, state: *mut Handle)
+    -> c_int;
 }
 
 /// An instance, the bytes of a good state in flight, and the references of its Reals.
@@ -70,15 +70,15 @@ impl Fmu {
         let text = |text: String| CString::new(text).unwrap();
         let (guid, uri) = (text(fmi2::guid(&model)), text(format!("file://{}", folder.display())));
         // SAFETY: strings and callbacks live during the call, and all callbacks may be NULL.
-        let component = unsafe {
-            fmi2Instantiate(c"fuzz".as_ptr(), 1, guid.as_ptr(), uri.as_ptr(), &[null(); 5], 0, 0)
-        };
+        let component =
+            unsafe { fmi2Instantiate(c"fuzz".as_ptr(), 1, guid.as_ptr(), uri.as_ptr(), &[null(); 5], 0, 0) };
         assert!(!component.is_null());
         std::fs::remove_dir_all(&folder).unwrap();
         let table = VariableTable::new(&model);
         let is_real = |kind: Type| kind == Type::Real;
         let reals = table.iter().filter(|(_, v)| is_real(v.kind) && matches!(v.slot, Slot::Output(_)));
-        let mut fmu = Fmu { component, reals: reals.map(|(reference, _)| reference).collect(), good: Vec::new() };
+        let mut fmu =
+            Fmu { component, reals: reals.map(|(reference, _)| reference).collect(), good: Vec::new() };
         fmu.take_off();
         fmu.good = fmu.state();
         fmu

@@ -7,7 +7,7 @@ use crate::aircraft::Aircraft;
 use crate::structure::ReducedModel;
 
 /// The smallest of the shipped aircraft: one strip on one beam in a wind tunnel, of two modes.
-fn typical_section() -> ReducedModel {
+pub(super) fn typical_section() -> ReducedModel {
     let text = include_str!("../../../aircraft/typical-section.toml");
     ReducedModel::new(&Aircraft::parse(text, "typical-section.toml").unwrap(), 2).unwrap()
 }

@@ -7,6 +7,7 @@ mod identity;
 mod importers;
 mod instantiation;
 mod life_cycle;
+mod mutated;
 mod random;
 mod state;
 mod variables;

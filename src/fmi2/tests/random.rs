@@ -37,7 +37,8 @@ struct World<'a> {
     bytes: Vec<u8>,
 }
 
-fn instance(component: Component) -> &'static mut Instance {
+/// What is behind a component.
+pub(super) fn instance(component: Component) -> &'static mut Instance {
     // SAFETY: a component is an `Instance`; the reference is given up before the next call into the FMU.
     unsafe { &mut *component.cast::<Instance>() }
 }
@@ -230,7 +231,7 @@ impl World<'_> {
 }
 
 /// Makes the checksums of a state and of the flight in it right, so that everything else is put to the test.
-fn fit_checksums(bytes: &mut [u8]) {
+pub(super) fn fit_checksums(bytes: &mut [u8]) {
     let Some(end) = bytes.len().checked_sub(16) else { return };
     if let Some(flight) = bytes.windows(8).position(|window| window == b"FLXSNP01").filter(|at| at + 40 < end)
     {
@@ -297,13 +298,14 @@ fn a_hundred_thousand_random_calls_crash_nothing_hang_nothing_and_leave_nothing_
 }
 
 /// What this FMU always refuses.
-const NEVER_DONE: [&str; 15] = [
+const NEVER_DONE: [&str; 16] = [
     "fmi2CancelStep",
     "fmi2CompletedIntegratorStep",
     "fmi2EnterContinuousTimeMode",
     "fmi2EnterEventMode",
     "fmi2GetContinuousStates",
     "fmi2GetDerivatives",
+    "fmi2GetDirectionalDerivative",
     "fmi2GetEventIndicators",
     "fmi2GetIntegerStatus",
     "fmi2GetNominalsOfContinuousStates",

@@ -213,14 +213,21 @@ pub fn differentiate(call: &Call, function: Function, c: Component) -> Status {
     let (references, count) = call.array(&call.references);
     let (reals, orders) =
         (call.array(&call.reals).0, vec![c_int::from(!call.flag(0)); call.references.len() + 1]);
+    let inputs: Vec<u32> = call.references.iter().map(|reference| reference % 8).collect();
     let mut results = vec![0.0; call.references.len() + 1];
     let places = call.array_to_fill(&mut results).0;
     // SAFETY: arrays are at least as long as said or are refused for their length, alignment or being NULL.
     unsafe {
         match function {
-            Function::GetDirectionalDerivative => {
-                fmi2GetDirectionalDerivative(c, references, count, references, count, reals, places)
-            }
+            Function::GetDirectionalDerivative => fmi2GetDirectionalDerivative(
+                c,
+                references,
+                count,
+                call.array(&inputs).0,
+                count,
+                reals,
+                places,
+            ),
             Function::SetRealInputDerivatives => {
                 fmi2SetRealInputDerivatives(c, references, count, call.array(&orders).0, reals)
             }

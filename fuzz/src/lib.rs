@@ -1,5 +1,4 @@
-//! What the targets share. Not every target uses all of it.
-#![allow(dead_code)]
+//! What the targets share.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -11,7 +10,7 @@ use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::start_settings;
 
 /// The smallest of the shipped aircraft: one strip on one beam.
-pub const WING: &str = include_str!("../../../aircraft/typical-section.toml");
+pub const WING: &str = include_str!("../../aircraft/typical-section.toml");
 
 /// Reduced to two modes.
 pub fn wing() -> ReducedModel {
