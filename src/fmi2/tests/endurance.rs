@@ -12,6 +12,14 @@ pub(super) fn typical_section() -> ReducedModel {
     ReducedModel::new(&Aircraft::parse(text, "typical-section.toml").unwrap(), 2).unwrap()
 }
 
+/// Instantiated from what `unpacked` has in its folder `wing`.
+pub(super) fn wing(unpacked: &Unpacked, guid: &str) -> Fmu {
+    let uri = unpacked.uri("wing");
+    let request =
+        Request { name: Some("wing"), kind: 1, guid: Some(guid), uri: Some(&uri), logging_on: false };
+    Fmu::request(&request)
+}
+
 /// A wing in a gust, at its first communication point.
 struct Wing {
     fmu: Fmu,
@@ -24,14 +32,7 @@ impl Wing {
     }
 
     fn instantiate(unpacked: &Unpacked, guid: &str) -> Self {
-        let uri = unpacked.uri("wing");
-        let fmu = Fmu::request(&Request {
-            name: Some("wing"),
-            kind: 1,
-            guid: Some(guid),
-            uri: Some(&uri),
-            logging_on: false,
-        });
+        let fmu = wing(unpacked, guid);
         let table = VariableTable::new(&typical_section());
         let references = ["airspeed", "altitude", "wind_down"].map(|name| table.reference(name).unwrap());
         assert_eq!(fmu.set_references(&references, &[20.0, 0.0, -0.5]), Status::Ok);

@@ -1,4 +1,4 @@
-use super::endurance::typical_section;
+use super::endurance::{typical_section, wing};
 use super::*;
 
 /// A saved state, freed in the end.
@@ -82,14 +82,7 @@ fn damaged_truncated_and_foreign_bytes_are_refused_with_a_reason() {
 fn the_state_of_another_aircraft_is_refused() {
     let model = typical_section();
     let (unpacked, guid) = (Unpacked::of(&model.to_bytes(), "wing"), guid(&model));
-    let uri = unpacked.uri("wing");
-    let wing = Fmu::request(&Request {
-        name: Some("wing"),
-        kind: 1,
-        guid: Some(&guid),
-        uri: Some(&uri),
-        logging_on: false,
-    });
+    let wing = wing(&unpacked, &guid);
     let saved = Saved::of(&wing);
     let fmu = Fmu::flying();
     assert!(Saved::from_bytes(&fmu, &saved.bytes()).is_err());
