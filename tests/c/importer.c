@@ -53,7 +53,8 @@ static const fmi2CallbackFunctions callbacks = {logger, calloc, free, NULL, NULL
 static fmi2Component instantiated(const char *name)
 {
     LOAD(fmi2Instantiate);
-    fmi2Component component = fmi2Instantiate(name, fmi2CoSimulation, guid, resources, &callbacks, fmi2False, fmi2False);
+    fmi2Component component =
+        fmi2Instantiate(name, fmi2CoSimulation, guid, resources, &callbacks, fmi2False, fmi2False);
     CHECK(component != NULL);
     return component;
 }

@@ -1,4 +1,4 @@
-"""An importer in C (tests/c/importer.c), compiled against the official headers that FMPy carries, drives the library."""
+"""An importer in C (tests/c/importer.c), compiled against the official headers of FMPy's package, drives the library."""
 
 import os
 import shutil

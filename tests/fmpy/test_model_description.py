@@ -50,8 +50,9 @@ def test_every_real_has_a_unit_that_is_defined_and_angles_are_shown_in_degrees(x
     degrees = units["rad"].find("DisplayUnit")
     assert degrees.get("name") == "deg"
     assert float(degrees.get("factor")) == pytest.approx(57.29577951308232, rel=1e-15)
-    for name, expected in {"N": {"kg": "1", "m": "1", "s": "-2"}, "m/s2": {"m": "1", "s": "-2"}, "rad": {"rad": "1"}}.items():
-        assert units[name].find("BaseUnit").attrib == expected
+    assert units["N"].find("BaseUnit").attrib == {"kg": "1", "m": "1", "s": "-2"}
+    assert units["m/s2"].find("BaseUnit").attrib == {"m": "1", "s": "-2"}
+    assert units["rad"].find("BaseUnit").attrib == {"rad": "1"}
 
 
 def test_enumerations_are_type_definitions_and_start_at_one_of_their_items(xml, variables):
