@@ -3,22 +3,36 @@ use std::cell::Cell;
 
 use super::*;
 
-/// The system's allocator, counting what the thread asks for.
+/// The system's allocator, counting what the thread asks for and has not given back.
 struct Counting;
 
 thread_local! {
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+    static BYTES_HELD: Cell<usize> = const { Cell::new(0) };
+}
+
+/// How often this thread has asked for memory so far.
+pub(super) fn allocations() -> usize {
+    ALLOCATIONS.get()
+}
+
+/// How much memory this thread holds; only differences mean something.
+pub(super) fn bytes_held() -> usize {
+    BYTES_HELD.get()
 }
 
 // SAFETY: everything is passed on to the system's allocator; counting allocates nothing.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         ALLOCATIONS.set(ALLOCATIONS.get() + 1);
+        BYTES_HELD.set(BYTES_HELD.get().wrapping_add(layout.size()));
         // SAFETY: as the caller promises.
         unsafe { System.alloc(layout) }
     }
 
     unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // What another thread asked for may be given back here.
+        BYTES_HELD.set(BYTES_HELD.get().wrapping_sub(layout.size()));
         // SAFETY: as the caller promises.
         unsafe { System.dealloc(pointer, layout) }
     }

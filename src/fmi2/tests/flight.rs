@@ -1,3 +1,4 @@
+use super::endurance::{typical_section, wing};
 use super::*;
 
 fn fly(fmu: &Fmu, steps: u32, size: f64) {
@@ -96,6 +97,22 @@ fn an_input_with_a_derivative_ramps_over_the_step() {
     assert_eq!(fmu.set(&[("elevator", 0.0)]), Status::Ok);
     assert_eq!(fmu.step(0.2, 0.1), Status::Ok);
     assert_eq!(fmu.get("elevator"), 0.0);
+}
+
+#[test]
+fn an_input_that_would_ramp_beyond_all_numbers_is_refused() {
+    let model = typical_section();
+    let fmu = wing(&Unpacked::of(&model.to_bytes(), "wing"), &guid(&model));
+    assert_eq!([fmu.set_up(None, 0.0, None), fmu.enter(), fmu.exit()], [Status::Ok; 3]);
+    let rudder = VariableTable::new(&model).reference("rudder").unwrap();
+    // SAFETY: the component is alive, the arrays have one element.
+    let status = unsafe { fmi2SetRealInputDerivatives(fmu.component, &rudder, 1, &1, &f64::MAX) };
+    assert_eq!(status, Status::Ok);
+    assert_eq!(fmu.step(0.0, 2.0), Status::Error);
+    fmu.assert_refused(&["from t = 0 s to 2 s", "no longer finite"]);
+    assert_eq!(fmu.get_references(&[rudder]), Ok(vec![0.0]));
+    assert_eq!(fmu.step(0.0, 0.5), Status::Ok);
+    assert_eq!(fmu.get_references(&[rudder]), Ok(vec![0.5 * f64::MAX]));
 }
 
 #[test]

@@ -135,7 +135,7 @@ fn fmu_in(state: State) -> Fmu {
 }
 
 /// Calls a function with arguments that ask for as little as possible.
-fn call(function: Function, c: Component) -> Status {
+pub(super) fn call(function: Function, c: Component) -> Status {
     use Function as F;
     let (v, r, i, s, b) = (null(), null_mut(), null_mut(), null_mut(), null_mut());
     // SAFETY: the component is alive, empty arrays may be NULL, and results at NULL are refused.

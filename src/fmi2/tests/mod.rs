@@ -2,10 +2,14 @@
 
 mod allocation;
 mod derivatives;
+mod endurance;
 mod flight;
 mod identity;
+mod importers;
 mod instantiation;
 mod life_cycle;
+mod mutated;
+mod random;
 mod state;
 mod variables;
 
@@ -61,13 +65,18 @@ struct Unpacked(PathBuf);
 
 impl Unpacked {
     fn new(name: &str) -> Self {
+        static BYTES: OnceLock<Vec<u8>> = OnceLock::new();
+        Unpacked::of(BYTES.get_or_init(|| jet().to_bytes()), name)
+    }
+
+    /// With these bytes as the model.
+    fn of(model: &[u8], name: &str) -> Self {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let unique = format!("fmi2-{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
         let root = std::env::temp_dir().join(unique);
         let resources = root.join(name).join("resources");
         std::fs::create_dir_all(&resources).unwrap();
-        static BYTES: OnceLock<Vec<u8>> = OnceLock::new();
-        std::fs::write(resources.join(RESOURCE_FILE), BYTES.get_or_init(|| jet().to_bytes())).unwrap();
+        std::fs::write(resources.join(RESOURCE_FILE), model).unwrap();
         Unpacked(root)
     }
 
@@ -89,6 +98,7 @@ struct Fmu {
 }
 
 /// What `fmi2Instantiate` is given.
+#[derive(Debug)]
 struct Request<'a> {
     name: Option<&'a str>,
     kind: c_int,
@@ -100,9 +110,14 @@ struct Request<'a> {
 impl Fmu {
     /// Calls `fmi2Instantiate`; the component may be NULL.
     fn request(request: &Request) -> Fmu {
+        Fmu::with_logger(request, Some(variadic_logger()))
+    }
+
+    /// The same with any logger, or none.
+    fn with_logger(request: &Request, logger: Option<CallbackLogger>) -> Fmu {
         let log: Box<Log> = Box::default();
         let callbacks = CallbackFunctions {
-            logger: Some(variadic_logger()),
+            logger,
             allocate_memory: None,
             free_memory: None,
             step_finished: None,

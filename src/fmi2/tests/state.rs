@@ -1,20 +1,21 @@
+use super::endurance::{typical_section, wing};
 use super::*;
 
 /// A saved state, freed in the end.
-struct Saved<'a> {
+pub(super) struct Saved<'a> {
     fmu: &'a Fmu,
     state: FmuState,
 }
 
 impl<'a> Saved<'a> {
-    fn of(fmu: &'a Fmu) -> Self {
+    pub(super) fn of(fmu: &'a Fmu) -> Self {
         let mut state = null_mut();
         // SAFETY: the component is alive.
         assert_eq!(unsafe { fmi2GetFMUstate(fmu.component, &mut state) }, Status::Ok);
         Saved { fmu, state }
     }
 
-    fn from_bytes(fmu: &'a Fmu, bytes: &[u8]) -> Result<Self, Status> {
+    pub(super) fn from_bytes(fmu: &'a Fmu, bytes: &[u8]) -> Result<Self, Status> {
         let mut state = null_mut();
         // SAFETY: the component is alive, the array is as long as said.
         let status =
@@ -22,7 +23,7 @@ impl<'a> Saved<'a> {
         if status == Status::Ok { Ok(Saved { fmu, state }) } else { Err(status) }
     }
 
-    fn bytes(&self) -> Vec<u8> {
+    pub(super) fn bytes(&self) -> Vec<u8> {
         let mut size = 0;
         // SAFETY: component and state are alive.
         let status = unsafe { fmi2SerializedFMUstateSize(self.fmu.component, self.state, &mut size) };
@@ -35,7 +36,7 @@ impl<'a> Saved<'a> {
         bytes
     }
 
-    fn restore(&self) -> Status {
+    pub(super) fn restore(&self) -> Status {
         // SAFETY: component and state are alive.
         unsafe { fmi2SetFMUstate(self.fmu.component, self.state) }
     }
@@ -75,6 +76,22 @@ fn damaged_truncated_and_foreign_bytes_are_refused_with_a_reason() {
     longer.push(0);
     assert!(Saved::from_bytes(&fmu, &longer).is_err());
     assert!(Saved::from_bytes(&fmu, &bytes).is_ok());
+}
+
+#[test]
+fn the_state_of_another_aircraft_is_refused() {
+    let model = typical_section();
+    let (unpacked, guid) = (Unpacked::of(&model.to_bytes(), "wing"), guid(&model));
+    let wing = wing(&unpacked, &guid);
+    let saved = Saved::of(&wing);
+    let fmu = Fmu::flying();
+    assert!(Saved::from_bytes(&fmu, &saved.bytes()).is_err());
+    fmu.assert_refused(&["serialised state", "another aircraft or another version"]);
+    let before = fmu.outputs();
+    // SAFETY: component and state are alive; that they do not belong together is what is tested.
+    assert_eq!(unsafe { fmi2SetFMUstate(fmu.component, saved.state) }, Status::Error);
+    fmu.assert_refused(&["fmi2SetFMUstate", "not of this FMU"]);
+    assert_eq!(fmu.outputs(), before);
 }
 
 #[test]

@@ -1,0 +1,21 @@
+//! Any payload as the reduced model in `resources/`, with a header that fits: it is refused, or flies.
+
+#![no_main]
+
+use flexible_aircraft::structure::ReducedModel;
+use flexible_aircraft_fuzz as support;
+use libfuzzer_sys::fuzz_target;
+
+/// Magic, length, hash.
+const HEADER: usize = 32;
+
+fuzz_target!(init: support::seed("reduced_model", &support::wing().to_bytes()[HEADER..]), |payload: &[u8]| {
+    let mut bytes = b"FLXAIR01".to_vec();
+    bytes.extend((payload.len() as u64).to_le_bytes());
+    bytes.extend(support::fnv1a(payload).to_le_bytes());
+    bytes.extend(payload);
+    if let Ok(model) = ReducedModel::from_bytes(&bytes) {
+        assert!(ReducedModel::from_bytes(&model.to_bytes()).is_ok());
+        support::fly(model);
+    }
+});

@@ -1,0 +1,46 @@
+//! What the targets share.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::fmi2;
+use flexible_aircraft::simulation::{Inputs, Settings, Simulation};
+use flexible_aircraft::structure::ReducedModel;
+use flexible_aircraft::variables::start_settings;
+
+/// The smallest of the shipped aircraft: one strip on one beam.
+pub const WING: &str = include_str!("../../aircraft/typical-section.toml");
+
+/// Reduced to two modes.
+pub fn wing() -> ReducedModel {
+    ReducedModel::new(&Aircraft::parse(WING, "typical-section.toml").unwrap(), 2).unwrap()
+}
+
+/// Writes a file that a target begins with into its corpus.
+pub fn seed(target: &str, bytes: &[u8]) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus").join(target);
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("seed"), bytes).unwrap();
+}
+
+/// Everything that an FMU does with a model that has been accepted.
+pub fn fly(model: ReducedModel) {
+    let description = fmi2::model_description::write(&model);
+    assert!(description.contains(&fmi2::guid(&model)));
+    let settings = Settings { mode_count: model.modes.len(), ..start_settings(&model) };
+    let inputs = Inputs { elevator: 0.01, ..Inputs::zero(model.engines.len()) };
+    let zero = Inputs::zero(model.engines.len());
+    if let Ok(mut flight) = Simulation::new(Arc::new(model), &settings, 0.0) {
+        flight.set_inputs(&inputs, &zero);
+        let _ = flight.advance_to(0.012);
+        let _ = flight.outputs();
+    }
+}
+
+/// The checksum of models and states (RFC 9923).
+pub fn fnv1a(bytes: &[u8]) -> u128 {
+    const OFFSET_BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
+    const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
+    bytes.iter().fold(OFFSET_BASIS, |hash, &byte| (hash ^ u128::from(byte)).wrapping_mul(PRIME))
+}
