@@ -8,6 +8,10 @@ use quick_xml::{Reader, XmlVersion};
 pub(crate) struct ModelDescription {
     /// Identifies the content.
     pub guid: String,
+    /// Of flexible-aircraft; empty where the file says nothing.
+    pub version: String,
+    /// What is modelled; empty where the file says nothing.
+    pub description: String,
     /// Name of the shared library, without extension.
     pub model_identifier: String,
     /// In the order of the file.
@@ -29,13 +33,17 @@ impl ModelDescription {
     /// Reads the text of a `modelDescription.xml`; the error says what is wrong with it.
     pub fn parse(xml: &str) -> Result<Self, String> {
         let mut reader = Reader::from_str(xml);
-        let mut guid = None;
+        let (mut guid, mut version, mut description) = (None, String::new(), String::new());
         let mut model_identifier = None;
         let mut variables: Vec<Variable> = Vec::new();
         loop {
             match reader.read_event().map_err(|error| error.to_string())? {
                 Event::Start(element) | Event::Empty(element) => match element.local_name().as_ref() {
-                    "fmiModelDescription" => guid = Some(required(&element, "guid")?),
+                    "fmiModelDescription" => {
+                        guid = Some(required(&element, "guid")?);
+                        version = optional(&element, "version")?.unwrap_or_default();
+                        description = optional(&element, "description")?.unwrap_or_default();
+                    }
                     "CoSimulation" => model_identifier = Some(required(&element, "modelIdentifier")?),
                     "ScalarVariable" => variables.push(scalar_variable(&element)?),
                     "Real" | "Integer" | "Enumeration" => {
@@ -53,6 +61,8 @@ impl ModelDescription {
         }
         Ok(ModelDescription {
             guid: guid.ok_or("no element fmiModelDescription")?,
+            version,
+            description,
             model_identifier: model_identifier.ok_or("no element CoSimulation")?,
             variables,
         })
@@ -95,13 +105,14 @@ mod tests {
 
     #[test]
     fn guid_library_and_variables_are_found() {
-        let xml = r#"<?xml version="1.0"?><fmiModelDescription fmiVersion="2.0" guid="{a&amp;b}">
+        let xml = r#"<?xml version="1.0"?><fmiModelDescription fmiVersion="2.0" guid="{a&amp;b}" version="1.2">
             <CoSimulation modelIdentifier="Plane"/><ModelVariables>
             <ScalarVariable name="modal.q[1]" valueReference="7" causality="output" description="&lt;"><Real/>
             </ScalarVariable><ScalarVariable name="airspeed" valueReference="8" causality="parameter">
             <Real unit="m/s" start="127"/></ScalarVariable></ModelVariables></fmiModelDescription>"#;
         let description = ModelDescription::parse(xml).unwrap();
         assert_eq!(description.guid, "{a&b}");
+        assert_eq!((description.version.as_str(), description.description.as_str()), ("1.2", ""));
         assert_eq!(description.model_identifier, "Plane");
         let mode = description.variable("modal.q[1]").unwrap();
         assert_eq!((mode.value_reference, mode.description.as_str()), (7, "<"));
