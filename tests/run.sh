@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# All tests: Rust, then the packaged FMU through FMPy. Needs Rust, a C compiler and Python 3.11 or newer.
+# All tests: Rust, the packaged FMU through FMPy, the FMU for several platforms. Needs Rust, a C compiler and
+# Python 3.11 or newer.
 #
 # Everything is built in release mode: the FMU needs that anyway, and nothing is compiled twice.
 set -euo pipefail
@@ -24,3 +25,5 @@ if ! cmp --silent tests/fmpy/requirements.txt "$venv/requirements.txt"; then
     cp tests/fmpy/requirements.txt "$venv/requirements.txt"
 fi
 FMU=$target/fmu/FlexibleAircraft.fmu "$venv/bin/python" -m pytest tests/fmpy
+
+bash tests/platforms/run.sh
