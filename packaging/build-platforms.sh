@@ -69,8 +69,10 @@ build() (
             ;;
         aarch64-linux) compile=(cargo-zigbuild zigbuild --target aarch64-unknown-linux-gnu.2.17) ;;
         darwin64)
-            # Stripped by the linker, which signs what it writes: changed later, it would not load.
-            export CARGO_PROFILE_RELEASE_STRIP=none
+            # Stripped by the linker, which signs what it writes: changed later, it would not load. zig knows no list
+            # of exported symbols for macOS: what C shall not see is hidden.
+            export CARGO_PROFILE_RELEASE_STRIP=none MACOSX_DEPLOYMENT_TARGET=11.0
+            RUSTFLAGS+=" -Z default-visibility=hidden"
             RUSTFLAGS+=" -C link-arg=-s -C link-arg=-Wl,-install_name,@rpath/FlexibleAircraft.dylib"
             compile=(cargo-zigbuild zigbuild --target universal2-apple-darwin)
             ;;

@@ -41,7 +41,7 @@ pub enum LibraryFault {
     #[error("it is no library of flexible-aircraft, or older than its marks of origin")]
     NoMark,
     /// It was built of other sources.
-    #[error("found {found}, expected is {expected}: build the library again")]
+    #[error("found {found}, expected is {expected}: build both of the same sources")]
     OtherBuild {
         /// What it was built of.
         found: BuildMark,

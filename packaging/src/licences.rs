@@ -48,7 +48,9 @@ pub(crate) fn gather(workspace: &Path) -> Result<Vec<Entry>, PackageError> {
 const LIST_HEAD: &str = "\
 Linked into the shared library, with the licences that their authors chose. The texts are in the folders
 beside this file. The library also contains parts of the Rust standard library (The Rust Project
-contributors, MIT OR Apache-2.0: the texts are those of flexible-aircraft).
+contributors, MIT OR Apache-2.0: the texts are those of flexible-aircraft). What packaging/build-platforms.sh
+links also contains parts of LLVM's libunwind (Apache-2.0 WITH LLVM-exception) and of zig's compiler_rt (MIT), for
+Windows instead of mingw-w64's run-time library (public domain) and of GCC's (GPL-3.0-or-later WITH GCC-exception-3.1).
 
 ";
 

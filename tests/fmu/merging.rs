@@ -84,7 +84,7 @@ fn fmus_that_differ_in_more_than_their_platforms_are_not_merged() {
     };
     let message = refusal(aircraft);
     assert!(message.starts_with("only FMUs of one aircraft, version and guid can be merged: "), "{message}");
-    assert!(message.contains("Generic business jet in first.fmu, "), "{message}");
+    assert!(message.contains("Generic business jet (span 24.86 m) in first.fmu, "), "{message}");
 
     let xml = |from: &'static str, to: &'static str| {
         move |fmu: &Path| {

@@ -188,7 +188,7 @@ fn a_library_of_another_version_or_of_other_sources_is_refused() {
 
     let (package, _folder) = with_library(|bytes| replace(bytes, b" (sources ", b" (bananas "));
     let error = package.to_bytes().unwrap_err().to_string();
-    assert!(error.contains("(bananas ") && error.ends_with("build the library again"), "{error}");
+    assert!(error.contains("(bananas ") && error.ends_with("build both of the same sources"), "{error}");
 }
 
 #[test]
