@@ -2,7 +2,7 @@
    the random keys of its hash maps. For the test under wine alone. */
 __declspec(dllexport) int ProcessPrng(unsigned char *bytes, unsigned long long count)
 {
-    while (count > 0)
-        bytes[--count] = (unsigned char)(37 * count);
+    for (unsigned long long i = 0; i < count; i++)
+        bytes[i] = (unsigned char)(37 * i + 11);
     return 1;
 }
