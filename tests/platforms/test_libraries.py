@@ -17,6 +17,8 @@ OF_WINDOWS = {
     "userenv.dll", "ws2_32.dll",
 }  # fmt: skip
 OF_MACOS = {"/usr/lib/libSystem.B.dylib"}
+# zig adds these for macOS, whatever is to be exported: they belong to its linker and its run-time library.
+OF_ZIG = {"__mh_dylib_header", "___dso_handle", "___isPlatformVersionAtLeast", "___isOSVersionAtLeast"}
 ELF_PLATFORMS = ["linux64", "aarch64-linux"]
 
 
@@ -76,7 +78,8 @@ def exports(file, platform):
         return [{entry.name for entry in binary.get_export().entries}]
     if platform == "darwin64":
         universal = lief.MachO.parse(file)
-        return [{symbol.name.removeprefix("_") for symbol in image.exported_symbols} for image in universal]
+        names = [{symbol.name for symbol in image.exported_symbols} for image in universal]
+        return [{name.removeprefix("_") for name in of_image - OF_ZIG} for of_image in names]
     binary = lief.ELF.parse(file)
     return [{symbol.name for symbol in binary.exported_symbols}]
 
