@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# All tests: Rust, then the packaged FMU through FMPy, through every importer that a registry has, and coupled with
-# control laws. Needs Rust, a C compiler and Python 3.11 or newer.
+# All tests: Rust, then the packaged FMU through FMPy, through every importer that a registry has, coupled with control
+# laws, and the FMU for several platforms. Needs Rust, a C compiler and Python 3.11 or newer.
 #
 # Everything is built in release mode: the FMU needs that anyway, and nothing is compiled twice.
 set -euo pipefail
@@ -32,3 +32,5 @@ for tests in fmpy masters coupling; do
     python=$(python_of $tests)
     "$python" -m pytest -rs tests/$tests
 done
+
+bash tests/platforms/run.sh

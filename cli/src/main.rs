@@ -14,6 +14,7 @@ mod check;
 mod diagnostics;
 mod flutter;
 mod manoeuvre;
+mod merge;
 mod package;
 mod reproduce;
 mod simulate;
@@ -31,6 +32,8 @@ struct CommandLine {
 enum Command {
     /// Write an aircraft as an FMU, and prove by a short flight that it works
     Package(PackageOptions),
+    /// Join FMUs of the same aircraft that were packaged for different platforms
+    Merge(merge::MergeOptions),
     /// Fly the flights of the thesis, and write a page that lays the results beside its figures and table
     Reproduce(ReproduceOptions),
 
@@ -90,6 +93,7 @@ fn platform_and_file(option: &str) -> Result<(Platform, PathBuf), String> {
 fn main() -> ExitCode {
     let outcome = match CommandLine::parse().command {
         Command::Package(options) => package::run(options).map_err(|error| error.report()),
+        Command::Merge(options) => merge::run(&options).map_err(|error| format!("error: {error}")),
         Command::Reproduce(options) => reproduce::run(&options).map_err(|error| error.report()),
         Command::Simulate(options) => simulate::run(&options).map_err(|error| error.report()),
         Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),

@@ -166,7 +166,7 @@ fn fitted(data: &[u8], good: &[u8]) -> Vec<u8> {
     }
     bytes[..HEADER].copy_from_slice(&good[..HEADER]);
     bytes[8..16].copy_from_slice(&(length as u64).to_le_bytes());
-    let flight = good.windows(8).position(|window| window == b"FLXSNP01").unwrap();
+    let flight = good.windows(6).position(|window| window == b"FLXSNP").unwrap();
     let end = length - CHECKSUM;
     if end >= flight + FLIGHT_HEADER + CHECKSUM {
         bytes[flight..flight + FLIGHT_HEADER].copy_from_slice(&good[flight..flight + FLIGHT_HEADER]);

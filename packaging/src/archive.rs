@@ -1,10 +1,10 @@
 //! A zip archive whose bytes depend on its contents alone: fixed order, fixed times, fixed permissions.
 
-use std::io::{Cursor, Write};
+use std::io::{Cursor, Read, Write};
 
 use zip::result::ZipError;
 use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, DateTime, ZipWriter};
+use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
 
 /// A file of the archive.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,15 +21,22 @@ impl Entry {
     }
 }
 
-/// The archive with `entries` in the given order, all of them dated 1 January 1980, the beginning of
-/// time of the zip format.
-pub(crate) fn to_bytes(entries: &[Entry]) -> Result<Vec<u8>, ZipError> {
+/// Where importers look first.
+pub(crate) const MODEL_DESCRIPTION: &str = "modelDescription.xml";
+
+/// The archive with `entries`, the model description first and the others by their paths, all of them dated
+/// 1 January 1980, the beginning of time of the zip format.
+pub(crate) fn to_bytes(mut entries: Vec<Entry>) -> Result<Vec<u8>, ZipError> {
+    entries.sort_by(|a, b| {
+        let order = |entry: &Entry| entry.path != MODEL_DESCRIPTION;
+        order(a).cmp(&order(b)).then_with(|| a.path.cmp(&b.path))
+    });
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Deflated)
         .compression_level(Some(9))
         .last_modified_time(DateTime::DEFAULT);
-    for entry in entries {
+    for entry in &entries {
         let permissions = if entry.path.starts_with("binaries/") { 0o755 } else { 0o644 };
         archive.start_file(entry.path.as_str(), options.unix_permissions(permissions))?;
         archive.write_all(&entry.bytes)?;
@@ -37,25 +44,35 @@ pub(crate) fn to_bytes(entries: &[Entry]) -> Result<Vec<u8>, ZipError> {
     Ok(archive.finish()?.into_inner())
 }
 
+/// The files of an archive, in its order.
+pub(crate) fn from_bytes(bytes: &[u8]) -> Result<Vec<Entry>, ZipError> {
+    let mut archive = ZipArchive::new(Cursor::new(bytes))?;
+    let mut entries = Vec::new();
+    for index in 0..archive.len() {
+        let mut file = archive.by_index(index)?;
+        if file.is_file() {
+            let mut content = Vec::new();
+            file.read_to_end(&mut content)?;
+            entries.push(Entry::new(file.name()?, content));
+        }
+    }
+    Ok(entries)
+}
+
 #[cfg(test)]
 mod tests {
-    use std::io::Read;
-
     use super::*;
 
     #[test]
-    fn entries_are_read_back_in_their_order_with_the_fixed_time() {
-        let entries = [Entry::new("b.txt", "second letter"), Entry::new("binaries/a.so", vec![0; 1000])];
-        let bytes = to_bytes(&entries).unwrap();
-        let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).unwrap();
-        assert_eq!(archive.len(), entries.len());
-        for (index, entry) in entries.iter().enumerate() {
-            let mut file = archive.by_index(index).unwrap();
-            assert_eq!(file.name().unwrap(), entry.path);
-            assert_eq!(file.last_modified(), Some(DateTime::DEFAULT));
-            let mut content = Vec::new();
-            file.read_to_end(&mut content).unwrap();
-            assert_eq!(content, entry.bytes);
+    fn the_model_description_is_first_and_the_others_are_sorted() {
+        let paths = ["resources/a", "modelDescription.xml", "binaries/a.so", "resources/B"];
+        let entries = paths.map(|path| Entry::new(path, path.repeat(100)));
+        let bytes = to_bytes(entries.to_vec()).unwrap();
+        let [resource, description, library, other] = entries;
+        assert_eq!(from_bytes(&bytes).unwrap(), [description, library, other, resource]);
+        let mut archive = ZipArchive::new(Cursor::new(bytes)).unwrap();
+        for index in 0..archive.len() {
+            assert_eq!(archive.by_index(index).unwrap().last_modified(), Some(DateTime::DEFAULT));
         }
     }
 }

@@ -13,8 +13,11 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// Writes the bytes beside `output`, and the folders above it where they do not exist.
-    pub(crate) fn write(bytes: &[u8], output: &Path) -> Result<Self, PackageError> {
+    /// Writes the bytes of an FMU beside `output`, and the folders above it where they do not exist.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn write(bytes: &[u8], output: &Path) -> Result<Self, PackageError> {
         let failed = |action| move |source| PackageError::File { action, path: output.to_owned(), source };
         if let Some(folder) = output.parent() {
             std::fs::create_dir_all(folder).map_err(failed("make the folder of"))?;

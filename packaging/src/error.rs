@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use flexible_aircraft::aircraft::AircraftFileError;
 use flexible_aircraft::structure::StructureError;
 
-use crate::Platform;
+use crate::{LibraryFault, Platform};
 
 /// Why an FMU could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -35,17 +35,13 @@ pub enum PackageError {
     /// Two libraries for one platform.
     #[error("found two shared libraries for {0}; an FMU has one per platform")]
     TwoBinaries(Platform),
-    /// A file that is no shared library of its platform.
-    #[error("{}: found {found}, expected for {platform} is {expected}", path.display())]
+    /// A file that is not flexible-aircraft's shared library for its platform.
+    #[error("{}: {fault}", path.display())]
     WrongBinary {
         /// The file.
         path: PathBuf,
-        /// Which it was given for.
-        platform: Platform,
-        /// What it is.
-        found: String,
-        /// What it should be.
-        expected: String,
+        /// What is wrong with it.
+        fault: LibraryFault,
     },
     /// Nothing to run on.
     #[error("an FMU needs a shared library of at least one platform: found none")]

@@ -1,9 +1,11 @@
 //! Builds the `.fmu` archive of a flexible aircraft, and loads one as an importing tool does.
 //!
 //! An FMU is the aircraft, reduced to its modes, with shared libraries for some platforms. [`Package`] says
-//! what goes in; the same input gives the same bytes. [`c_abi`] is the way back: from the archive to an
+//! what goes in; the same input gives the same bytes. [`merge`] joins FMUs that were packaged on different
+//! machines. [`c_abi`] is the way back: from the archive to an
 //! aircraft that flies.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use flexible_aircraft::aircraft::Aircraft;
@@ -17,6 +19,7 @@ mod draft;
 mod error;
 mod library;
 mod licences;
+mod merge;
 mod model_description;
 mod plan_view;
 mod platform;
@@ -24,10 +27,11 @@ pub mod system;
 
 pub use draft::Draft;
 pub use error::{FmuError, PackageError};
+pub use library::{BuildMark, LibraryFault};
+pub use merge::{MergeError, merge};
 pub use platform::{Platform, UnknownPlatform};
 
 use archive::Entry;
-use library::FileKind;
 use model_description::ModelDescription;
 
 /// The icon that importing tools show.
@@ -59,15 +63,14 @@ impl Package {
         let xml = fmi2::model_description::write(&model);
         let description = ModelDescription::parse(&xml).map_err(PackageError::ModelDescription)?;
 
-        let mut entries = vec![Entry::new("modelDescription.xml", xml), Entry::new("model.png", ICON)];
+        let mut entries = vec![Entry::new(archive::MODEL_DESCRIPTION, xml), Entry::new("model.png", ICON)];
         entries.extend(self.libraries(&description.model_identifier)?);
         entries.push(Entry::new(format!("resources/{}", fmi2::RESOURCE_FILE), model.to_bytes()));
         entries.push(Entry::new("resources/aircraft.toml", read(&self.aircraft)?));
         let page = documentation::page(&aircraft, &description.variables);
         entries.push(Entry::new("documentation/index.html", page));
-        let platforms = self.binaries.iter().map(|(platform, _)| *platform).collect();
-        entries.extend(licences::gather(&self.workspace, &platforms)?);
-        Ok(archive::to_bytes(&entries)?)
+        entries.extend(licences::gather(&self.workspace)?);
+        Ok(archive::to_bytes(entries)?)
     }
 
     /// Writes the `.fmu` beside its place, where it can be tried before it is [kept](Draft::keep), and the
@@ -87,31 +90,28 @@ impl Package {
         self.draft(output)?.keep()
     }
 
-    /// One library per platform, in the order of the platforms' names.
+    /// One library per platform, each of them of this version and these sources.
     fn libraries(&self, model_identifier: &str) -> Result<Vec<Entry>, PackageError> {
-        let mut binaries: Vec<_> = self.binaries.iter().collect();
-        binaries.sort_by_key(|(platform, _)| platform.folder());
-        if let Some(twice) = binaries.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-            return Err(PackageError::TwoBinaries(twice[0].0));
+        let mut found = BTreeSet::new();
+        if let Some((twice, _)) = self.binaries.iter().find(|(platform, _)| !found.insert(*platform)) {
+            return Err(PackageError::TwoBinaries(*twice));
         }
-        if binaries.is_empty() {
+        if self.binaries.is_empty() {
             return Err(PackageError::NoBinary);
         }
         let entry = |(platform, path): &(Platform, PathBuf)| {
             let bytes = read(path)?;
-            let (found, expected) = (FileKind::of(&bytes), FileKind::needed_on(*platform));
-            if found != expected {
-                let (found, expected) = (found.to_string(), expected.to_string());
-                return Err(PackageError::WrongBinary {
-                    path: path.clone(),
-                    platform: *platform,
-                    found,
-                    expected,
-                });
-            }
-            Ok(Entry::new(platform.library_path(model_identifier), bytes))
+            let expected = BuildMark::own();
+            let fault = match library::examine(&bytes, *platform) {
+                Ok(found) if found == expected => {
+                    return Ok(Entry::new(platform.library_path(model_identifier), bytes));
+                }
+                Ok(found) => LibraryFault::OtherBuild { found, expected },
+                Err(fault) => fault,
+            };
+            Err(PackageError::WrongBinary { path: path.clone(), fault })
         };
-        binaries.into_iter().map(entry).collect()
+        self.binaries.iter().map(entry).collect()
     }
 }
 

@@ -1,73 +1,173 @@
-//! Whether a file is a shared library of a platform, as its first bytes say: a wrong file would show only where
-//! somebody imports the FMU on that platform.
+//! Whether a file is flexible-aircraft's shared library for a platform, read without loading it: a wrong one would
+//! show only where somebody imports the FMU on that platform.
 
 use std::fmt;
 
+use flexible_aircraft::fmi2;
+use object::read::NameOrOrdinal;
+use object::read::macho::{FatArch, MachOFatFile32};
+use object::{Architecture, BinaryFormat, FileKind, Object, ObjectKind};
+
 use crate::Platform;
 
-/// What a file is, by its first bytes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum FileKind {
-    /// Of Unix systems but macOS; with the machine's number in the file format.
-    Elf(u16),
-    /// Of Windows; with the machine's number in the file format.
-    PortableExecutable(u16),
-    /// Of macOS, for one machine or several.
-    MachO,
-    /// None of these.
-    Other,
+/// Why a file cannot be the shared library of a platform.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum LibraryFault {
+    /// It is no shared library, or damaged.
+    #[error("found a file that is no shared library ({reason}), expected for {platform} is {}", needed_on(*platform))]
+    Unreadable {
+        /// The platform that it was given for.
+        platform: Platform,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// It is a library of another platform.
+    #[error("found {found}, expected for {platform} is {}", needed_on(*platform))]
+    OtherMachine {
+        /// The platform that it was given for.
+        platform: Platform,
+        /// Format and processor.
+        found: String,
+    },
+    /// It does not export all functions of FMI 2.0.
+    #[error("it exports {exported} of the functions of FMI 2.0, and lacks {}", missing.join(", "))]
+    MissingFunctions {
+        /// How many it has.
+        exported: usize,
+        /// Those it has not.
+        missing: Vec<&'static str>,
+    },
+    /// It does not say that it was built of flexible-aircraft.
+    #[error("it is no library of flexible-aircraft, or older than its marks of origin")]
+    NoMark,
+    /// It was built of other sources.
+    #[error("found {found}, expected is {expected}: build both of the same sources")]
+    OtherBuild {
+        /// What it was built of.
+        found: BuildMark,
+        /// What it should have been built of.
+        expected: BuildMark,
+    },
 }
 
-const ELF_X86_64: u16 = 62;
-const ELF_AARCH64: u16 = 183;
-const PE_X86_64: u16 = 0x8664;
+/// Version and sources that a library was built of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BuildMark(String);
 
-impl FileKind {
-    pub(crate) fn of(bytes: &[u8]) -> Self {
-        match bytes {
-            // 64 bits, little-endian.
-            [0x7f, b'E', b'L', b'F', 2, 1, ..] => FileKind::Elf(word(bytes, 18)),
-            [0xcf, 0xfa, 0xed, 0xfe, ..] | [0xca, 0xfe, 0xba, 0xbe, ..] => FileKind::MachO,
-            [b'M', b'Z', ..] => {
-                let header = usize::from(word(bytes, 0x3c)) | usize::from(word(bytes, 0x3e)) << 16;
-                match bytes.get(header..) {
-                    Some(header @ [b'P', b'E', 0, 0, ..]) => FileKind::PortableExecutable(word(header, 4)),
-                    _ => FileKind::Other,
-                }
-            }
-            _ => FileKind::Other,
-        }
+impl BuildMark {
+    /// That of this program.
+    pub fn own() -> Self {
+        BuildMark(fmi2::BUILD_MARK.to_owned())
     }
 
-    /// What the shared library of a platform must be.
-    pub(crate) fn needed_on(platform: Platform) -> Self {
-        match platform {
-            Platform::Aarch64Linux => FileKind::Elf(ELF_AARCH64),
-            Platform::Darwin64 => FileKind::MachO,
-            Platform::Linux64 => FileKind::Elf(ELF_X86_64),
-            Platform::Win64 => FileKind::PortableExecutable(PE_X86_64),
-        }
+    /// The mark among the bytes of a library.
+    fn find(bytes: &[u8]) -> Option<Self> {
+        let beginning = fmi2::BUILD_MARK_BEGINNING.as_bytes();
+        let at = bytes.windows(beginning.len()).position(|window| window == beginning)?;
+        let end = bytes[at..].iter().take(100).position(|byte| *byte == b')')?;
+        String::from_utf8(bytes[at..=at + end].to_vec()).ok().map(BuildMark)
     }
 }
 
-/// Two bytes, little-endian; 0 beyond the end.
-fn word(bytes: &[u8], at: usize) -> u16 {
-    bytes.get(at..at + 2).map_or(0, |pair| u16::from_le_bytes([pair[0], pair[1]]))
-}
-
-impl fmt::Display for FileKind {
+impl fmt::Display for BuildMark {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            FileKind::Elf(ELF_X86_64) => f.write_str("an ELF file for x86-64"),
-            FileKind::Elf(ELF_AARCH64) => f.write_str("an ELF file for aarch64"),
-            FileKind::Elf(machine) => write!(f, "an ELF file for machine {machine}"),
-            FileKind::PortableExecutable(PE_X86_64) => f.write_str("a Windows library (MZ, PE) for x86-64"),
-            FileKind::PortableExecutable(machine) => {
-                write!(f, "a Windows library (MZ, PE) for machine {machine:#x}")
-            }
-            FileKind::MachO => f.write_str("a Mach-O file"),
-            FileKind::Other => f.write_str("a file that is no 64-bit shared library"),
+        f.write_str(&self.0)
+    }
+}
+
+/// Reads a library that is meant for a platform, and says what it was built of.
+pub(crate) fn examine(bytes: &[u8], platform: Platform) -> Result<BuildMark, LibraryFault> {
+    let unreadable = |error: object::Error| LibraryFault::Unreadable { platform, reason: error.to_string() };
+    let mut marks = Vec::new();
+    for image in images(bytes).map_err(unreadable)? {
+        let file = object::File::parse(image).map_err(unreadable)?;
+        if !fits(&file, platform) {
+            return Err(LibraryFault::OtherMachine { platform, found: words(&file) });
         }
+        require_functions(&exports(&file).map_err(unreadable)?)?;
+        marks.push(BuildMark::find(image).ok_or(LibraryFault::NoMark)?);
+    }
+    let first = marks.pop().ok_or(LibraryFault::NoMark)?;
+    match marks.into_iter().find(|mark| *mark != first) {
+        Some(found) => Err(LibraryFault::OtherBuild { found, expected: first }),
+        None => Ok(first),
+    }
+}
+
+/// The libraries in a file: one, but for macOS one for each of several processors.
+fn images(bytes: &[u8]) -> object::Result<Vec<&[u8]>> {
+    match FileKind::parse(bytes)? {
+        FileKind::MachOFat32 => {
+            MachOFatFile32::parse(bytes)?.arches().iter().map(|arch| arch.data(bytes)).collect()
+        }
+        _ => Ok(vec![bytes]),
+    }
+}
+
+fn fits(file: &object::File<'_>, platform: Platform) -> bool {
+    let machine = match platform {
+        Platform::Aarch64Linux => file.architecture() == Architecture::Aarch64,
+        Platform::Darwin64 => matches!(file.architecture(), Architecture::X86_64 | Architecture::Aarch64),
+        Platform::Linux64 | Platform::Win64 => file.architecture() == Architecture::X86_64,
+    };
+    machine
+        && file.format() == format(platform)
+        && file.is_little_endian()
+        && file.kind() == ObjectKind::Dynamic
+}
+
+fn format(platform: Platform) -> BinaryFormat {
+    match platform {
+        Platform::Aarch64Linux | Platform::Linux64 => BinaryFormat::Elf,
+        Platform::Darwin64 => BinaryFormat::MachO,
+        Platform::Win64 => BinaryFormat::Pe,
+    }
+}
+
+/// What the library of a platform is, in words as those of [`words`].
+fn needed_on(platform: Platform) -> &'static str {
+    match platform {
+        Platform::Aarch64Linux => "a shared library (ELF) for aarch64",
+        Platform::Darwin64 => "a shared library (MachO) for x86_64, aarch64 or both",
+        Platform::Linux64 => "a shared library (ELF) for x86_64",
+        Platform::Win64 => "a shared library (PE) for x86_64",
+    }
+}
+
+fn words(file: &object::File<'_>) -> String {
+    let kind = match file.kind() {
+        ObjectKind::Dynamic => "a shared library",
+        ObjectKind::Executable => "a program",
+        _ => "an object file",
+    };
+    let format = match file.format() {
+        BinaryFormat::Elf => "ELF".to_owned(),
+        BinaryFormat::Pe => "PE".to_owned(),
+        other => format!("{other:?}"),
+    };
+    format!("{kind} ({format}) for {}", format!("{:?}", file.architecture()).to_lowercase())
+}
+
+/// The names that a library exports; macOS puts a line before those of C.
+fn exports(file: &object::File<'_>) -> object::Result<Vec<String>> {
+    let line = if file.format() == BinaryFormat::MachO { "_" } else { "" };
+    let mut names = Vec::new();
+    for export in file.exports()? {
+        if let NameOrOrdinal::Name(name) = export?.name() {
+            let name = String::from_utf8_lossy(name);
+            names.push(name.strip_prefix(line).unwrap_or(&name).to_owned());
+        }
+    }
+    Ok(names)
+}
+
+fn require_functions(exports: &[String]) -> Result<(), LibraryFault> {
+    let is_there = |name: &&str| exports.iter().any(|export| export == name);
+    let (there, missing): (Vec<_>, Vec<_>) = fmi2::function_names().partition(is_there);
+    if missing.is_empty() {
+        Ok(())
+    } else {
+        Err(LibraryFault::MissingFunctions { exported: there.len(), missing })
     }
 }
 
@@ -76,27 +176,42 @@ mod tests {
     use super::*;
 
     #[test]
-    fn libraries_are_told_apart_by_their_first_bytes() {
-        let elf = |machine: u8| [b"\x7fELF\x02\x01".as_slice(), &[0; 12], &[machine, 0]].concat();
-        let windows =
-            |machine: [u8; 2]| [b"MZ".as_slice(), &[0; 0x3a], &[0x40, 0, 0, 0], b"PE\0\0", &machine].concat();
-        for (bytes, platform) in [
-            (elf(62), Platform::Linux64),
-            (elf(183), Platform::Aarch64Linux),
-            (windows([0x64, 0x86]), Platform::Win64),
-            (vec![0xcf, 0xfa, 0xed, 0xfe], Platform::Darwin64),
-            (vec![0xca, 0xfe, 0xba, 0xbe], Platform::Darwin64),
-        ] {
-            let fits = |other: &Platform| FileKind::of(&bytes) == FileKind::needed_on(*other);
-            let on: Vec<_> = Platform::ALL.into_iter().filter(fits).collect();
-            assert_eq!(on, [platform]);
+    fn a_mark_is_found_among_other_bytes() {
+        let mark = BuildMark::own();
+        let bytes = [b"\0\xffflexible-aircraft ", fmi2::BUILD_MARK.as_bytes(), b")\0"].concat();
+        assert_eq!(BuildMark::find(&bytes), Some(mark));
+        assert_eq!(BuildMark::find(&bytes[..40]), None);
+        assert_eq!(BuildMark::find(b""), None);
+    }
+
+    #[test]
+    fn a_file_that_is_no_library_is_refused() {
+        for bytes in
+            [b"localhost\n".as_slice(), b"", b"MZ", b"\x7fELF\x01\x01", b"\xca\xfe\xba\xbe\0\0\0\x01"]
+        {
+            for platform in Platform::ALL {
+                let fault = examine(bytes, platform).unwrap_err();
+                assert!(matches!(fault, LibraryFault::Unreadable { .. }), "{bytes:?}: {fault}");
+            }
         }
-        for bytes in [b"localhost\n".as_slice(), b"", b"MZ", b"\x7fELF\x01\x01", &windows([0; 2])[..0x40]] {
-            assert_eq!(FileKind::of(bytes), FileKind::Other, "{bytes:?}");
-        }
-        assert_eq!(
-            FileKind::of(&windows([0x64, 0xaa])).to_string(),
-            "a Windows library (MZ, PE) for machine 0xaa64"
+    }
+
+    #[test]
+    fn a_program_and_a_library_for_another_machine_are_refused() {
+        let header = |kind: u8, machine: u8| {
+            let mut elf = [0; 64];
+            elf[..7].copy_from_slice(b"\x7fELF\x02\x01\x01");
+            (elf[16], elf[18], elf[20], elf[52]) = (kind, machine, 1, 64);
+            elf
+        };
+        let message = |bytes: &[u8]| examine(bytes, Platform::Linux64).unwrap_err().to_string();
+        let expected = "expected for linux64 is a shared library (ELF) for x86_64";
+        assert_eq!(message(&header(3, 183)), format!("found a shared library (ELF) for aarch64, {expected}"));
+        assert_eq!(message(&header(2, 62)), format!("found a program (ELF) for x86_64, {expected}"));
+        assert!(
+            message(&header(3, 62)).contains("exports 0 of the functions"),
+            "{}",
+            message(&header(3, 62))
         );
     }
 }

@@ -1,7 +1,8 @@
 //! The licences of everything that is linked into the shared library, as `documentation/licenses/`.
 //!
-//! cargo knows what is linked: the packages that the library needs at run time on the packaged platforms,
-//! without procedural macros, build scripts and what only tests and tools use.
+//! cargo knows what is linked: the packages that the library needs at run time, without procedural macros, build
+//! scripts and what only tests and tools use. Those of all platforms are listed, whichever are packaged, so that
+//! FMUs packaged on different machines have the same list.
 
 use std::collections::BTreeSet;
 use std::ffi::OsString;
@@ -28,10 +29,10 @@ struct LibraryPackage {
 }
 
 /// The licence files of `flexible-aircraft` and of all it is linked with, and a list of them.
-pub(crate) fn gather(workspace: &Path, platforms: &BTreeSet<Platform>) -> Result<Vec<Entry>, PackageError> {
+pub(crate) fn gather(workspace: &Path) -> Result<Vec<Entry>, PackageError> {
     let mut list = String::from(LIST_HEAD);
     let mut entries = Vec::new();
-    for package in linked_packages(workspace, platforms)? {
+    for package in linked_packages(workspace)? {
         let licence = package.license.as_deref().unwrap_or("see its licence file");
         list.push_str(&format!("{} {}: {licence}\n", package.name, package.version));
         for file in licence_files(&package)? {
@@ -47,20 +48,19 @@ pub(crate) fn gather(workspace: &Path, platforms: &BTreeSet<Platform>) -> Result
 const LIST_HEAD: &str = "\
 Linked into the shared library, with the licences that their authors chose. The texts are in the folders
 beside this file. The library also contains parts of the Rust standard library (The Rust Project
-contributors, MIT OR Apache-2.0: the texts are those of flexible-aircraft).
+contributors, MIT OR Apache-2.0: the texts are those of flexible-aircraft). What packaging/build-platforms.sh
+links also contains parts of LLVM's libunwind (Apache-2.0 WITH LLVM-exception) and of zig's compiler_rt (MIT), for
+Windows instead of mingw-w64's run-time library (public domain) and of GCC's (GPL-3.0-or-later WITH GCC-exception-3.1).
 
 ";
 
-/// What the library needs at run time on any of the platforms, by name and version.
+/// What the library needs at run time on any platform, by name and version.
 ///
 /// `cargo tree` knows which features are on; `cargo metadata` knows where the sources are.
-fn linked_packages(
-    workspace: &Path,
-    platforms: &BTreeSet<Platform>,
-) -> Result<Vec<LibraryPackage>, PackageError> {
+fn linked_packages(workspace: &Path) -> Result<Vec<LibraryPackage>, PackageError> {
     let mut tree = vec!["tree", "--locked", "--package", "flexible-aircraft"];
     tree.extend(["--edges", "normal,no-proc-macro", "--prefix", "none", "--format", "{p}"]);
-    for platform in platforms {
+    for platform in Platform::ALL {
         tree.extend(["--target", platform.target_triple()]);
     }
     let tree = cargo(workspace, &tree)?;
@@ -122,7 +122,7 @@ mod tests {
     #[test]
     fn linked_libraries_are_listed_and_tools_and_macros_are_not() {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let entries = gather(&workspace, &BTreeSet::from([Platform::Linux64])).unwrap();
+        let entries = gather(&workspace).unwrap();
         let list = std::str::from_utf8(&entries[0].bytes).unwrap();
         for linked in ["flexible-aircraft 0", "nalgebra 0", "libm 0"] {
             assert!(list.contains(linked), "{linked} is missing in\n{list}");

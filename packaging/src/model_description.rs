@@ -12,6 +12,10 @@ use quick_xml::{Reader, XmlVersion};
 pub(crate) struct ModelDescription {
     /// Identifies the content.
     pub guid: String,
+    /// Of flexible-aircraft; empty where the file says nothing.
+    pub version: String,
+    /// What is modelled; empty where the file says nothing.
+    pub description: String,
     /// Name of the shared library, without extension.
     pub model_identifier: String,
     /// By name.
@@ -56,7 +60,8 @@ impl ModelDescription {
     /// Reads the text of a `modelDescription.xml`; the error says what is wrong with it.
     pub fn parse(xml: &str) -> Result<Self, String> {
         let mut reader = Reader::from_str(xml);
-        let (mut guid, mut model_identifier) = (None, None);
+        let (mut guid, mut version, mut description) = (None, String::new(), String::new());
+        let mut model_identifier = None;
         let mut units: Vec<(String, Option<BaseUnit>)> = Vec::new();
         // Name and unit.
         let mut types: Vec<(String, String)> = Vec::new();
@@ -65,11 +70,13 @@ impl ModelDescription {
             match reader.read_event().map_err(|error| error.to_string())? {
                 Event::Start(element) | Event::Empty(element) => match element.local_name().as_ref() {
                     "fmiModelDescription" => {
-                        let version = optional(&element, "fmiVersion")?.unwrap_or_else(|| "2.0".into());
-                        if version != "2.0" {
-                            return Err(format!("found FMI version {version}, allowed is 2.0"));
+                        let standard = optional(&element, "fmiVersion")?.unwrap_or_else(|| "2.0".into());
+                        if standard != "2.0" {
+                            return Err(format!("found FMI version {standard}, allowed is 2.0"));
                         }
                         guid = Some(required(&element, "guid")?);
+                        version = optional(&element, "version")?.unwrap_or_default();
+                        description = optional(&element, "description")?.unwrap_or_default();
                     }
                     "CoSimulation" => model_identifier = Some(required(&element, "modelIdentifier")?),
                     "Unit" => units.push((required(&element, "name")?, None)),
@@ -100,6 +107,8 @@ impl ModelDescription {
         }
         Ok(ModelDescription {
             guid: guid.ok_or("no element fmiModelDescription")?,
+            version,
+            description,
             model_identifier: model_identifier.ok_or("no element CoSimulation")?,
             units,
             variables,
@@ -201,13 +210,14 @@ mod tests {
 
     #[test]
     fn guid_library_and_variables_are_found() {
-        let xml = r#"<?xml version="1.0"?><fmiModelDescription fmiVersion="2.0" guid="{a&amp;b}">
+        let xml = r#"<?xml version="1.0"?><fmiModelDescription fmiVersion="2.0" guid="{a&amp;b}" version="1.2">
             <CoSimulation modelIdentifier="Plane"/><ModelVariables>
             <ScalarVariable name="modal.q[1]" valueReference="7" causality="output" description="&lt;"><Real/>
             </ScalarVariable><ScalarVariable name="airspeed" valueReference="8" causality="parameter">
             <Real unit="m/s" start="127"/></ScalarVariable></ModelVariables></fmiModelDescription>"#;
         let description = ModelDescription::parse(xml).unwrap();
         assert_eq!(description.guid, "{a&b}");
+        assert_eq!((description.version.as_str(), description.description.as_str()), ("1.2", ""));
         assert_eq!(description.model_identifier, "Plane");
         let mode = description.variable("modal.q[1]").unwrap();
         assert_eq!((mode.value_reference, mode.description.as_str()), (7, "<"));

@@ -55,6 +55,11 @@ impl Platform {
         format!("binaries/{}/{model_identifier}.{extension}", self.folder())
     }
 
+    /// The platform whose library an FMU keeps at a path.
+    pub(crate) fn of_library_path(path: &str, model_identifier: &str) -> Option<Self> {
+        Platform::ALL.into_iter().find(|platform| platform.library_path(model_identifier) == path)
+    }
+
     /// Rust's name of the platform, for cargo.
     pub(crate) fn target_triple(self) -> &'static str {
         match self {

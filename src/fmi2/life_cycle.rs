@@ -141,7 +141,6 @@ const TABLE: [(Function, &str, &[State]); 40] = {
 
 impl Function {
     /// All functions.
-    #[cfg(test)]
     pub fn all() -> impl Iterator<Item = Function> {
         TABLE.into_iter().map(|(function, _, _)| function)
     }

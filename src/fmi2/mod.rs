@@ -9,12 +9,14 @@
 //! | `saved_state` | the state of an instance as bytes |
 //! | `life_cycle` | which function may be called in which state |
 //! | `logger` | messages to the importer |
+//! | `build_mark` | what a library says of its origin |
 //! | `resource` | from the resource location to the reduced model |
 //! | [`model_description`] | the XML, written from the variable table |
 //!
 //! This is the only module with `unsafe`: in `exports`, where C's pointers arrive, and in `logger`, where the
 //! importer's function is called. A refused call leaves the instance as it was.
 
+mod build_mark;
 mod derivatives;
 mod exports;
 mod instance;
@@ -28,11 +30,19 @@ mod values;
 
 use crate::structure::{ReducedModel, fnv1a};
 
+pub use build_mark::{BUILD_MARK, BUILD_MARK_BEGINNING};
+
 /// Name of the reduced model's file in the FMU's `resources/`.
 pub const RESOURCE_FILE: &str = "model.bin";
 
 /// `modelName` and `modelIdentifier`; the shared libraries of the archive are named after it.
 pub const MODEL_IDENTIFIER: &str = "FlexibleAircraft";
+
+/// The names of all functions that the shared library exports.
+pub fn function_names() -> impl Iterator<Item = &'static str> {
+    let without_instance = ["fmi2GetTypesPlatform", "fmi2GetVersion", "fmi2Instantiate", "fmi2FreeInstance"];
+    without_instance.into_iter().chain(life_cycle::Function::all().map(life_cycle::Function::name))
+}
 
 /// The guid of the FMU of an aircraft: the same for the same aircraft, variables and version of this
 /// crate, and another one when any of them changes.

@@ -1,5 +1,7 @@
 //! The FMU of the generic business jet, packaged and then used through its C interface.
 
+mod merging;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -124,8 +126,8 @@ fn a_file_that_is_no_library_of_its_platform_is_refused() {
     let mut package = package();
     package.binaries.push((Platform::Win64, jet_file()));
     let error = package.to_bytes().unwrap_err().to_string();
-    let expected = "generic-business-jet.toml: found a file that is no 64-bit shared library, expected for win64 is \
-                    a Windows library (MZ, PE) for x86-64";
+    let expected = "generic-business-jet.toml: found a file that is no shared library (Unknown file magic), expected \
+                    for win64 is a shared library (PE) for x86_64";
     assert!(error.ends_with(expected), "{error}");
 }
 
@@ -144,19 +146,71 @@ fn a_draft_replaces_the_old_fmu_only_when_it_is_kept() {
     assert_eq!(files(), 1);
 }
 
+/// The package with its library changed, and the folder that keeps that.
+fn with_library(change: impl FnOnce(&mut Vec<u8>)) -> (Package, tempfile::TempDir) {
+    let mut package = package();
+    let folder = tempfile::tempdir().unwrap();
+    let changed = folder.path().join("changed.so");
+    let mut bytes = std::fs::read(&package.binaries[0].1).unwrap();
+    change(&mut bytes);
+    std::fs::write(&changed, bytes).unwrap();
+    package.binaries[0].1 = changed;
+    (package, folder)
+}
+
+/// Puts other bytes of the same length wherever `from` stands.
+fn replace(bytes: &mut [u8], from: &[u8], to: &[u8]) {
+    assert_eq!(from.len(), to.len());
+    let places: Vec<_> =
+        bytes.windows(from.len()).enumerate().filter(|(_, window)| *window == from).collect();
+    let places: Vec<usize> = places.into_iter().map(|(at, _)| at).collect();
+    assert!(!places.is_empty(), "{}", String::from_utf8_lossy(from));
+    for at in places {
+        bytes[at..at + to.len()].copy_from_slice(to);
+    }
+}
+
+#[test]
+fn a_library_that_lacks_a_function_is_refused_by_the_name_of_the_function() {
+    let (package, _folder) = with_library(|bytes| replace(bytes, b"\0fmi2DoStep\0", b"\0fmi2DoStop\0"));
+    let error = package.to_bytes().unwrap_err().to_string();
+    let expected = "changed.so: it exports 43 of the functions of FMI 2.0, and lacks fmi2DoStep";
+    assert!(error.ends_with(expected), "{error}");
+}
+
+#[test]
+fn a_library_of_another_version_or_of_other_sources_is_refused() {
+    let (package, _folder) =
+        with_library(|bytes| replace(bytes, b"aircraft library 0.", b"aircraft library 9."));
+    let error = package.to_bytes().unwrap_err().to_string();
+    assert!(error.contains("changed.so: found flexible-aircraft library 9."), "{error}");
+    assert!(error.contains(", expected is flexible-aircraft library 0."), "{error}");
+
+    let (package, _folder) = with_library(|bytes| replace(bytes, b" (sources ", b" (bananas "));
+    let error = package.to_bytes().unwrap_err().to_string();
+    assert!(error.contains("(bananas ") && error.ends_with("build both of the same sources"), "{error}");
+}
+
+#[test]
+fn a_library_of_another_program_is_refused() {
+    let (package, _folder) = with_library(|bytes| replace(bytes, b"aircraft library ", b"spacecraft libr. "));
+    let error = package.to_bytes().unwrap_err().to_string();
+    assert!(error.contains("it is no library of flexible-aircraft"), "{error}");
+}
+
+#[test]
+fn a_library_that_is_cut_off_is_refused() {
+    let (package, _folder) = with_library(|bytes| bytes.truncate(64));
+    let error = package.to_bytes().unwrap_err().to_string();
+    assert!(error.contains("changed.so: found a file that is no shared library"), "{error}");
+}
+
 #[test]
 #[cfg(target_os = "linux")]
 fn a_library_that_does_not_load_is_refused_with_the_reason_of_the_loader() {
-    let folder = tempfile::tempdir().unwrap();
-    let [library, fmu] = ["cut_off.so", "aircraft.fmu"].map(|name| folder.path().join(name));
-    let mut package = package();
-    let whole = std::fs::read(&package.binaries[0].1).unwrap();
-    std::fs::write(&library, &whole[..64]).unwrap();
-    package.binaries[0].1 = library;
+    let (package, folder) = with_library(|bytes| replace(bytes, b"\0libc.so.6\0", b"\0libz.so.0\0"));
+    let fmu = folder.path().join("aircraft.fmu");
     package.write(&fmu).unwrap();
     let error = Fmu::open(&fmu).err().unwrap().to_string();
-    assert!(
-        error.starts_with("cannot use the shared library: ") && error.contains("FlexibleAircraft.so"),
-        "{error}"
-    );
+    assert!(error.starts_with("cannot use the shared library: ") && error.contains("libz.so.0"), "{error}");
 }

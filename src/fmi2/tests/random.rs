@@ -233,8 +233,7 @@ impl World<'_> {
 /// Makes the checksums of a state and of the flight in it right, so that everything else is put to the test.
 pub(super) fn fit_checksums(bytes: &mut [u8]) {
     let Some(end) = bytes.len().checked_sub(16) else { return };
-    if let Some(flight) = bytes.windows(8).position(|window| window == b"FLXSNP01").filter(|at| at + 40 < end)
-    {
+    if let Some(flight) = bytes.windows(6).position(|window| window == b"FLXSNP").filter(|at| at + 40 < end) {
         let checksum = fnv1a(&bytes[flight..end - 16]);
         bytes[end - 16..end].copy_from_slice(&checksum.to_le_bytes());
     }
