@@ -30,7 +30,7 @@ pub(super) fn to_bytes(system: &System) -> Result<Vec<u8>, PackageError> {
     let mut entries = vec![Entry::new("SystemStructure.ssd", structure(system))];
     let fmus = system.components.iter();
     entries.extend(fmus.map(|component| Entry::new(source(component), component.fmu.as_slice())));
-    Ok(archive::to_bytes(&entries)?)
+    Ok(archive::to_bytes(entries)?)
 }
 
 /// The bytes of `SystemStructure.ssd`.
