@@ -1,48 +1,244 @@
-//! Four strips side by side: the numbers of a group of strips, computed together.
+//! Eight strips side by side: numbers of a group of strips, computed as many at a time as the machine's vectors
+//! hold.
 //!
-//! Every lane is computed by the same IEEE operations in the same order whatever the width of the machine's
-//! vectors, so results do not depend on it.
+//! [`Eight`] is memory, one number per strip of a group; [`Lanes`] is a register with the part of it at which a
+//! [`Place`] points. Every lane sees the same IEEE operations in the same order whatever the width of the
+//! registers, products and sums are never fused, and sums over lanes are taken in one fixed order: results do not
+//! depend on the machine.
 
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use nalgebra::Vector3;
-
-/// One number for each of four strips.
-pub type Lanes = wide::f64x4;
+use pulp::bytemuck::{cast_slice, cast_slice_mut};
+use pulp::{Scalar, Simd};
 
 /// How many strips a group has.
-pub const LANES: usize = 4;
+pub const LANES: usize = 8;
 
-/// One vector for each of four strips.
-#[derive(Clone, Copy, Debug)]
-pub struct LaneVector {
-    /// x components.
-    pub x: Lanes,
-    /// y components.
-    pub y: Lanes,
-    /// z components.
-    pub z: Lanes,
+/// One number for each strip of a group.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub struct Eight(pub [f64; LANES]);
+
+impl Eight {
+    /// Nothing in every lane.
+    pub const ZERO: Eight = Eight([0.0; LANES]);
+
+    /// Sum over the lanes, in a fixed order.
+    pub fn sum(&self) -> f64 {
+        let [a, b, c, d, e, f, g, h] = self.0;
+        ((a + e) + (c + g)) + ((b + f) + (d + h))
+    }
 }
 
-impl LaneVector {
-    /// The same vector in every lane.
-    pub fn splat(vector: &Vector3<f64>) -> Self {
-        LaneVector { x: Lanes::splat(vector.x), y: Lanes::splat(vector.y), z: Lanes::splat(vector.z) }
-    }
+/// One vector for each strip of a group.
+#[derive(Clone, Copy, Debug)]
+pub struct EightVectors {
+    /// x components.
+    pub x: Eight,
+    /// y components.
+    pub y: Eight,
+    /// z components.
+    pub z: Eight,
+}
 
-    /// A vector for each lane.
+impl EightVectors {
+    /// A vector for each strip.
     pub fn new(vectors: [Vector3<f64>; LANES]) -> Self {
-        let component = |axis: usize| Lanes::new(vectors.map(|vector| vector[axis]));
-        LaneVector { x: component(0), y: component(1), z: component(2) }
+        let component = |axis: usize| Eight(vectors.map(|vector| vector[axis]));
+        EightVectors { x: component(0), y: component(1), z: component(2) }
+    }
+}
+
+/// The strips of a group that one register holds.
+#[derive(Clone, Copy, Debug)]
+pub struct Place<S: Simd> {
+    simd: S,
+    index: usize,
+}
+
+impl<S: Simd> Place<S> {
+    /// All places of a group.
+    #[inline(always)]
+    pub fn all(simd: S) -> impl Iterator<Item = Place<S>> {
+        (0..LANES / S::F64_LANES).map(move |index| Place { simd, index })
     }
 
+    /// The same number in every lane.
+    #[inline(always)]
+    pub fn splat(self, value: f64) -> Lanes<S> {
+        Lanes { value: self.simd.splat_f64s(value), simd: self.simd }
+    }
+
+    /// The same vector in every lane.
+    #[inline(always)]
+    pub fn splat_vector(self, vector: &Vector3<f64>) -> LaneVector<S> {
+        LaneVector { x: self.splat(vector.x), y: self.splat(vector.y), z: self.splat(vector.z) }
+    }
+
+    /// The numbers here.
+    #[inline(always)]
+    pub fn load(self, numbers: &Eight) -> Lanes<S> {
+        self.load_slice(&numbers.0)
+    }
+
+    /// The numbers here of eight in a slice.
+    #[inline(always)]
+    pub fn load_slice(self, eight: &[f64]) -> Lanes<S> {
+        Lanes { value: S::as_simd_f64s(eight).0[self.index], simd: self.simd }
+    }
+
+    /// The vectors here.
+    #[inline(always)]
+    pub fn load_vector(self, vectors: &EightVectors) -> LaneVector<S> {
+        LaneVector { x: self.load(&vectors.x), y: self.load(&vectors.y), z: self.load(&vectors.z) }
+    }
+
+    /// Writes the numbers here.
+    #[inline(always)]
+    pub fn store(self, numbers: &mut Eight, lanes: Lanes<S>) {
+        self.store_slice(&mut numbers.0, lanes);
+    }
+
+    /// Writes the numbers here of eight in a slice.
+    #[inline(always)]
+    pub fn store_slice(self, eight: &mut [f64], lanes: Lanes<S>) {
+        S::as_mut_simd_f64s(eight).0[self.index] = lanes.value;
+    }
+
+    /// The lane of the group that a lane of this register is.
+    pub fn lane(self, lane: usize) -> usize {
+        self.index * S::F64_LANES + lane
+    }
+}
+
+/// One number for each strip in a register.
+#[derive(Clone, Copy, Debug)]
+pub struct Lanes<S: Simd> {
+    value: S::f64s,
+    simd: S,
+}
+
+impl<S: Simd> Lanes<S> {
+    /// The same number in every lane of as wide a register.
+    #[inline(always)]
+    pub fn splat(self, value: f64) -> Self {
+        Lanes { value: self.simd.splat_f64s(value), ..self }
+    }
+
+    /// Square roots.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        Lanes { value: self.simd.sqrt_f64s(self.value), ..self }
+    }
+
+    /// The numbers, one by one.
+    #[inline(always)]
+    pub fn numbers(&self) -> &[f64] {
+        cast_slice(std::slice::from_ref(&self.value))
+    }
+
+    /// The numbers, one by one, to be changed.
+    #[inline(always)]
+    pub fn numbers_mut(&mut self) -> &mut [f64] {
+        cast_slice_mut(std::slice::from_mut(&mut self.value))
+    }
+}
+
+impl<S: Simd> Add for Lanes<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Lanes { value: self.simd.add_f64s(self.value, other.value), ..self }
+    }
+}
+
+impl<S: Simd> AddAssign for Lanes<S> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<S: Simd> Sub for Lanes<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Lanes { value: self.simd.sub_f64s(self.value, other.value), ..self }
+    }
+}
+
+impl<S: Simd> Mul for Lanes<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Lanes { value: self.simd.mul_f64s(self.value, other.value), ..self }
+    }
+}
+
+impl<S: Simd> Mul<f64> for Lanes<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, factor: f64) -> Self {
+        self * self.splat(factor)
+    }
+}
+
+impl<S: Simd> Div for Lanes<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        Lanes { value: self.simd.div_f64s(self.value, other.value), ..self }
+    }
+}
+
+impl<S: Simd> Neg for Lanes<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Lanes { value: self.simd.neg_f64s(self.value), ..self }
+    }
+}
+
+/// One vector for each strip in a register.
+#[derive(Clone, Copy, Debug)]
+pub struct LaneVector<S: Simd> {
+    /// x components.
+    pub x: Lanes<S>,
+    /// y components.
+    pub y: Lanes<S>,
+    /// z components.
+    pub z: Lanes<S>,
+}
+
+impl LaneVector<Scalar> {
+    /// A single vector.
+    pub fn single(vector: &Vector3<f64>) -> Self {
+        Place { simd: Scalar::new(), index: 0 }.splat_vector(vector)
+    }
+
+    /// The single vector.
+    pub fn vector(&self) -> Vector3<f64> {
+        Vector3::new(self.x.value, self.y.value, self.z.value)
+    }
+}
+
+impl<S: Simd> LaneVector<S> {
     /// Scalar products.
-    pub fn dot(&self, other: &LaneVector) -> Lanes {
+    #[inline(always)]
+    pub fn dot(&self, other: &Self) -> Lanes<S> {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
     /// Vector products.
-    pub fn cross(&self, other: &LaneVector) -> LaneVector {
+    #[inline(always)]
+    pub fn cross(&self, other: &Self) -> Self {
         LaneVector {
             x: self.y * other.z - self.z * other.y,
             y: self.z * other.x - self.x * other.z,
@@ -51,45 +247,29 @@ impl LaneVector {
     }
 }
 
-impl Add for LaneVector {
-    type Output = LaneVector;
+impl<S: Simd> Add for LaneVector<S> {
+    type Output = Self;
 
-    fn add(self, other: LaneVector) -> LaneVector {
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
         LaneVector { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
     }
 }
 
-impl Sub for LaneVector {
-    type Output = LaneVector;
+impl<S: Simd> Sub for LaneVector<S> {
+    type Output = Self;
 
-    fn sub(self, other: LaneVector) -> LaneVector {
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
         LaneVector { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
     }
 }
 
-impl Mul<Lanes> for LaneVector {
-    type Output = LaneVector;
+impl<S: Simd> Mul<Lanes<S>> for LaneVector<S> {
+    type Output = Self;
 
-    fn mul(self, factor: Lanes) -> LaneVector {
+    #[inline(always)]
+    fn mul(self, factor: Lanes<S>) -> Self {
         LaneVector { x: self.x * factor, y: self.y * factor, z: self.z * factor }
     }
-}
-
-impl Neg for LaneVector {
-    type Output = LaneVector;
-
-    fn neg(self) -> LaneVector {
-        LaneVector { x: -self.x, y: -self.y, z: -self.z }
-    }
-}
-
-/// Reads four consecutive numbers.
-pub fn load(numbers: &[f64]) -> Lanes {
-    Lanes::new([numbers[0], numbers[1], numbers[2], numbers[3]])
-}
-
-/// Sum over the lanes, in a fixed order.
-pub fn sum(lanes: Lanes) -> f64 {
-    let [a, b, c, d] = lanes.to_array();
-    (a + b) + (c + d)
 }

@@ -13,7 +13,9 @@
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
-use crate::lanes::{LANES, Lanes, load};
+use pulp::Simd;
+
+use crate::lanes::{Eight, LANES, Lanes, Place};
 
 /// A real eigenvalue.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,67 +84,92 @@ impl PetersInflow {
         self.pairs.len()
     }
 
-    /// λ₀, m/s, of four strips from their states and w₃ = w + (b/2 − d)Ω.
-    pub fn induced_velocity(&self, states: &InflowStates<&[f64]>, w3: Lanes) -> Lanes {
-        let mut induced = Lanes::splat(0.0);
+    /// λ₀, m/s, of strips from their states and w₃ = w + (b/2 − d)Ω.
+    #[inline(always)]
+    pub fn induced_velocity<S: Simd>(
+        &self,
+        place: Place<S>,
+        states: &InflowStates<&[f64]>,
+        w3: Lanes<S>,
+    ) -> Lanes<S> {
+        let mut induced = place.splat(0.0);
         for (lag, state) in self.lags.iter().zip(states.real.chunks_exact(LANES)) {
-            induced += Lanes::splat(lag.weight) * (load(state) + w3);
+            induced += (place.load_slice(state) + w3) * lag.weight;
         }
         let complex = states.re.chunks_exact(LANES).zip(states.im.chunks_exact(LANES));
         for (pair, (re, im)) in self.pairs.iter().zip(complex) {
-            let (re, im) = (load(re) + w3, load(im));
-            induced += Lanes::splat(2.0 * pair.weight.re) * re - Lanes::splat(2.0 * pair.weight.im) * im;
+            let (re, im) = (place.load_slice(re) + w3, place.load_slice(im));
+            induced += re * (2.0 * pair.weight.re) - im * (2.0 * pair.weight.im);
         }
         induced
     }
 
-    /// Rates of the states of four strips, m/s²; `passing` is U/b, 1/s, and `unforced` the part of dw₃/dt that
-    /// does not force the wake, m/s².
-    pub fn rates(
+    /// Rates of the states of strips, m/s²; `passing` is U/b, 1/s, and `unforced` the part of dw₃/dt that does not
+    /// force the wake, m/s².
+    #[inline(always)]
+    pub fn write_rates<S: Simd>(
         &self,
+        place: Place<S>,
         states: &InflowStates<&[f64]>,
-        w3: Lanes,
-        passing: Lanes,
-        unforced: Lanes,
+        wake: &WakeFlow<S>,
         rates: &mut InflowStates<&mut [f64]>,
     ) {
+        let WakeFlow { w3, passing, unforced } = *wake;
         let real = states.real.chunks_exact(LANES).zip(rates.real.chunks_exact_mut(LANES));
         for (lag, (state, rate)) in self.lags.iter().zip(real) {
-            let slope = -passing * Lanes::splat(lag.rate) * (load(state) + w3) - unforced;
-            rate.copy_from_slice(&slope.to_array());
+            let slope = -(passing * lag.rate * (place.load_slice(state) + w3)) - unforced;
+            place.store_slice(rate, slope);
         }
         let complex = states.re.chunks_exact(LANES).zip(states.im.chunks_exact(LANES));
         let complex_rates = rates.re.chunks_exact_mut(LANES).zip(rates.im.chunks_exact_mut(LANES));
         for ((pair, (re, im)), (re_rate, im_rate)) in self.pairs.iter().zip(complex).zip(complex_rates) {
-            let (re, im) = (load(re) + w3, load(im));
-            let (decay, frequency) = (Lanes::splat(pair.decay), Lanes::splat(pair.frequency));
-            re_rate.copy_from_slice(&(-passing * (decay * re - frequency * im) - unforced).to_array());
-            im_rate.copy_from_slice(&(-passing * (frequency * re + decay * im)).to_array());
+            let (re, im) = (place.load_slice(re) + w3, place.load_slice(im));
+            let (decay, frequency) = (pair.decay, pair.frequency);
+            place.store_slice(re_rate, -(passing * (re * decay - im * frequency)) - unforced);
+            place.store_slice(im_rate, -(passing * (re * frequency + im * decay)));
         }
     }
 
-    /// The coefficients L of η̃' = Lη̃ + … of four strips at a constant U/b, 1/s.
-    pub fn linear_part(&self, passing: Lanes, linear: &mut InflowStates<&mut [f64]>) {
-        for (lag, coefficient) in self.lags.iter().zip(linear.real.chunks_exact_mut(LANES)) {
-            coefficient.copy_from_slice(&(-passing * Lanes::splat(lag.rate)).to_array());
+    /// The coefficients L of η̃' = Lη̃ + … of a group of strips at a constant U/b, 1/s.
+    pub fn linear_part(&self, passing: &Eight, linear: &mut InflowStates<&mut [f64]>) {
+        let write = |rate: f64, coefficients: &mut [f64]| {
+            for (coefficient, passing) in coefficients.iter_mut().zip(passing.0) {
+                *coefficient = -passing * rate;
+            }
+        };
+        for (lag, coefficients) in self.lags.iter().zip(linear.real.chunks_exact_mut(LANES)) {
+            write(lag.rate, coefficients);
         }
         let complex = linear.re.chunks_exact_mut(LANES).zip(linear.im.chunks_exact_mut(LANES));
         for (pair, (re, im)) in self.pairs.iter().zip(complex) {
-            re.copy_from_slice(&(-passing * Lanes::splat(pair.decay)).to_array());
-            im.copy_from_slice(&(-passing * Lanes::splat(pair.frequency)).to_array());
+            write(pair.decay, re);
+            write(pair.frequency, im);
         }
     }
 
-    /// Sets the states of four strips to a wake long at rest: λ = 0.
-    pub fn settle(&self, w3: Lanes, states: &mut InflowStates<&mut [f64]>) {
+    /// Sets the states of strips to a wake long at rest: λ = 0.
+    pub fn settle<S: Simd>(&self, place: Place<S>, w3: Lanes<S>, states: &mut InflowStates<&mut [f64]>) {
         for state in states.real.chunks_exact_mut(LANES).chain(states.re.chunks_exact_mut(LANES)) {
-            state.copy_from_slice(&(-w3).to_array());
+            place.store_slice(state, -w3);
         }
-        states.im.fill(0.0);
+        for state in states.im.chunks_exact_mut(LANES) {
+            place.store_slice(state, place.splat(0.0));
+        }
     }
 }
 
-/// The inflow states of four strips, or something that stands for each of them.
+/// The flow that drives the wakes of strips.
+#[derive(Clone, Copy, Debug)]
+pub struct WakeFlow<S: Simd> {
+    /// w₃, m/s.
+    pub w3: Lanes<S>,
+    /// U/b, 1/s.
+    pub passing: Lanes<S>,
+    /// The part of dw₃/dt that does not force the wake, m/s².
+    pub unforced: Lanes<S>,
+}
+
+/// The inflow states of a group of strips, or something that stands for each of them.
 #[derive(Clone, Debug)]
 pub struct InflowStates<T> {
     /// Real states, lane by lane.
@@ -256,10 +283,12 @@ mod tests {
     #[test]
     fn a_settled_wake_induces_nothing_and_stays_settled() {
         let inflow = PetersInflow::new(5);
-        let (w3, passing) = (Lanes::splat(3.5), Lanes::splat(100.0));
+        let place = Place::all(pulp::Scalar::new()).next().unwrap();
+        let w3 = place.splat(3.5);
+        let wake = WakeFlow { w3, passing: place.splat(100.0), unforced: place.splat(0.0) };
         let (mut states, mut rates) = ([[0.0; 3 * LANES]; 3], [[1.0; 3 * LANES]; 3]);
         let [real, re, im] = &mut states;
-        inflow.settle(w3, &mut InflowStates { real, re: &mut re[..LANES], im: &mut im[..LANES] });
+        inflow.settle(place, w3, &mut InflowStates { real, re: &mut re[..LANES], im: &mut im[..LANES] });
         let [real, re, im] = &states;
         let states = InflowStates { real: real.as_slice(), re: &re[..LANES], im: &im[..LANES] };
         let [real_rates, re_rates, im_rates] = &mut rates;
@@ -268,8 +297,11 @@ mod tests {
             re: &mut re_rates[..LANES],
             im: &mut im_rates[..LANES],
         };
-        inflow.rates(&states, w3, passing, Lanes::splat(0.0), &mut slopes);
-        assert_eq!(inflow.induced_velocity(&states, w3).to_array(), [0.0; LANES]);
-        assert!(slopes.real.iter().chain(&*slopes.re).chain(&*slopes.im).all(|&rate| rate == 0.0));
+        inflow.write_rates(place, &states, &wake, &mut slopes);
+        assert_eq!(inflow.induced_velocity(place, &states, w3).numbers(), [0.0]);
+        let first = |rates: &[f64]| rates.chunks(LANES).map(|lanes| lanes[0]).collect::<Vec<_>>();
+        for rates in [&*slopes.real, &*slopes.re, &*slopes.im] {
+            assert!(first(rates).iter().all(|&rate| rate == 0.0));
+        }
     }
 }

@@ -10,5 +10,6 @@ mod section;
 
 pub use atmosphere::{Air, STANDARD_GRAVITY};
 pub use flap::FlapEffect;
+pub(crate) use inflow::WakeFlow;
 pub use inflow::{InflowStates, PetersInflow};
-pub use section::{LocalFlow, Section, SectionLoads};
+pub(crate) use section::{LocalFlow, Section};

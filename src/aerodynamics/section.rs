@@ -1,72 +1,93 @@
-//! Lift, moment, suction and drag of aerofoil sections, four side by side [4.1; physics.md §4].
+//! Lift, moment, suction and drag of aerofoil sections, several side by side [4.1; physics.md §4].
 //!
 //! Symbols: U `chordwise`, w `upwash`, Ω `pitch_rate`, λ₀ `induced`. Loads are per unit width and leave out
 //! the apparent-mass part that is proportional to accelerations, which the equations of motion carry on
 //! their left-hand side.
 
-use crate::lanes::Lanes;
+use pulp::Simd;
 
-/// What four aerofoil sections are, apart from their places.
+use crate::lanes::{Eight, Lanes, Place};
+
+/// What aerofoil sections are, apart from their places: in memory one number per strip of a group, in use those of
+/// the strips at hand.
 #[derive(Clone, Debug)]
-pub struct Section {
+pub struct Section<T = Eight> {
     /// b, m.
-    pub semichord: Lanes,
+    pub semichord: T,
     /// d, m.
-    pub elastic_axis_aft_of_midchord: Lanes,
+    pub elastic_axis_aft_of_midchord: T,
     /// CLα, 1/rad.
-    pub lift_slope: Lanes,
+    pub lift_slope: T,
     /// CD0.
-    pub profile_drag: Lanes,
+    pub profile_drag: T,
     /// η.
-    pub leading_edge_suction: Lanes,
+    pub leading_edge_suction: T,
     /// CLδ c1, 1/rad, see [`FlapEffect`](super::FlapEffect); zero without a flap.
-    pub flap_lift: Lanes,
+    pub flap_lift: T,
     /// CLδ c4, 1/rad.
-    pub flap_moment: Lanes,
+    pub flap_moment: T,
 }
 
 /// The air as the sections meet it.
 #[derive(Clone, Copy, Debug)]
-pub struct LocalFlow {
+pub struct LocalFlow<S: Simd> {
     /// ρ, kg/m³.
-    pub density: Lanes,
+    pub density: Lanes<S>,
     /// U = f·V, m/s.
-    pub chordwise: Lanes,
+    pub chordwise: Lanes<S>,
     /// n·V, m/s.
-    pub normal: Lanes,
+    pub normal: Lanes<S>,
     /// w = n·V + U α0, m/s.
-    pub upwash: Lanes,
+    pub upwash: Lanes<S>,
     /// Ω, rad/s.
-    pub pitch_rate: Lanes,
+    pub pitch_rate: Lanes<S>,
     /// The part of ẇ that no acceleration makes, m/s².
-    pub upwash_drift: Lanes,
+    pub upwash_drift: Lanes<S>,
     /// The part of Ω̇ that no acceleration makes, rad/s².
-    pub pitch_drift: Lanes,
+    pub pitch_drift: Lanes<S>,
     /// λ₀, m/s.
-    pub induced: Lanes,
+    pub induced: Lanes<S>,
     /// δ, rad.
-    pub flap_angle: Lanes,
+    pub flap_angle: Lanes<S>,
 }
 
 /// Loads at the elastic axis per unit width.
 #[derive(Clone, Copy, Debug)]
-pub struct SectionLoads {
+pub struct SectionLoads<S: Simd> {
     /// Along f, N/m.
-    pub forward: Lanes,
+    pub forward: Lanes<S>,
     /// Along n ("down" for a wing), N/m.
-    pub down: Lanes,
+    pub down: Lanes<S>,
     /// About s, nose-up, N.
-    pub pitching: Lanes,
+    pub pitching: Lanes<S>,
 }
 
 impl Section {
+    /// The sections at a place of the group.
+    #[inline(always)]
+    pub fn at<S: Simd>(&self, place: Place<S>) -> Section<Lanes<S>> {
+        Section {
+            semichord: place.load(&self.semichord),
+            elastic_axis_aft_of_midchord: place.load(&self.elastic_axis_aft_of_midchord),
+            lift_slope: place.load(&self.lift_slope),
+            profile_drag: place.load(&self.profile_drag),
+            leading_edge_suction: place.load(&self.leading_edge_suction),
+            flap_lift: place.load(&self.flap_lift),
+            flap_moment: place.load(&self.flap_moment),
+        }
+    }
+}
+
+impl<S: Simd> Section<Lanes<S>> {
     /// w₃ = w + (b/2 − d) Ω: the upwash at three-quarter chord, m/s.
-    pub fn three_quarter_chord_upwash(&self, upwash: Lanes, pitch_rate: Lanes) -> Lanes {
+    #[inline(always)]
+    pub fn three_quarter_chord_upwash(&self, upwash: Lanes<S>, pitch_rate: Lanes<S>) -> Lanes<S> {
         upwash + (half(self.semichord) - self.elastic_axis_aft_of_midchord) * pitch_rate
     }
 
     /// The loads, without the apparent-mass terms in the accelerations.
-    pub fn loads(&self, flow: &LocalFlow) -> SectionLoads {
+    #[inline(always)]
+    pub fn loads(&self, flow: &LocalFlow<S>) -> SectionLoads<S> {
         let (b, d) = (self.semichord, self.elastic_axis_aft_of_midchord);
         let LocalFlow { density: rho, chordwise, normal, upwash, pitch_rate, induced, .. } = *flow;
 
@@ -74,12 +95,12 @@ impl Section {
         let flap_pressure = rho * b * chordwise * chordwise * flow.flap_angle;
         let lift = self.lift_slope * rho * chordwise * b * effective_upwash + flap_pressure * self.flap_lift;
 
-        let apparent = Lanes::splat(std::f64::consts::PI) * rho * b * b;
+        let apparent = rho * b * b * std::f64::consts::PI;
         let apparent_lift = apparent * (flow.upwash_drift - d * flow.pitch_drift);
         let apparent_moment = apparent
             * (d * flow.upwash_drift
                 - half(b) * chordwise * pitch_rate
-                - (d * d + Lanes::splat(0.125) * b * b) * flow.pitch_drift);
+                - (d * d + b * b * 0.125) * flow.pitch_drift);
 
         let suction_velocity = upwash - d * pitch_rate - induced;
         let suction =
@@ -95,6 +116,7 @@ impl Section {
     }
 }
 
-fn half(value: Lanes) -> Lanes {
-    value * Lanes::splat(0.5)
+#[inline(always)]
+fn half<S: Simd>(value: Lanes<S>) -> Lanes<S> {
+    value * 0.5
 }

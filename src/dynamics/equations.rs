@@ -3,21 +3,22 @@
 //! One Cholesky solve of the mass matrix with apparent mass gives the accelerations (LU where the apparent
 //! mass is not symmetric: RL, or zero-lift lines off the chord); the inflow rates need none.
 
-use nalgebra::Vector3;
+use nalgebra::{DMatrix, Vector3};
+use pulp::Arch;
 
 use crate::aerodynamics::{Air, PetersInflow};
 use crate::aircraft::Support;
-use crate::structure::{ModalIntegrals, ReducedModel, StrainEnergy};
+use crate::structure::{ModalIntegrals, PairProducts, ReducedModel, StrainEnergy, StrainPolynomial};
 
 use super::attitude::{Attitude, quaternion_rate};
 use super::controls::Controls;
 use super::fidelity::{Fidelity, Terms};
 use super::inertia::{DeformedInertia, RigidMotion, add, write_undeformed_mass_matrix};
 use super::layout::StateLayout;
-use super::linear_solve::{solve_cholesky, solve_lu};
+use super::linear_solve::{Cholesky, solve_lu};
 use super::propulsion::Engines;
 use super::strip_sums::StripSums;
-use super::strips::{Strips, Surroundings};
+use super::strips::{Strips, SumLoads, Surroundings};
 use super::workspace::Workspace;
 
 /// What distinguishes one set of equations of the same reduced model from another.
@@ -44,14 +45,18 @@ pub struct EquationsOfMotion {
     gravity: f64,
     integrals: ModalIntegrals,
     strain_energy: StrainEnergy,
+    /// Its third and fourth order, as far as the level keeps them.
+    pub(super) strain_polynomial: StrainPolynomial,
     stiffness_scale: f64,
     /// 2ζω_k.
     damping: Vec<f64>,
-    strips: Strips,
+    pub(super) strips: Strips,
     engines: Engines,
     inflow: PetersInflow,
     tunnel_flow: Vector3<f64>,
     symmetric: bool,
+    /// How wide this machine's vectors are.
+    pub(super) arch: Arch,
 }
 
 impl EquationsOfMotion {
@@ -64,6 +69,8 @@ impl EquationsOfMotion {
         let inflow = PetersInflow::new(configuration.inflow_states);
         let scale = libm::sqrt(configuration.stiffness_scale);
         let damping = |frequency: f64| 2.0 * configuration.structural_damping * scale * frequency;
+        let terms = configuration.fidelity.terms();
+        let families: Vec<_> = model.modes.iter().map(|mode| mode.family).collect();
         EquationsOfMotion {
             layout: StateLayout::new(
                 model.modes.len(),
@@ -71,11 +78,17 @@ impl EquationsOfMotion {
                 inflow.real_lags(),
                 inflow.lag_pairs(),
             ),
-            terms: configuration.fidelity.terms(),
+            terms,
             support: model.support,
             gravity: model.gravity,
             integrals: model.integrals.clone(),
             strain_energy: model.strain_energy.clone(),
+            strain_polynomial: StrainPolynomial::new(
+                &model.strain_energy,
+                &families,
+                terms.cubic_energy,
+                terms.quartic_energy,
+            ),
             stiffness_scale: configuration.stiffness_scale,
             damping: model.modes.iter().map(|mode| damping(mode.angular_frequency)).collect(),
             symmetric: strips.zero_lift_lines_are_chords()
@@ -84,6 +97,7 @@ impl EquationsOfMotion {
             engines: Engines::new(model),
             inflow,
             tunnel_flow: configuration.tunnel_flow,
+            arch: Arch::new(),
         }
     }
 
@@ -166,16 +180,16 @@ impl EquationsOfMotion {
         (self.motion(state).velocity - attitude.body_from_inertial * self.air_motion(controls)).norm()
     }
 
+    /// Strain energy at q, J. Allocates.
+    pub fn strain_energy(&self, q: &[f64]) -> f64 {
+        self.elastic(q, &mut vec![0.0; q.len()], &mut self.strain_polynomial.pair_products())
+    }
+
     /// Strain energy at q, J, and its gradient.
-    pub fn elastic(&self, q: &[f64], gradient: &mut [f64]) -> f64 {
+    fn elastic(&self, q: &[f64], gradient: &mut [f64], pairs: &mut PairProducts) -> f64 {
         gradient.fill(0.0);
-        let mut energy = self.strain_energy.add_quadratic(q, gradient);
-        if self.terms.cubic_energy {
-            energy += self.strain_energy.add_cubic(q, gradient);
-        }
-        if self.terms.quartic_energy {
-            energy += self.strain_energy.add_quartic(q, gradient);
-        }
+        let energy =
+            self.strain_energy.add_quadratic(q, gradient) + self.strain_polynomial.add(q, gradient, pairs);
         for force in gradient {
             *force *= self.stiffness_scale;
         }
@@ -193,6 +207,38 @@ impl EquationsOfMotion {
     /// Velocity of the air at the aircraft, north-east-down, m/s.
     pub fn air_motion(&self, controls: &Controls) -> Vector3<f64> {
         controls.wind + self.tunnel_flow
+    }
+
+    /// (A⁻¹)_qq: how the generalised coordinates answer forces on themselves, symmetrised. Allocates.
+    pub(super) fn elastic_mobility(
+        &self,
+        state: &[f64],
+        controls: &Controls,
+        workspace: &mut Workspace,
+    ) -> Option<DMatrix<f64>> {
+        let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
+        self.assemble(state, &attitude, controls, &mut vec![0.0; state.len()], workspace);
+        let (n, held) = (self.layout.modes(), self.held_velocities());
+        let mut mass = DMatrix::from_row_slice(6 + n, 6 + n, &workspace.mass);
+        if self.symmetric {
+            mass.fill_lower_triangle_with_upper_triangle();
+        }
+        let moving = mass.view_range(held.., held..).into_owned().try_inverse()?;
+        let elastic = moving.view_range(6 - held.., 6 - held..);
+        Some((elastic + elastic.transpose()) * 0.5)
+    }
+
+    /// How many components of ν the support holds.
+    fn held_velocities(&self) -> usize {
+        match self.support {
+            Support::Free => 0,
+            Support::Clamped => 6,
+        }
+    }
+
+    /// Room for the strain energy's products.
+    pub(super) fn pair_products(&self) -> PairProducts {
+        self.strain_polynomial.pair_products()
     }
 
     /// Room for the loads of the strips of these equations.
@@ -217,10 +263,10 @@ impl EquationsOfMotion {
         let q = &state[self.layout.coordinates()];
         let q_dot = &state[self.layout.coordinate_rates()];
         let motion = self.motion(state);
-        let Workspace { inertia, force, elastic_force, mass, strip_sums, .. } = workspace;
-        self.assemble_inertia(&motion, q, q_dot, inertia, mass, force);
+        let Workspace { inertia, force, elastic_force, pairs, mass, strip_sums, .. } = workspace;
+        self.arch.dispatch(|| self.assemble_inertia(&motion, q, q_dot, inertia, mass, force));
 
-        self.elastic(q, elastic_force);
+        self.elastic(q, elastic_force, pairs);
         for (mode, force) in force[6..].iter_mut().enumerate() {
             *force -= elastic_force[mode] + self.damping[mode] * q_dot[mode];
         }
@@ -235,11 +281,12 @@ impl EquationsOfMotion {
         self.engines.add_thrust(&controls.thrust, q, self.terms.deformed_forcing, force);
 
         let around = self.surroundings(state, (q, q_dot), attitude, controls);
-        self.strips.sum_loads(&around, &self.layout, state, rates, strip_sums);
-        strip_sums.add_to(force, mass);
+        let (strips, layout) = (&self.strips, &self.layout);
+        SumLoads { strips, around: &around, layout, state, rates, sums: strip_sums, force, mass }.run();
     }
 
     /// Mass matrix and inertial forcing of the fidelity level.
+    #[inline(always)]
     fn assemble_inertia(
         &self,
         motion: &RigidMotion,
@@ -289,13 +336,10 @@ impl EquationsOfMotion {
 
     /// Solves for ν̇; of a clamped aircraft only the generalised coordinates move.
     fn solve(&self, workspace: &mut Workspace) {
-        let Workspace { force, mass, accelerations, .. } = workspace;
+        let Workspace { force, mass, factor, accelerations, .. } = workspace;
         accelerations.copy_from_slice(force);
         let size = accelerations.len();
-        let held = match self.support {
-            Support::Free => 0,
-            Support::Clamped => 6,
-        };
+        let held = self.held_velocities();
         let moving = size - held;
         if held > 0 {
             for row in 0..moving {
@@ -303,8 +347,13 @@ impl EquationsOfMotion {
             }
             accelerations[..held].fill(0.0);
         }
-        let solve = if self.symmetric { solve_cholesky } else { solve_lu };
-        if !solve(&mut mass[..moving * moving], &mut accelerations[held..]) {
+        let (mass, right) = (&mut mass[..moving * moving], &mut accelerations[held..]);
+        let solved = if self.symmetric {
+            self.arch.dispatch(Cholesky { a: mass, b: right, factor })
+        } else {
+            solve_lu(mass, right)
+        };
+        if !solved {
             accelerations.fill(f64::NAN);
         }
     }

@@ -15,36 +15,43 @@ pub struct DeformedInertia {
     pub gamma: Vec<Matrix3<f64>>,
     /// ĥ_α = h_α + υ_αβ q_β.
     pub angular_momentum: Vec<Vector3<f64>>,
+    /// For each β the numbers of h_α's slope υ_αβ of all α, then those of Γ_α's slope Π_αβ.
+    slopes: Vec<Vec<f64>>,
+    /// Room for a sum of slopes.
+    sum: Vec<f64>,
 }
 
 impl DeformedInertia {
     /// The undeformed values.
     pub fn undeformed(integrals: &ModalIntegrals) -> Self {
+        let n = integrals.modes();
+        let slope = |b: usize| {
+            let upsilon = (0..n).flat_map(|a| integrals.upsilon[a * n + b].iter());
+            upsilon.chain((0..n).flat_map(|a| integrals.pi[a * n + b].iter())).copied().collect()
+        };
         DeformedInertia {
             first_moment: integrals.first_moment,
             inertia: integrals.inertia,
             gamma: integrals.gamma.clone(),
             angular_momentum: integrals.angular_momentum.clone(),
+            slopes: (0..n).map(slope).collect(),
+            sum: vec![0.0; 12 * n],
         }
     }
 
     /// Evaluates all integrals at q.
+    #[inline(always)]
     pub fn deform(&mut self, integrals: &ModalIntegrals, q: &[f64]) {
         let n = q.len();
+        sum_slopes(&self.slopes, q, &mut self.sum);
         self.first_moment = integrals.first_moment;
         self.inertia = integrals.inertia;
-        for (a, &q_a) in q.iter().enumerate() {
-            let (mut gamma, mut h) = (integrals.gamma[a], integrals.angular_momentum[a]);
-            let row = a * n..(a + 1) * n;
-            for ((pi, upsilon), &q_b) in integrals.pi[row.clone()].iter().zip(&integrals.upsilon[row]).zip(q)
-            {
-                gamma += pi * q_b;
-                h += upsilon * q_b;
-            }
-            self.first_moment += integrals.momentum[a] * q_a;
-            self.inertia += (integrals.gamma[a].transpose() + gamma) * q_a;
-            self.gamma[a] = gamma;
-            self.angular_momentum[a] = h;
+        let (vectors, matrices) = self.sum.split_at(3 * n);
+        for (a, (vector, matrix)) in vectors.chunks_exact(3).zip(matrices.chunks_exact(9)).enumerate() {
+            self.angular_momentum[a] = integrals.angular_momentum[a] + Vector3::from_column_slice(vector);
+            self.gamma[a] = integrals.gamma[a] + Matrix3::from_column_slice(matrix);
+            self.first_moment += integrals.momentum[a] * q[a];
+            self.inertia += (integrals.gamma[a].transpose() + self.gamma[a]) * q[a];
         }
     }
 
@@ -66,14 +73,14 @@ impl DeformedInertia {
     }
 
     /// Adds the δ terms −2ω×p_αq̇_α, −2Γ̂_αᵀωq̇_α, −2υ_αβᵀωq̇_β.
+    #[inline(always)]
     pub fn add_coriolis(
-        &self,
+        &mut self,
         integrals: &ModalIntegrals,
         rate: &Vector3<f64>,
         q_dot: &[f64],
         force: &mut [f64],
     ) {
-        let n = q_dot.len();
         let (mut momentum, mut moment) = (Vector3::zeros(), Vector3::zeros());
         for ((p, gamma), &q_dot) in integrals.momentum.iter().zip(&self.gamma).zip(q_dot) {
             momentum += p * q_dot;
@@ -81,13 +88,21 @@ impl DeformedInertia {
         }
         add(&mut force[0..3], &(rate.cross(&momentum) * -2.0));
         add(&mut force[3..6], &(moment * -2.0));
-        for a in 0..n {
-            let coriolis: Vector3<f64> = integrals.upsilon[a * n..(a + 1) * n]
-                .iter()
-                .zip(q_dot)
-                .map(|(upsilon, &rate)| upsilon * rate)
-                .sum();
-            force[6 + a] -= 2.0 * coriolis.dot(rate);
+        let coriolis = &mut self.sum[..3 * q_dot.len()];
+        sum_slopes(&self.slopes, q_dot, coriolis);
+        for (force, coriolis) in force[6..].iter_mut().zip(coriolis.chunks_exact(3)) {
+            *force -= 2.0 * Vector3::from_column_slice(coriolis).dot(rate);
+        }
+    }
+}
+
+/// The first numbers of Σ slope_β x_β.
+#[inline(always)]
+fn sum_slopes(slopes: &[Vec<f64>], x: &[f64], sum: &mut [f64]) {
+    sum.fill(0.0);
+    for (slope, &x) in slopes.iter().zip(x) {
+        for (sum, slope) in sum.iter_mut().zip(slope) {
+            *sum += slope * x;
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::aerodynamics::InflowStates;
 use crate::lanes::LANES;
 
 /// Where each part of the state stands: position, attitude quaternion, v, ω, q, q̇, then the inflow of groups
-/// of four strips: its real states, and the real and the imaginary parts of its complex ones.
+/// of eight strips: its real states, and the real and the imaginary parts of its complex ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StateLayout {
     modes: usize,
@@ -27,7 +27,7 @@ pub struct GroupInflow {
 }
 
 impl StateLayout {
-    /// Of `modes` generalised coordinates and groups of four strips, each strip with `real_lags` real and
+    /// Of `modes` generalised coordinates and groups of eight strips, each strip with `real_lags` real and
     /// `lag_pairs` complex inflow states.
     pub fn new(modes: usize, strip_groups: usize, real_lags: usize, lag_pairs: usize) -> Self {
         StateLayout { modes, strip_groups, real_lags, lag_pairs }

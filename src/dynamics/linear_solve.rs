@@ -1,36 +1,77 @@
-//! Dense solves of the size of the equations of motion, in place and without allocation.
+//! Dense solves of the size of the equations of motion, without allocation.
 //!
 //! Matrices are row-major slices. nalgebra's factorisations take and give back owned storage, and its LU
-//! allocates; the equations of motion are solved four times a millisecond of flight.
+//! allocates; the equations of motion are solved hundreds of times a second of flight.
 
-/// Solves A x = b for a symmetric positive definite A, of which only the lower triangle is read.
-/// A is overwritten by its Cholesky factor, b by x. Returns `false` when A is not positive definite.
-pub fn solve_cholesky(a: &mut [f64], b: &mut [f64]) -> bool {
-    let n = b.len();
-    for i in 0..n {
-        let (above, row) = a.split_at_mut(i * n);
-        for j in 0..i {
-            let pivot_row = &above[j * n..j * n + j + 1];
-            let sum = dot(&row[..j], &pivot_row[..j]);
-            row[j] = (row[j] - sum) / pivot_row[j];
-        }
-        let diagonal = row[i] - dot(&row[..i], &row[..i]);
-        if diagonal.is_nan() || diagonal <= 0.0 {
-            return false;
-        }
-        row[i] = libm::sqrt(diagonal);
+use pulp::{Simd, WithSimd};
+
+use crate::lanes::{LANES, Place};
+
+/// Solves A x = b for a symmetric positive definite A, of which only the upper triangle is read: A = UᵀD⁻¹U with
+/// D the diagonal of U. b becomes x; the result is `false` when A is not positive definite.
+pub struct Cholesky<'a> {
+    /// A.
+    pub a: &'a [f64],
+    /// b.
+    pub b: &'a mut [f64],
+    /// [Room](Cholesky::room) for U, each row of which is followed by a number of DU⁻ᵀb.
+    pub factor: &'a mut [f64],
+}
+
+impl Cholesky<'_> {
+    /// How many numbers a solution with n unknowns writes down.
+    pub fn room(n: usize) -> usize {
+        n * (n + 1).next_multiple_of(LANES)
     }
-    for i in 0..n {
-        b[i] = (b[i] - dot(&a[i * n..i * n + i], &b[..i])) / a[i * n + i];
+}
+
+impl WithSimd for Cholesky<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> bool {
+        let Cholesky { a, b, factor } = self;
+        let n = b.len();
+        if n == 0 {
+            return true;
+        }
+        let width = (n + 1).next_multiple_of(LANES);
+        let rows = factor.chunks_exact_mut(width).zip(a.chunks_exact(n)).zip(&*b);
+        for (i, ((row, a), b)) in rows.enumerate() {
+            row[i..n].copy_from_slice(&a[i..]);
+            row[n] = *b;
+        }
+        for j in 0..n {
+            let (row, below) = factor[j * width..n * width].split_at_mut(width);
+            if row[j].is_nan() || row[j] <= 0.0 {
+                return false;
+            }
+            let reciprocal = 1.0 / row[j];
+            for (i, target) in (j + 1..n).zip(below.chunks_exact_mut(width)) {
+                let begin = i - i % LANES;
+                subtract(simd, &mut target[begin..], row[i] * reciprocal, &row[begin..]);
+            }
+            row[j] = reciprocal;
+        }
+        for i in (0..n).rev() {
+            let solved = factor[i * width + n] * factor[i * width + i];
+            b[i] = solved;
+            for row in factor[..i * width].chunks_exact_mut(width) {
+                row[n] -= row[i] * solved;
+            }
+        }
+        true
     }
-    for i in (0..n).rev() {
-        b[i] /= a[i * n + i];
-        let (head, x) = (&a[i * n..i * n + i], b[i]);
-        for (b, factor) in b[..i].iter_mut().zip(head) {
-            *b -= factor * x;
+}
+
+/// target −= factor · row.
+#[inline(always)]
+fn subtract<S: Simd>(simd: S, target: &mut [f64], factor: f64, row: &[f64]) {
+    for (target, row) in target.chunks_exact_mut(LANES).zip(row.chunks_exact(LANES)) {
+        for place in Place::all(simd) {
+            place.store_slice(target, place.load_slice(target) - place.load_slice(row) * factor);
         }
     }
-    true
 }
 
 /// Solves A x = b by elimination with row pivoting. A is overwritten, b becomes x.
@@ -76,6 +117,11 @@ fn dot(x: &[f64], y: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
+    fn solve_cholesky(a: &mut [f64], b: &mut [f64]) -> bool {
+        let factor = &mut vec![0.0; Cholesky::room(b.len())];
+        pulp::Arch::new().dispatch(Cholesky { a, b, factor })
+    }
+
     fn sample(n: usize) -> (Vec<f64>, Vec<f64>) {
         let entry = |i: usize, j: usize| libm::sin((1 + i * 7 + j * 3) as f64);
         let mut a = vec![0.0; n * n];
@@ -101,6 +147,11 @@ mod tests {
             assert!(solve(&mut factor, &mut x));
             assert!(residual(&a, &x, &b) < 1e-13);
         }
+    }
+
+    #[test]
+    fn without_unknowns_there_is_nothing_to_solve() {
+        assert!(solve_cholesky(&mut [], &mut []) && solve_lu(&mut [], &mut []));
     }
 
     #[test]

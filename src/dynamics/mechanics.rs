@@ -44,7 +44,7 @@ impl Mechanics {
         let position = Vector3::from_column_slice(&state[layout.position()]);
         Mechanics {
             kinetic_energy: 0.5 * momenta.iter().zip(&velocities).map(|(p, v)| p * v).sum::<f64>(),
-            strain_energy: equations.elastic(q, &mut vec![0.0; q.len()]),
+            strain_energy: equations.strain_energy(q),
             linear_momentum,
             angular_momentum: about_origin + position.cross(&linear_momentum),
         }

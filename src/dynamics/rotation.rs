@@ -2,7 +2,9 @@
 
 use nalgebra::Vector3;
 
-use crate::lanes::{LANES, LaneVector, Lanes};
+use pulp::{Scalar, Simd};
+
+use crate::lanes::{LaneVector, Lanes};
 
 /// Below this φ² the series are exact to rounding, and cheaper than a sine.
 const SERIES_LIMIT: f64 = 0.25;
@@ -21,41 +23,50 @@ const SINE_DEFICIT: [f64; 8] =
 
 /// exp(φ×) = 1 + (sin φ/φ) φ× + ((1 − cos φ)/φ²) φ×φ×, ready to be applied.
 #[derive(Clone, Copy, Debug)]
-pub struct Rotation {
-    vector: LaneVector,
+pub struct Rotation<S: Simd> {
+    vector: LaneVector<S>,
     /// sin φ/φ.
-    sine: Lanes,
+    sine: Lanes<S>,
     /// (1 − cos φ)/φ².
-    versine: Lanes,
+    versine: Lanes<S>,
     /// (1 − sin φ/φ)/φ².
-    sine_deficit: Lanes,
+    sine_deficit: Lanes<S>,
 }
 
-impl Rotation {
+impl<S: Simd> Rotation<S> {
     /// By the vectors φ, rad.
-    pub fn new(vector: LaneVector) -> Self {
+    #[inline(always)]
+    pub fn new(vector: LaneVector<S>) -> Self {
         let square = vector.dot(&vector);
-        let mut sine = alternating_series(square, &SINE);
-        let mut versine = alternating_series(square, &VERSINE) * Lanes::splat(0.5);
-        let mut sine_deficit = alternating_series(square, &SINE_DEFICIT) * Lanes::splat(1.0 / 6.0);
-        let squares = square.to_array();
-        if squares.iter().any(|&square| square >= SERIES_LIMIT) {
-            let (mut sines, mut versines) = (sine.to_array(), versine.to_array());
-            let mut deficits = sine_deficit.to_array();
-            for lane in (0..LANES).filter(|&lane| squares[lane] >= SERIES_LIMIT) {
-                let angle = libm::sqrt(squares[lane]);
-                let (sin, cos) = libm::sincos(angle);
-                (sines[lane], versines[lane]) = (sin / angle, (1.0 - cos) / squares[lane]);
-                deficits[lane] = (1.0 - sines[lane]) / squares[lane];
-            }
-            (sine, versine) = (Lanes::new(sines), Lanes::new(versines));
-            sine_deficit = Lanes::new(deficits);
+        let mut rotation = Rotation {
+            vector,
+            sine: alternating_series(square, &SINE),
+            versine: alternating_series(square, &VERSINE) * 0.5,
+            sine_deficit: alternating_series(square, &SINE_DEFICIT) * (1.0 / 6.0),
+        };
+        if square.numbers().iter().any(|&square| square >= SERIES_LIMIT) {
+            rotation.take_closed_forms(&square);
         }
-        Rotation { vector, sine, versine, sine_deficit }
+        rotation
+    }
+
+    /// Replaces the series where the angle is too large for them.
+    #[cold]
+    fn take_closed_forms(&mut self, square: &Lanes<S>) {
+        for (lane, &square) in
+            square.numbers().iter().enumerate().filter(|(_, square)| **square >= SERIES_LIMIT)
+        {
+            let angle = libm::sqrt(square);
+            let (sin, cos) = libm::sincos(angle);
+            self.sine.numbers_mut()[lane] = sin / angle;
+            self.versine.numbers_mut()[lane] = (1.0 - cos) / square;
+            self.sine_deficit.numbers_mut()[lane] = (1.0 - sin / angle) / square;
+        }
     }
 
     /// The turned vectors.
-    pub fn apply(&self, vectors: &LaneVector) -> LaneVector {
+    #[inline(always)]
+    pub fn apply(&self, vectors: &LaneVector<S>) -> LaneVector<S> {
         let once = self.vector.cross(vectors);
         let twice = self.vector.cross(&once);
         *vectors + once * self.sine + twice * self.versine
@@ -63,7 +74,8 @@ impl Rotation {
 
     /// How far the spin of the turning section exceeds the rate of its rotation vector, rad/s: the left
     /// Jacobian of the exponential less one, times φ̇.
-    pub fn excess_spin(&self, vector_rate: &LaneVector) -> LaneVector {
+    #[inline(always)]
+    pub fn excess_spin(&self, vector_rate: &LaneVector<S>) -> LaneVector<S> {
         let once = self.vector.cross(vector_rate);
         let twice = self.vector.cross(&once);
         once * self.versine + twice * self.sine_deficit
@@ -72,23 +84,31 @@ impl Rotation {
 
 /// A single vector turned by a single rotation vector.
 pub fn turned(rotation: &Vector3<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
-    first_lane(&Rotation::new(LaneVector::splat(rotation)).apply(&LaneVector::splat(vector)))
+    Rotation::<Scalar>::new(LaneVector::single(rotation)).apply(&LaneVector::single(vector)).vector()
 }
 
-/// The vector of the first lane.
-pub fn first_lane(vectors: &LaneVector) -> Vector3<f64> {
-    Vector3::new(vectors.x.to_array()[0], vectors.y.to_array()[0], vectors.z.to_array()[0])
+/// How far the spin of a single turning section exceeds the rate of its rotation vector, rad/s.
+pub fn excess_spin(rotation: &Vector3<f64>, rotation_rate: &Vector3<f64>) -> Vector3<f64> {
+    Rotation::<Scalar>::new(LaneVector::single(rotation))
+        .excess_spin(&LaneVector::single(rotation_rate))
+        .vector()
 }
 
 /// 1 − r₀x (1 − r₁x (1 − …)).
-fn alternating_series(x: Lanes, ratios: &[f64; 8]) -> Lanes {
-    let one = Lanes::splat(1.0);
-    ratios.iter().rev().fold(one, |tail, &ratio| one - Lanes::splat(ratio) * x * tail)
+#[inline(always)]
+fn alternating_series<S: Simd>(x: Lanes<S>, ratios: &[f64; 8]) -> Lanes<S> {
+    let one = x.splat(1.0);
+    let mut tail = one;
+    for &ratio in ratios.iter().rev() {
+        tail = one - x * ratio * tail;
+    }
+    tail
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lanes::{Eight, EightVectors, LANES, Place};
 
     #[test]
     fn the_exponential_is_a_rotation_about_the_vector_on_both_sides_of_the_series_limit() {
@@ -106,8 +126,7 @@ mod tests {
         for vector in [Vector3::new(0.1, 0.2, -0.1), Vector3::new(0.7, -1.0, 0.5)] {
             let step = 1e-5;
             let [ahead, behind] = [step, -step].map(|step| turned(&(vector + rate * step), &arm));
-            let excess = Rotation::new(LaneVector::splat(&vector)).excess_spin(&LaneVector::splat(&rate));
-            let spin = rate + first_lane(&excess);
+            let spin = rate + excess_spin(&vector, &rate);
             let error = (ahead - behind) / (2.0 * step) - spin.cross(&turned(&vector, &arm));
             assert!(error.norm() < 1e-9, "{error}");
         }
@@ -116,9 +135,14 @@ mod tests {
     #[test]
     fn a_lane_does_not_depend_on_its_neighbours() {
         let small = Vector3::new(0.1, 0.2, -0.1);
-        let mixed = LaneVector::new([small, small * 10.0, Vector3::zeros(), small]);
-        let arm = LaneVector::splat(&Vector3::y());
-        let together = Rotation::new(mixed).apply(&arm);
-        assert_eq!(together.x.to_array()[3], turned(&small, &Vector3::y()).x);
+        let mut mixed = [small; LANES];
+        (mixed[1], mixed[2]) = (small * 10.0, Vector3::zeros());
+        let mixed = EightVectors::new(mixed);
+        let mut turned_x = Eight::ZERO;
+        for place in Place::all(Scalar::new()) {
+            let turned = Rotation::new(place.load_vector(&mixed)).apply(&place.splat_vector(&Vector3::y()));
+            place.store(&mut turned_x, turned.x);
+        }
+        assert_eq!(turned_x.0[3], turned(&small, &Vector3::y()).x);
     }
 }

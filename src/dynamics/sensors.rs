@@ -5,12 +5,11 @@
 
 use nalgebra::Vector3;
 
-use crate::lanes::LaneVector;
 use crate::structure::ReducedStation;
 
 use super::inertia::RigidMotion;
 use super::propulsion::combine;
-use super::rotation::{Rotation, first_lane, turned};
+use super::rotation::{excess_spin, turned};
 
 /// How the aircraft moves and deforms at an instant; vectors in body axes.
 #[derive(Clone, Copy, Debug)]
@@ -54,11 +53,10 @@ impl Sensors {
             + combine(translation, q_ddot);
 
         let (turn, turn_rate) = (combine(rotation, q), combine(rotation, q_dot));
-        let excess = Rotation::new(LaneVector::splat(&turn)).excess_spin(&LaneVector::splat(&turn_rate));
         let into_section = |vector: &Vector3<f64>| turned(&-turn, vector);
         Sensors {
             specific_force: into_section(&(acceleration - body.gravity)),
-            rate: into_section(&(rate + turn_rate + first_lane(&excess))),
+            rate: into_section(&(rate + turn_rate + excess_spin(&turn, &turn_rate))),
         }
     }
 }

@@ -1,39 +1,41 @@
 //! How strips move with the deformed aircraft and where their loads go [4.1; physics.md §4].
 //!
 //! Symbols: f, s, n the deformed triad, R = r + Ψᵘq, V the velocity relative to the air, m = n + α0 f, and
-//! the rows G_w = nᵀ[1, −R×, Ψᵘ], G_Ω = sᵀ[0, 1, Ψᵠ] on ν = [v; ω; q̇]. Strips are computed four at a time;
-//! the last group is filled up with strips of no size.
+//! the rows G_w = nᵀ[1, −R×, Ψᵘ], G_Ω = sᵀ[0, 1, Ψᵠ] on ν = [v; ω; q̇]. Strips are computed in groups of
+//! eight; the last group is filled up with strips of no size.
 //!
 //! **Caveat.** physics.md §4 turns the triad by the finite rotation exp((Ψᵠq)×) but lets it spin at Ψᵠq̇ in ẇ
 //! and Ω̇, which is the true spin only for small rotations. The inflow is forced by that ẇ, so its states,
 //! which count from the true w₃, take the difference (`unforced`) off again.
 
 use nalgebra::Vector3;
+use pulp::{Arch, Scalar, Simd, WithSimd};
 
-use crate::aerodynamics::{FlapEffect, LocalFlow, PetersInflow, Section};
+use crate::aerodynamics::{FlapEffect, LocalFlow, PetersInflow, Section, WakeFlow};
 use crate::aircraft::ControlGains;
-use crate::lanes::{LANES, LaneVector, Lanes};
+use crate::lanes::{Eight, EightVectors, LANES, LaneVector, Lanes, Place};
 use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
 
 use super::controls::Controls;
 use super::inertia::RigidMotion;
 use super::layout::StateLayout;
 use super::rotation::Rotation;
-use super::strip_sums::{RowEntry, StripSums};
+use super::strip_loads::{StripLoads, Work};
+use super::strip_sums::StripSums;
 
-/// Four strips.
+/// Eight strips.
 #[derive(Clone, Debug)]
 struct Group {
-    position: LaneVector,
-    forward: LaneVector,
-    span: LaneVector,
-    width: Lanes,
-    zero_lift_offset: Lanes,
+    position: EightVectors,
+    forward: EightVectors,
+    span: EightVectors,
+    width: Eight,
+    zero_lift_offset: Eight,
     section: Section,
     /// Flap angle per elevator, aileron, ailerons together, rudder.
-    gains: [Lanes; 4],
+    gains: [Eight; 4],
     /// Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z of each mode.
-    shapes: Vec<[Lanes; 6]>,
+    shapes: Vec<[Eight; 6]>,
 }
 
 /// All strips of an aircraft.
@@ -42,6 +44,8 @@ pub struct Strips {
     /// Number of strips.
     count: usize,
     groups: Vec<Group>,
+    /// How wide this machine's vectors are.
+    pub(super) arch: Arch,
 }
 
 /// The state of the aircraft and of the air that all strips share.
@@ -66,16 +70,38 @@ pub struct Surroundings<'a> {
     pub deformed_arms: bool,
 }
 
-/// Four deformed sections in their flow.
-struct MovingGroup {
-    forward: LaneVector,
-    span: LaneVector,
-    normal: LaneVector,
+/// What the loads of all strips are computed from, and where they go.
+pub struct SumLoads<'a> {
+    /// The strips.
+    pub strips: &'a Strips,
+    /// The state of the aircraft and of the air.
+    pub around: &'a Surroundings<'a>,
+    /// Where the inflow states stand.
+    pub layout: &'a StateLayout,
+    /// All states.
+    pub state: &'a [f64],
+    /// The rates of the inflow states are written here.
+    pub rates: &'a mut [f64],
+    /// Scratch memory.
+    pub sums: &'a mut StripSums,
+    /// The forces are added to these generalised forces.
+    pub force: &'a mut [f64],
+    /// The apparent mass is added to this mass matrix, row-major; of a symmetric one only the upper triangle.
+    pub mass: &'a mut [f64],
+}
+
+/// Deformed sections in their flow.
+struct MovingSections<S: Simd> {
+    section: Section<Lanes<S>>,
+    forward: LaneVector<S>,
+    span: LaneVector<S>,
+    normal: LaneVector<S>,
     /// R.
-    place: LaneVector,
-    flow: LocalFlow,
+    position: LaneVector<S>,
+    zero_lift_offset: Lanes<S>,
+    flow: LocalFlow<S>,
     /// The part of dw₃/dt that does not force the inflow, m/s².
-    unforced: Lanes,
+    unforced: Lanes<S>,
 }
 
 impl Strips {
@@ -85,6 +111,7 @@ impl Strips {
         Strips {
             count: model.strips.len(),
             groups: model.strips.chunks(LANES).map(|strips| Group::new(strips, modes)).collect(),
+            arch: Arch::new(),
         }
     }
 
@@ -96,43 +123,17 @@ impl Strips {
     /// The largest displacement or rotation of any strip by a unit coordinate, m or rad.
     pub fn largest_shape(&self) -> f64 {
         let shapes = self.groups.iter().flat_map(|group| group.shapes.iter().flatten());
-        shapes.flat_map(|lanes| lanes.to_array()).fold(0.0, |largest, shape| shape.abs().max(largest))
+        shapes.flat_map(|lanes| lanes.0).fold(0.0, |largest, shape| shape.abs().max(largest))
     }
 
-    /// Number of groups of four strips.
+    /// Number of groups of strips.
     pub fn groups(&self) -> usize {
         self.groups.len()
     }
 
     /// Whether ẇ and the loads are linear in the same rows, so that apparent mass is symmetric.
     pub fn zero_lift_lines_are_chords(&self) -> bool {
-        self.groups.iter().all(|group| group.zero_lift_offset.to_array() == [0.0; LANES])
-    }
-
-    /// Sums the loads and the rows of apparent mass of all strips, and writes the rates of the inflow states.
-    pub fn sum_loads(
-        &self,
-        around: &Surroundings,
-        layout: &StateLayout,
-        state: &[f64],
-        rates: &mut [f64],
-        sums: &mut StripSums,
-    ) {
-        sums.clear();
-        for (index, group) in self.groups.iter().enumerate() {
-            let mut moving = group.deform(around);
-            let flow = &mut moving.flow;
-            if sums.reversed.is_none() {
-                sums.reversed = group.reversed(flow).map(|lane| index * LANES + lane);
-            }
-            let place = layout.group_inflow(index);
-            let states = place.read(state);
-            let w3 = group.section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
-            flow.induced = around.inflow.induced_velocity(&states, w3);
-            let passing = flow.chordwise / group.section.semichord;
-            around.inflow.rates(&states, w3, passing, moving.unforced, &mut place.write(rates));
-            group.distribute(index, around, &moving, sums);
-        }
+        self.groups.iter().all(|group| group.zero_lift_offset == Eight::ZERO)
     }
 
     /// Writes the inflow's linear part at a constant airspeed (m/s) into a vector of the state's layout, 1/s.
@@ -144,29 +145,73 @@ impl Strips {
         linear: &mut [f64],
     ) {
         for (index, group) in self.groups.iter().enumerate() {
-            let passing = Lanes::splat(airspeed) / group.section.semichord;
-            inflow.linear_part(passing, &mut layout.group_inflow(index).write(linear));
+            let passing = Eight(group.section.semichord.0.map(|semichord| airspeed / semichord));
+            inflow.linear_part(&passing, &mut layout.group_inflow(index).write(linear));
         }
     }
 
     /// Sets the inflow states of every strip to a wake long at rest.
     pub fn settle_inflow(&self, around: &Surroundings, layout: &StateLayout, state: &mut [f64]) {
         for (index, group) in self.groups.iter().enumerate() {
-            let flow = group.deform(around).flow;
-            let w3 = group.section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
-            around.inflow.settle(w3, &mut layout.group_inflow(index).write(state));
+            for place in Place::all(Scalar::new()) {
+                let MovingSections { section, flow, .. } = group.deform(place, around);
+                let w3 = section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
+                around.inflow.settle(place, w3, &mut layout.group_inflow(index).write(state));
+            }
         }
     }
 }
 
+impl SumLoads<'_> {
+    /// Adds the loads and the apparent mass of all strips, and writes the rates of the inflow states.
+    pub fn run(self) {
+        self.strips.arch.dispatch(self);
+    }
+}
+
+impl WithSimd for SumLoads<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let SumLoads { strips, around, layout, state, rates, sums, force, mass } = self;
+        sums.clear();
+        for (index, group) in strips.groups.iter().enumerate() {
+            let inflow = layout.group_inflow(index);
+            let (states, mut rates) = (inflow.read(state), inflow.write(rates));
+            for place in Place::all(simd) {
+                let mut moving = group.deform(place, around);
+                let MovingSections { section, flow, unforced, .. } = &mut moving;
+                if sums.reversed.is_none() {
+                    sums.reversed = reversed(section, flow).map(|lane| index * LANES + place.lane(lane));
+                }
+                let w3 = section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
+                flow.induced = around.inflow.induced_velocity(place, &states, w3);
+                let passing = flow.chordwise / section.semichord;
+                let wake = WakeFlow { w3, passing, unforced: *unforced };
+                around.inflow.write_rates(place, &states, &wake, &mut rates);
+                group.distribute(place, index, around, &moving, sums);
+            }
+        }
+        sums.add_to(simd, force, mass);
+    }
+}
+
+/// The first lane whose lifting strip meets the air from behind.
+#[inline(always)]
+fn reversed<S: Simd>(section: &Section<Lanes<S>>, flow: &LocalFlow<S>) -> Option<usize> {
+    let mut strips = flow.chordwise.numbers().iter().zip(section.lift_slope.numbers());
+    strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
+}
+
 impl Group {
-    /// Up to four strips of a model with `modes` modes.
+    /// Up to eight strips of a model with `modes` modes.
     fn new(strips: &[ReducedStrip], modes: usize) -> Self {
         let lanes = |value: &dyn Fn(&ReducedStrip) -> f64, empty: f64| {
-            Lanes::new(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
+            Eight(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
         };
         let vectors = |value: &dyn Fn(&ReducedStrip) -> Vector3<f64>| {
-            LaneVector::new(std::array::from_fn(|lane| strips.get(lane).map_or(Vector3::zeros(), value)))
+            EightVectors::new(std::array::from_fn(|lane| strips.get(lane).map_or(Vector3::zeros(), value)))
         };
         let flap = |value: &dyn Fn(&FlapEffect) -> f64| {
             lanes(&|strip| strip.flap.as_ref().map_or(0.0, |flap| value(&FlapEffect::new(flap))), 0.0)
@@ -206,130 +251,110 @@ impl Group {
     }
 
     /// Deforms the sections and finds their flow; the induced velocity is left at zero.
-    fn deform(&self, around: &Surroundings) -> MovingGroup {
-        let velocity = LaneVector::splat(&around.motion.velocity);
-        let rate = LaneVector::splat(&around.motion.rate);
-        let wind = LaneVector::splat(&around.wind);
-        let [displacement, rotation] = self.combine(around.q);
-        let [elastic_velocity, elastic_rate] = self.combine(around.q_dot);
+    #[inline(always)]
+    fn deform<S: Simd>(&self, place: Place<S>, around: &Surroundings) -> MovingSections<S> {
+        let velocity = place.splat_vector(&around.motion.velocity);
+        let rate = place.splat_vector(&around.motion.rate);
+        let (wind, wind_rate) = (place.splat_vector(&around.wind), place.splat_vector(&around.wind_rate));
+        let [displacement, rotation, elastic_velocity, elastic_rate] =
+            self.combine(place, around.q, around.q_dot);
 
         let turn = Rotation::new(rotation);
-        let (forward, span) = (turn.apply(&self.forward), turn.apply(&self.span));
+        let forward = turn.apply(&place.load_vector(&self.forward));
+        let span = turn.apply(&place.load_vector(&self.span));
         let normal = forward.cross(&span);
-        let place = self.position + displacement;
-        let air_velocity = velocity + rate.cross(&place) + elastic_velocity - wind;
+        let position = place.load_vector(&self.position) + displacement;
+        let air_velocity = velocity + rate.cross(&position) + elastic_velocity - wind;
         let spin = rate + elastic_rate;
-        let zero_lift_normal = normal + forward * self.zero_lift_offset;
+        let zero_lift_offset = place.load(&self.zero_lift_offset);
+        let zero_lift_normal = normal + forward * zero_lift_offset;
 
+        let section = self.section.at(place);
         let (chordwise, across) = (forward.dot(&air_velocity), normal.dot(&air_velocity));
-        let transport = rate.cross(&(elastic_velocity + wind)) - LaneVector::splat(&around.wind_rate);
-        let Controls { elevator, aileron, aileron_symmetric, rudder, .. } = *around.controls;
+        let transport = rate.cross(&(elastic_velocity + wind)) - wind_rate;
         let flow = LocalFlow {
-            density: Lanes::splat(around.density),
+            density: place.splat(around.density),
             chordwise,
             normal: across,
-            upwash: across + chordwise * self.zero_lift_offset,
+            upwash: across + chordwise * zero_lift_offset,
             pitch_rate: span.dot(&spin),
             upwash_drift: zero_lift_normal.dot(&transport)
                 + elastic_rate.cross(&zero_lift_normal).dot(&air_velocity),
             pitch_drift: elastic_rate.cross(&span).dot(&spin),
-            induced: Lanes::splat(0.0),
-            flap_angle: self.gains[0] * Lanes::splat(elevator)
-                + self.gains[1] * Lanes::splat(aileron)
-                + self.gains[2] * Lanes::splat(aileron_symmetric)
-                + self.gains[3] * Lanes::splat(rudder),
+            induced: place.splat(0.0),
+            flap_angle: self.flap_angle(place, around.controls),
         };
         let excess = turn.excess_spin(&elastic_rate);
-        let unforced = self.section.three_quarter_chord_upwash(
+        let unforced = section.three_quarter_chord_upwash(
             excess.cross(&zero_lift_normal).dot(&air_velocity),
             excess.cross(&span).dot(&spin),
         );
-        MovingGroup { forward, span, normal, place, flow, unforced }
+        MovingSections { section, forward, span, normal, position, zero_lift_offset, flow, unforced }
     }
 
-    /// Ψᵘ and Ψᵠ times generalised coordinates or their rates.
-    fn combine(&self, coordinates: &[f64]) -> [LaneVector; 2] {
-        let mut sums = [Lanes::splat(0.0); 6];
-        for (shape, &coordinate) in self.shapes.iter().zip(coordinates) {
-            let coordinate = Lanes::splat(coordinate);
-            for (sum, shape) in sums.iter_mut().zip(shape) {
-                *sum += *shape * coordinate;
+    #[inline(always)]
+    fn flap_angle<S: Simd>(&self, place: Place<S>, controls: &Controls) -> Lanes<S> {
+        let Controls { elevator, aileron, aileron_symmetric, rudder, .. } = *controls;
+        let [by_elevator, by_aileron, by_ailerons, by_rudder] = &self.gains;
+        place.load(by_elevator) * elevator
+            + place.load(by_aileron) * aileron
+            + place.load(by_ailerons) * aileron_symmetric
+            + place.load(by_rudder) * rudder
+    }
+
+    /// Ψᵘq, Ψᵠq, Ψᵘq̇ and Ψᵠq̇.
+    #[inline(always)]
+    fn combine<S: Simd>(&self, place: Place<S>, q: &[f64], q_dot: &[f64]) -> [LaneVector<S>; 4] {
+        let (mut sums, mut rates) = ([place.splat(0.0); 6], [place.splat(0.0); 6]);
+        for (shape, (&q, &q_dot)) in self.shapes.iter().zip(q.iter().zip(q_dot)) {
+            for row in 0..6 {
+                let shape = place.load(&shape[row]);
+                sums[row] += shape * q;
+                rates[row] += shape * q_dot;
             }
         }
         let [ux, uy, uz, rx, ry, rz] = sums;
-        [LaneVector { x: ux, y: uy, z: uz }, LaneVector { x: rx, y: ry, z: rz }]
-    }
-
-    /// The first lane whose lifting strip meets the air from behind.
-    fn reversed(&self, flow: &LocalFlow) -> Option<usize> {
-        let (chordwise, slope) = (flow.chordwise.to_array(), self.section.lift_slope.to_array());
-        (0..LANES).find(|&lane| chordwise[lane] <= 0.0 && slope[lane] > 0.0)
+        let [vx, vy, vz, wx, wy, wz] = rates;
+        [
+            LaneVector { x: ux, y: uy, z: uz },
+            LaneVector { x: rx, y: ry, z: rz },
+            LaneVector { x: vx, y: vy, z: vz },
+            LaneVector { x: wx, y: wy, z: wz },
+        ]
     }
 
     /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
-    fn distribute(&self, index: usize, around: &Surroundings, moving: &MovingGroup, sums: &mut StripSums) {
-        let MovingGroup { forward, span, normal, place, flow, .. } = moving;
-        let arm = if around.deformed_arms { place } else { &self.position };
-        let loads = self.section.loads(flow);
-        let (along, across) = (loads.forward * self.width, loads.down * self.width);
-        let pitching = loads.pitching * self.width;
-
-        let (b, d) = (self.section.semichord, self.section.elastic_axis_aft_of_midchord);
-        let alpha0 = self.zero_lift_offset;
-        let root_mass = b * (Lanes::splat(std::f64::consts::PI * around.density) * self.width).sqrt();
-        let root_inertia = b * root_mass * Lanes::splat(0.5 * std::f64::consts::FRAC_1_SQRT_2);
-        let mut write = |component: usize, work: &Work| {
-            let Work { down, ahead, nose_up, moving_down } = *work;
-            sums.force[component] += down * across + ahead * along + nose_up * pitching;
-            let entry = RowEntry {
-                heave: (down - nose_up * d) * root_mass,
-                pitch: nose_up * root_inertia,
-                acceleration: (moving_down - nose_up * d) * root_mass,
-            };
-            sums.write(index, component, &entry);
-        };
-        let axis = *normal + *forward * alpha0;
-        let zero = LaneVector::splat(&Vector3::zeros());
+    #[inline(always)]
+    fn distribute<S: Simd>(
+        &self,
+        place: Place<S>,
+        index: usize,
+        around: &Surroundings,
+        moving: &MovingSections<S>,
+        sums: &mut StripSums,
+    ) {
+        let MovingSections { section, forward, span, normal, position, zero_lift_offset, .. } = moving;
+        let arm = if around.deformed_arms { *position } else { place.load_vector(&self.position) };
+        let loads = StripLoads::new(section, &moving.flow, place.load(&self.width), around.density);
+        let axis = *normal + *forward * *zero_lift_offset;
+        let zero = place.splat_vector(&Vector3::zeros());
         let translation = Work::on_axes(normal, forward, &zero, &axis);
-        let rotation = Work::on_axes(&arm.cross(normal), &arm.cross(forward), span, &place.cross(&axis));
+        let rotation = Work::on_axes(&arm.cross(normal), &arm.cross(forward), span, &position.cross(&axis));
         for (component, work) in translation.iter().chain(&rotation).enumerate() {
-            write(component, work);
+            sums.add(place, index, component, &loads.on(section, work));
         }
-        for (mode, [ux, uy, uz, rx, ry, rz]) in self.shapes.iter().enumerate() {
-            let down = *ux * normal.x + *uy * normal.y + *uz * normal.z;
-            let ahead = *ux * forward.x + *uy * forward.y + *uz * forward.z;
-            let nose_up = *rx * span.x + *ry * span.y + *rz * span.z;
-            write(6 + mode, &Work { down, ahead, nose_up, moving_down: down + ahead * alpha0 });
+        for (mode, shape) in self.shapes.iter().enumerate() {
+            let [ux, uy, uz, rx, ry, rz] = [0, 1, 2, 3, 4, 5].map(|row| place.load(&shape[row]));
+            let (translation, rotation) =
+                (LaneVector { x: ux, y: uy, z: uz }, LaneVector { x: rx, y: ry, z: rz });
+            let (down, ahead) = (translation.dot(normal), translation.dot(forward));
+            let work = Work {
+                down,
+                ahead,
+                nose_up: rotation.dot(span),
+                moving_down: down + ahead * *zero_lift_offset,
+            };
+            sums.add(place, index, 6 + mode, &loads.on(section, &work));
         }
-    }
-}
-
-/// Work of unit loads of a strip per unit of one component of ν.
-struct Work {
-    /// G_w: of a force along n.
-    down: Lanes,
-    /// G_f: of a force along f.
-    ahead: Lanes,
-    /// G_Ω: of a moment about s.
-    nose_up: Lanes,
-    /// G_m: velocity along m, where the strip is.
-    moving_down: Lanes,
-}
-
-impl Work {
-    /// On the three axes of v or of ω.
-    fn on_axes(
-        down: &LaneVector,
-        ahead: &LaneVector,
-        nose_up: &LaneVector,
-        moving_down: &LaneVector,
-    ) -> [Work; 3] {
-        let axis = |pick: fn(&LaneVector) -> Lanes| Work {
-            down: pick(down),
-            ahead: pick(ahead),
-            nose_up: pick(nose_up),
-            moving_down: pick(moving_down),
-        };
-        [axis(|vector| vector.x), axis(|vector| vector.y), axis(|vector| vector.z)]
     }
 }

@@ -2,7 +2,9 @@
 
 use super::equations::EquationsOfMotion;
 use super::inertia::DeformedInertia;
+use super::linear_solve::Cholesky;
 use super::strip_sums::StripSums;
+use crate::structure::PairProducts;
 
 /// Everything that evaluating the equations of motion overwrites.
 #[derive(Clone, Debug)]
@@ -13,8 +15,12 @@ pub struct Workspace {
     pub(super) force: Vec<f64>,
     /// ∂U/∂q.
     pub(super) elastic_force: Vec<f64>,
+    /// For the strain energy.
+    pub(super) pairs: PairProducts,
     /// Mass matrix with apparent mass, row-major.
     pub(super) mass: Vec<f64>,
+    /// Room for its factor.
+    pub(super) factor: Vec<f64>,
     /// Loads and apparent mass of the strips.
     pub(super) strip_sums: StripSums,
     /// ν̇ of the last evaluation.
@@ -29,7 +35,9 @@ impl Workspace {
             inertia: DeformedInertia::undeformed(equations.integrals()),
             force: vec![0.0; size],
             elastic_force: vec![0.0; size - 6],
+            pairs: equations.pair_products(),
             mass: vec![0.0; size * size],
+            factor: vec![0.0; Cholesky::room(size)],
             strip_sums: equations.strip_sums(),
             accelerations: vec![0.0; size],
         }

@@ -1,12 +1,14 @@
 //! The functions of exponential integrators, and the inflow's diagonal linear part in them.
 //!
-//! S. M. Cox, P. C. Matthews, "Exponential time differencing for stiff systems", J. Comput. Phys. 176 (2002):
-//! the stiff linear part L is integrated exactly, the rest with the weights of a fourth-order Runge–Kutta
-//! method; with L = 0 it is the classical one.
+//! S. Krogstad, "Generalized integrating factor methods for stiff PDEs", J. Comput. Phys. 203 (2005), whose last
+//! stage is that of S. M. Cox, P. C. Matthews, J. Comput. Phys. 176 (2002): the linear part L is integrated exactly,
+//! the rest with the weights of a fourth-order Runge–Kutta method; with L = 0 it is the classical one.
 
 use std::ops::Range;
 
 use nalgebra::Complex;
+
+use crate::dynamics::StateLayout;
 
 /// Taylor series of φ₁ are used up to this |z|; beyond, the closed form loses less.
 const SERIES_RADIUS: f64 = 1.0;
@@ -14,66 +16,123 @@ const SERIES_RADIUS: f64 = 1.0;
 /// Terms of the series: |z|²⁰/23! is below rounding.
 const SERIES_TERMS: i32 = 20;
 
-/// Where the linear part acts in the state: real states, then real and imaginary parts of complex ones.
+/// A diagonal matrix in the layout of the state: for the real states a number, for the complex ones the real part
+/// in the place of their real and the imaginary part in that of their imaginary part.
+pub type Diagonal = Vec<f64>;
+
+/// Which states stand alone, and which are the two parts of complex ones.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct StiffStates {
-    /// Real states.
-    pub real: Range<usize>,
-    /// Real parts.
-    pub re: Range<usize>,
-    /// Imaginary parts.
-    pub im: Range<usize>,
+pub struct Spectrum {
+    real: [Range<usize>; 2],
+    /// Real parts, imaginary parts.
+    complex: [(Range<usize>, Range<usize>); 2],
 }
 
-/// A number for each real and each complex stiff state: a diagonal matrix.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Diagonal {
-    /// For the real states.
-    pub real: Vec<f64>,
-    /// Real parts, for the complex states.
-    pub re: Vec<f64>,
-    /// Imaginary parts, for the complex states.
-    pub im: Vec<f64>,
-}
-
-impl Diagonal {
-    /// Room for a diagonal on the given states.
-    pub fn zeros(states: &StiffStates) -> Self {
-        let zeros = |range: &Range<usize>| vec![0.0; range.len()];
-        Diagonal { real: zeros(&states.real), re: zeros(&states.re), im: zeros(&states.im) }
-    }
-
-    /// Overwrites this diagonal with a function of another.
-    fn set(&mut self, source: &Diagonal, function: impl Fn(Complex<f64>) -> Complex<f64>) {
-        for (target, &value) in self.real.iter_mut().zip(&source.real) {
-            *target = function(Complex::new(value, 0.0)).re;
-        }
-        let complex = self.re.iter_mut().zip(&mut self.im).zip(source.re.iter().zip(&source.im));
-        for ((re, im), (&source_re, &source_im)) in complex {
-            let value = function(Complex::new(source_re, source_im));
-            (*re, *im) = (value.re, value.im);
+impl Spectrum {
+    /// Of states of a layout whose coordinates are amplitudes of modes.
+    pub fn new(layout: &StateLayout) -> Self {
+        Spectrum {
+            real: [0..layout.coordinates().start, layout.inflow_real()],
+            complex: [
+                (layout.coordinate_rates(), layout.coordinates()),
+                (layout.inflow_re(), layout.inflow_im()),
+            ],
         }
     }
 
-    /// target += scale · D · vector, on the stiff states of both.
-    pub fn add_product(&self, states: &StiffStates, scale: f64, vector: &[f64], target: &mut [f64]) {
-        let real = vector[states.real.clone()].iter().zip(&mut target[states.real.clone()]);
-        for (d, (x, y)) in self.real.iter().zip(real) {
-            *y += scale * (d * x);
+    /// The place of every state, with that of its imaginary part if it has one.
+    fn places(&self) -> impl Iterator<Item = (usize, Option<usize>)> {
+        let real = self.real.iter().flat_map(Range::clone).map(|place| (place, None));
+        let complex = self.complex.iter().flat_map(|(re, im)| re.clone().zip(im.clone().map(Some)));
+        real.chain(complex)
+    }
+
+    /// target = base + Σ D · vector.
+    #[inline(always)]
+    pub fn combine<const TERMS: usize>(
+        &self,
+        target: &mut [f64],
+        base: &[f64],
+        terms: [(&[f64], &[f64]); TERMS],
+    ) {
+        for range in &self.real {
+            let terms = terms.map(|(diagonal, vector)| (&diagonal[range.clone()], &vector[range.clone()]));
+            let base = &base[range.clone()];
+            for (i, target) in target[range.clone()].iter_mut().enumerate() {
+                let mut sum = base[i];
+                for (diagonal, vector) in terms {
+                    sum += diagonal[i] * vector[i];
+                }
+                *target = sum;
+            }
         }
-        let (re, im) = (&vector[states.re.clone()], &vector[states.im.clone()]);
-        let target_re = &mut target[states.re.clone()];
-        for (y, ((d_re, d_im), (x_re, x_im))) in
-            target_re.iter_mut().zip(self.re.iter().zip(&self.im).zip(re.iter().zip(im)))
-        {
-            *y += scale * (d_re * x_re - d_im * x_im);
+        for (re, im) in &self.complex {
+            self.combine_complex(target, base, terms, re, im);
         }
-        let target_im = &mut target[states.im.clone()];
-        for (y, ((d_re, d_im), (x_re, x_im))) in
-            target_im.iter_mut().zip(self.re.iter().zip(&self.im).zip(re.iter().zip(im)))
-        {
-            *y += scale * (d_im * x_re + d_re * x_im);
+    }
+
+    #[inline(always)]
+    fn combine_complex<const TERMS: usize>(
+        &self,
+        target: &mut [f64],
+        base: &[f64],
+        terms: [(&[f64], &[f64]); TERMS],
+        re: &Range<usize>,
+        im: &Range<usize>,
+    ) {
+        let parts = |slice| both(slice, re, im);
+        let terms = terms.map(|(diagonal, vector)| (parts(diagonal), parts(vector)));
+        let (base_re, base_im) = parts(base);
+        let (target_re, target_im) = both_mut(target, re, im);
+        for (i, (target_re, target_im)) in target_re.iter_mut().zip(target_im).enumerate() {
+            let (mut sum_re, mut sum_im) = (base_re[i], base_im[i]);
+            for ((d_re, d_im), (x_re, x_im)) in terms {
+                sum_re += d_re[i] * x_re[i] - d_im[i] * x_im[i];
+                sum_im += d_im[i] * x_re[i] + d_re[i] * x_im[i];
+            }
+            (*target_re, *target_im) = (sum_re, sum_im);
         }
+    }
+
+    /// slope −= L · (to − from).
+    #[inline(always)]
+    pub fn take_off(&self, linear: &[f64], to: &[f64], from: &[f64], slope: &mut [f64]) {
+        for range in &self.real {
+            let (linear, to, from) = (&linear[range.clone()], &to[range.clone()], &from[range.clone()]);
+            for (i, slope) in slope[range.clone()].iter_mut().enumerate() {
+                *slope -= linear[i] * (to[i] - from[i]);
+            }
+        }
+        for (re, im) in &self.complex {
+            let (linear, to, from) = (both(linear, re, im), both(to, re, im), both(from, re, im));
+            let (slope_re, slope_im) = both_mut(slope, re, im);
+            for (i, (slope_re, slope_im)) in slope_re.iter_mut().zip(slope_im).enumerate() {
+                let (x_re, x_im) = (to.0[i] - from.0[i], to.1[i] - from.1[i]);
+                *slope_re -= linear.0[i] * x_re - linear.1[i] * x_im;
+                *slope_im -= linear.1[i] * x_re + linear.0[i] * x_im;
+            }
+        }
+    }
+}
+
+/// The real and the imaginary parts of complex states.
+#[inline(always)]
+fn both<'a>(slice: &'a [f64], re: &Range<usize>, im: &Range<usize>) -> (&'a [f64], &'a [f64]) {
+    (&slice[re.clone()], &slice[im.clone()])
+}
+
+/// The real and the imaginary parts of complex states, whichever stand first.
+#[inline(always)]
+fn both_mut<'a>(
+    slice: &'a mut [f64],
+    re: &Range<usize>,
+    im: &Range<usize>,
+) -> (&'a mut [f64], &'a mut [f64]) {
+    let (before, after) = slice.split_at_mut(re.start.max(im.start));
+    if re.start < im.start {
+        (&mut before[re.clone()], &mut after[..im.len()])
+    } else {
+        (&mut after[..re.len()], &mut before[im.clone()])
     }
 }
 
@@ -82,13 +141,17 @@ impl Diagonal {
 pub struct ExponentialWeights {
     /// h, s; zero when the weights have never been computed.
     pub width: f64,
-    /// e^{hL/2}.
-    pub half_decay: Diagonal,
-    /// e^{hL}.
-    pub decay: Diagonal,
-    /// (h/2) φ₁(hL/2).
+    /// (h/2) φ₁(hL/2): to the middle of the step.
     pub half: Diagonal,
-    /// h (φ₁ − 3φ₂ + 4φ₃): of the first stage.
+    /// h (½φ₁ − φ₂) at hL/2: of the first slope in the third stage.
+    pub third_first: Diagonal,
+    /// h φ₂(hL/2): of the second slope in the third stage.
+    pub third_second: Diagonal,
+    /// h (φ₁ − 2φ₂): of the first slope in the fourth stage.
+    pub fourth_first: Diagonal,
+    /// 2h φ₂: of the third slope in the fourth stage.
+    pub fourth_third: Diagonal,
+    /// h (φ₁ − 3φ₂ + 4φ₃): of the first slope.
     pub first: Diagonal,
     /// h (2φ₂ − 4φ₃): of the second and the third.
     pub middle: Diagonal,
@@ -97,14 +160,16 @@ pub struct ExponentialWeights {
 }
 
 impl ExponentialWeights {
-    /// Room for weights, not yet computed.
-    pub fn empty(states: &StiffStates) -> Self {
-        let zeros = || Diagonal::zeros(states);
+    /// Room for weights of so many states, not yet computed.
+    pub fn empty(states: usize) -> Self {
+        let zeros = || vec![0.0; states];
         ExponentialWeights {
             width: 0.0,
-            half_decay: zeros(),
-            decay: zeros(),
             half: zeros(),
+            third_first: zeros(),
+            third_second: zeros(),
+            fourth_first: zeros(),
+            fourth_third: zeros(),
             first: zeros(),
             middle: zeros(),
             last: zeros(),
@@ -112,24 +177,29 @@ impl ExponentialWeights {
     }
 
     /// Computes the weights of a step of `width` seconds with the linear part L (1/s).
-    pub fn compute(&mut self, linear: &Diagonal, width: f64) {
+    pub fn compute(&mut self, spectrum: &Spectrum, linear: &[f64], width: f64) {
         self.width = width;
-        let (h, half) = (width, 0.5 * width);
-        self.half_decay.set(linear, |l| exp(l * half));
-        self.decay.set(linear, |l| exp(l * h));
-        self.half.set(linear, |l| phi(l * half)[0] * half);
-        self.first.set(linear, |l| {
-            let [phi1, phi2, phi3] = phi(l * h);
-            (phi1 - phi2 * 3.0 + phi3 * 4.0) * h
-        });
-        self.middle.set(linear, |l| {
-            let [_, phi2, phi3] = phi(l * h);
-            (phi2 * 2.0 - phi3 * 4.0) * h
-        });
-        self.last.set(linear, |l| {
-            let [_, phi2, phi3] = phi(l * h);
-            (phi3 * 4.0 - phi2) * h
-        });
+        let h = width;
+        for (re, im) in spectrum.places() {
+            let l = Complex::new(linear[re], im.map_or(0.0, |im| linear[im]));
+            let ([half1, half2, _], [phi1, phi2, phi3]) = (phi(l * (0.5 * h)), phi(l * h));
+            let weights = [
+                (&mut self.half, half1 * (0.5 * h)),
+                (&mut self.third_first, (half1 * 0.5 - half2) * h),
+                (&mut self.third_second, half2 * h),
+                (&mut self.fourth_first, (phi1 - phi2 * 2.0) * h),
+                (&mut self.fourth_third, phi2 * (2.0 * h)),
+                (&mut self.first, (phi1 - phi2 * 3.0 + phi3 * 4.0) * h),
+                (&mut self.middle, (phi2 * 2.0 - phi3 * 4.0) * h),
+                (&mut self.last, (phi3 * 4.0 - phi2) * h),
+            ];
+            for (diagonal, weight) in weights {
+                diagonal[re] = weight.re;
+                if let Some(im) = im {
+                    diagonal[im] = weight.im;
+                }
+            }
+        }
     }
 }
 
@@ -185,20 +255,25 @@ mod tests {
     }
 
     #[test]
-    fn without_stiffness_the_weights_are_those_of_the_classical_method() {
-        let states = StiffStates { real: 0..1, re: 1..2, im: 2..3 };
-        let mut weights = ExponentialWeights::empty(&states);
-        weights.compute(&Diagonal::zeros(&states), 0.3);
+    fn without_a_linear_part_the_weights_are_those_of_the_classical_method() {
+        let layout = StateLayout::new(1, 1, 1, 1);
+        let mut weights = ExponentialWeights::empty(layout.len());
+        weights.compute(&Spectrum::new(&layout), &vec![0.0; layout.len()], 0.3);
         for (diagonal, expected) in [
-            (&weights.decay, 1.0),
-            (&weights.half_decay, 1.0),
             (&weights.half, 0.15),
+            (&weights.third_first, 0.0),
+            (&weights.third_second, 0.15),
+            (&weights.fourth_first, 0.0),
+            (&weights.fourth_third, 0.3),
             (&weights.first, 0.05),
             (&weights.middle, 0.1),
             (&weights.last, 0.05),
         ] {
-            assert!((diagonal.real[0] - expected).abs() < 1e-16);
-            assert!((diagonal.re[0] - expected).abs() < 1e-16 && diagonal.im[0] == 0.0);
+            for i in 0..layout.len() {
+                let imaginary = layout.coordinates().contains(&i) || layout.inflow_im().contains(&i);
+                let expected = if imaginary { 0.0 } else { expected };
+                assert!((diagonal[i] - expected).abs() < 1e-16, "{i}");
+            }
         }
     }
 }

@@ -1,15 +1,18 @@
-//! Fourth-order exponential Runge–Kutta steps with error control (Cox–Matthews ETDRK4).
+//! Fourth-order exponential Runge–Kutta steps with error control (Krogstad's ETDRK4).
 //!
-//! The inflow decays hundreds of times a second; its linear part is integrated exactly, so that the step is
-//! bound by the structure and the flight alone. All other states see the classical Runge–Kutta method. A
-//! cell of time is flown in 1, 2, 4 … equal sub-steps. The estimate h/6 (f(y₁) − k₄), the difference to an
-//! embedded third-order solution, costs nothing, since f(y₁) begins the next sub-step.
+//! The inflow decays hundreds of times a second and the structure's free modes swing tens of times; both linear
+//! parts are integrated exactly, so that the step is bound by what couples and bends them. All other states see the
+//! classical Runge–Kutta method. A cell of time is flown in 1, 2, 4 … equal sub-steps. The estimate, the last weight
+//! times the difference of f(y₁) and the fourth slope, costs nothing, since f(y₁) begins the next sub-step.
+
+use pulp::Arch;
 
 use crate::dynamics::StateLayout;
 
-use super::exponential::{Diagonal, ExponentialWeights, StiffStates};
+use super::amplitudes::Amplitudes;
+use super::exponential::{Diagonal, ExponentialWeights, Spectrum};
 
-/// Most sub-steps of a cell: a jet a million times stiffer takes 256, its 26 modes 1024.
+/// Most sub-steps of a cell.
 pub const MAX_SUBSTEPS: u32 = 4096;
 
 /// Below this error (of 1 allowed) the next cell tries half as many sub-steps; a halving multiplies the
@@ -17,7 +20,10 @@ pub const MAX_SUBSTEPS: u32 = 4096;
 const COARSEN: f64 = 1.0 / 32.0;
 
 /// How many step widths have their weights kept: the widths of full and of cut cells recur.
-const KEPT_WEIGHTS: usize = 8;
+const KEPT_WEIGHTS: usize = 16;
+
+/// Widths are rounded to this many parts of a second, so that rounding of the times makes no new ones.
+const PARTS: f64 = (1_u64 << 44) as f64;
 
 /// How large an error of each group of states is in proportion to the tolerance.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,15 +39,19 @@ pub struct ErrorScale {
 pub struct Integrator {
     layout: StateLayout,
     scale: ErrorScale,
-    stiff: StiffStates,
+    arch: Arch,
+    spectrum: Spectrum,
+    amplitudes: Amplitudes,
     linear: Diagonal,
     weights: Vec<ExponentialWeights>,
     /// Which weights are overwritten next.
     oldest: usize,
+    /// At the stages; the linear part of what happened since the beginning of the step is taken off.
     slopes: [Vec<f64>; 4],
-    stage: Vec<f64>,
-    /// The second stage, which the fourth is built on.
-    first_half: Vec<f64>,
+    /// The state at the beginning of the step and at its stages, in amplitudes.
+    stages: [Vec<f64>; 4],
+    /// A stage in coordinates, and the slope there.
+    flight: [Vec<f64>; 2],
     /// State at the beginning of the cell.
     start: Vec<f64>,
 }
@@ -59,23 +69,25 @@ pub enum CellEnd {
 }
 
 impl Integrator {
-    /// For states of the given layout, with no linear part yet.
-    pub fn new(layout: &StateLayout, scale: ErrorScale) -> Self {
+    /// For states of the given layout, the linear part of the inflow still to be set.
+    pub fn new(layout: &StateLayout, scale: ErrorScale, amplitudes: Amplitudes) -> Self {
         let zeros = || vec![0.0; layout.len()];
-        let stiff =
-            StiffStates { real: layout.inflow_real(), re: layout.inflow_re(), im: layout.inflow_im() };
-        Integrator {
+        let mut integrator = Integrator {
             layout: *layout,
             scale,
-            linear: Diagonal::zeros(&stiff),
-            weights: vec![ExponentialWeights::empty(&stiff); KEPT_WEIGHTS],
+            arch: Arch::new(),
+            spectrum: Spectrum::new(layout),
+            amplitudes,
+            linear: zeros(),
+            weights: vec![ExponentialWeights::empty(layout.len()); KEPT_WEIGHTS],
             oldest: 0,
-            stiff,
             slopes: [zeros(), zeros(), zeros(), zeros()],
-            stage: zeros(),
-            first_half: zeros(),
+            stages: [zeros(), zeros(), zeros(), zeros()],
+            flight: [zeros(), zeros()],
             start: zeros(),
-        }
+        };
+        integrator.set_inflow_linear_part(|_| {});
+        integrator
     }
 
     /// The relative tolerance.
@@ -83,12 +95,10 @@ impl Integrator {
         self.scale.tolerance
     }
 
-    /// Has `write` write the linear part (1/s) into a vector of the state's layout.
-    pub fn set_linear_part(&mut self, write: impl FnOnce(&mut [f64])) {
-        write(&mut self.stage);
-        self.linear.real.copy_from_slice(&self.stage[self.stiff.real.clone()]);
-        self.linear.re.copy_from_slice(&self.stage[self.stiff.re.clone()]);
-        self.linear.im.copy_from_slice(&self.stage[self.stiff.im.clone()]);
+    /// Has `write` write the linear part of the inflow (1/s) into a vector of the state's layout.
+    pub fn set_inflow_linear_part(&mut self, write: impl FnOnce(&mut [f64])) {
+        write(&mut self.linear);
+        self.amplitudes.write_linear_part(&mut self.linear);
         for weights in &mut self.weights {
             weights.width = 0.0;
         }
@@ -114,7 +124,7 @@ impl Integrator {
                 let time = begin + f64::from(index) * step;
                 let next = if index + 1 == count { end } else { begin + f64::from(index + 1) * step };
                 self.substep((time, next), weights, state, slope, &mut rates);
-                error = nan_max(error, self.error(weights, step, state, slope));
+                error = nan_max(error, self.error(weights, state));
                 if error.is_nan() || error > 1.0 {
                     break;
                 }
@@ -134,16 +144,18 @@ impl Integrator {
 
     /// Finds or computes the weights of a step width; returns their place.
     fn prepare_weights(&mut self, step: f64) -> usize {
+        let step = libm::round(step * PARTS) / PARTS;
         if let Some(place) = self.weights.iter().position(|weights| weights.width == step) {
             return place;
         }
         let place = self.oldest;
         self.oldest = (place + 1) % KEPT_WEIGHTS;
-        self.weights[place].compute(&self.linear, step);
+        self.weights[place].compute(&self.spectrum, &self.linear, step);
         place
     }
 
-    /// One step. The stages' slopes keep their stiff parts without the linear part: k − Ly.
+    /// One step. As e^{hL}y = y + hφ₁(hL)Ly, every stage of Krogstad's is y plus weights times the slopes
+    /// n_i = f_i − L(y_i − y), without any power of e.
     fn substep(
         &mut self,
         (time, next): (f64, f64),
@@ -152,82 +164,61 @@ impl Integrator {
         slope: &mut [f64],
         rates: &mut impl FnMut(f64, &[f64], &mut [f64]),
     ) {
-        let Integrator { stiff, linear, slopes: [k1, k2, k3, k4], stage, first_half, .. } = self;
+        let Integrator { arch, spectrum, amplitudes, linear, slopes, stages, flight, .. } = self;
+        let ([k1, k2, k3, k4], [y, y2, y3, y4]) = (slopes, stages);
         let w = &self.weights[weights];
-        let plain = 0..stiff.real.start;
-        let (step, middle) = (next - time, 0.5 * (time + next));
-
+        let middle = 0.5 * (time + next);
+        y.copy_from_slice(state);
         k1.copy_from_slice(slope);
-        linear.add_product(stiff, -1.0, state, k1);
-        offset(&mut first_half[plain.clone()], state, 0.5 * step, k1);
-        combine(stiff, first_half, &[(&w.half_decay, state, 1.0), (&w.half, k1, 1.0)]);
-        rates(middle, first_half, k2);
-        linear.add_product(stiff, -1.0, first_half, k2);
-
-        offset(&mut stage[plain.clone()], state, 0.5 * step, k2);
-        combine(stiff, stage, &[(&w.half_decay, state, 1.0), (&w.half, k2, 1.0)]);
-        rates(middle, stage, k3);
-        linear.add_product(stiff, -1.0, stage, k3);
-
-        offset(&mut stage[plain.clone()], state, step, k3);
-        combine(stiff, stage, &[(&w.half_decay, first_half, 1.0), (&w.half, k3, 2.0), (&w.half, k1, -1.0)]);
-        rates(next, stage, k4);
-        linear.add_product(stiff, -1.0, stage, k4);
-
-        stage.copy_from_slice(state);
-        for (i, y) in state[plain].iter_mut().enumerate() {
-            *y += step / 6.0 * ((k1[i] + k4[i]) + 2.0 * (k2[i] + k3[i]));
-        }
-        combine(
-            stiff,
-            state,
-            &[
-                (&w.decay, stage, 1.0),
-                (&w.first, k1, 1.0),
-                (&w.middle, k2, 1.0),
-                (&w.middle, k3, 1.0),
-                (&w.last, k4, 1.0),
-            ],
-        );
+        amplitudes.enter(y);
+        amplitudes.enter(k1);
+        let mut evaluate = |time: f64, stage: &[f64], start: &[f64], k: &mut [f64]| {
+            let [place, rate] = &mut *flight;
+            place.copy_from_slice(stage);
+            amplitudes.leave(place);
+            rates(time, place, rate);
+            k.copy_from_slice(rate);
+            amplitudes.enter(k);
+            arch.dispatch(|| spectrum.take_off(linear, stage, start, k));
+        };
+        arch.dispatch(|| spectrum.combine(y2, y, [(&w.half, k1)]));
+        evaluate(middle, y2, y, k2);
+        arch.dispatch(|| spectrum.combine(y3, y, [(&w.third_first, k1), (&w.third_second, k2)]));
+        evaluate(middle, y3, y, k3);
+        arch.dispatch(|| spectrum.combine(y4, y, [(&w.fourth_first, k1), (&w.fourth_third, k3)]));
+        evaluate(next, y4, y, k4);
+        let terms: [(&[f64], &[f64]); 4] = [(&w.first, k1), (&w.middle, k2), (&w.middle, k3), (&w.last, k4)];
+        arch.dispatch(|| spectrum.combine(state, y, terms));
+        y2.copy_from_slice(state);
+        amplitudes.leave(state);
         normalise(&mut state[self.layout.attitude()]);
         rates(next, state, slope);
+        y3.copy_from_slice(slope);
+        amplitudes.enter(y3);
+        arch.dispatch(|| spectrum.take_off(linear, y2, y, y3));
     }
 
     /// The estimated error of the last step in units of the allowed one; NaN when it is not finite.
-    fn error(&mut self, weights: usize, step: f64, state: &[f64], slope: &[f64]) -> f64 {
-        let Integrator { stiff, linear, slopes: [.., k4], stage, .. } = self;
-        for (difference, (slope, k4)) in stage.iter_mut().zip(slope.iter().zip(&*k4)) {
-            *difference = step / 6.0 * (slope - k4);
+    fn error(&mut self, weights: usize, state: &[f64]) -> f64 {
+        let Integrator {
+            spectrum,
+            amplitudes,
+            slopes: [_, _, nothing, k4],
+            stages: [_, _, end_slope, difference],
+            ..
+        } = self;
+        for (k4, end) in k4.iter_mut().zip(&*end_slope) {
+            *k4 = end - *k4;
         }
-        let mut remainder = std::mem::take(k4);
-        for (k4, slope) in remainder.iter_mut().zip(slope) {
-            *k4 = slope - *k4;
-        }
-        linear.add_product(stiff, -1.0, state, &mut remainder);
-        combine(stiff, stage, &[(&self.weights[weights].last, &remainder, 1.0)]);
-        *k4 = remainder;
-
+        nothing.fill(0.0);
+        spectrum.combine(difference, nothing, [(&self.weights[weights].last, k4)]);
+        amplitudes.leave(difference);
         let mut worst = 0.0;
         for (group, floor) in self.layout.groups().into_iter().zip(self.scale.floors) {
             let size = largest(&state[group.clone()], floor);
-            worst = nan_max(worst, largest(&self.stage[group], 0.0) / (self.scale.tolerance * size));
+            worst = nan_max(worst, largest(&difference[group], 0.0) / (self.scale.tolerance * size));
         }
         worst
-    }
-}
-
-/// The stiff part of target = Σ scale · D · vector.
-fn combine(states: &StiffStates, target: &mut [f64], terms: &[(&Diagonal, &[f64], f64)]) {
-    target[states.real.start..states.im.end].fill(0.0);
-    for (diagonal, vector, scale) in terms {
-        diagonal.add_product(states, *scale, vector, target);
-    }
-}
-
-/// target = state + step · slope.
-fn offset(target: &mut [f64], state: &[f64], step: f64, slope: &[f64]) {
-    for ((target, y), slope) in target.iter_mut().zip(state).zip(slope) {
-        *target = y + step * slope;
     }
 }
 
@@ -255,9 +246,10 @@ mod tests {
     /// Steps of a stiff lag y' = −800 (y − cos ωt) beside an oscillator x'' = −ω²x.
     fn fly(frequency: f64, tolerance: f64, width: f64, cells: usize) -> ([f64; 2], u32) {
         let layout = StateLayout::new(0, 1, 1, 0);
-        let mut integrator = Integrator::new(&layout, ErrorScale { tolerance, floors: [1.0; 7] });
+        let scale = ErrorScale { tolerance, floors: [1.0; 7] };
+        let mut integrator = Integrator::new(&layout, scale, Amplitudes::new(&layout, None));
         let decay = -800.0;
-        integrator.set_linear_part(|linear| linear[layout.inflow_real()].fill(decay));
+        integrator.set_inflow_linear_part(|linear| linear[layout.inflow_real()].fill(decay));
         let lag = layout.inflow_real().start;
         let mut rates = |time: f64, state: &[f64], rates: &mut [f64]| {
             rates.fill(0.0);
@@ -310,7 +302,8 @@ mod tests {
     #[test]
     fn a_state_that_explodes_is_reported() {
         let layout = StateLayout::new(0, 0, 0, 0);
-        let mut integrator = Integrator::new(&layout, ErrorScale { tolerance: 1e-6, floors: [1.0; 7] });
+        let scale = ErrorScale { tolerance: 1e-6, floors: [1.0; 7] };
+        let mut integrator = Integrator::new(&layout, scale, Amplitudes::new(&layout, None));
         let (mut state, mut slope) = (vec![1.0; layout.len()], vec![f64::NAN; layout.len()]);
         let end = integrator.fly_cell((0.0, 1e-3), 1, &mut state, &mut slope, |_, _, f| f.fill(f64::NAN));
         assert_eq!(end, CellEnd::Failed);

@@ -1,5 +1,6 @@
 //! A flight in time: the thing a user steps.
 
+mod amplitudes;
 mod error;
 mod exponential;
 mod flight;

@@ -68,7 +68,7 @@ impl Default for Settings {
             mode_selection: ModeSelection::All,
             mode_count: 12,
             inflow_states: 5,
-            tolerance: 1e-6,
+            tolerance: 1e-5,
             input_reference: InputReference::Trim,
         }
     }

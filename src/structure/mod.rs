@@ -10,6 +10,7 @@ mod modes;
 mod particles;
 mod reduced;
 mod strain_energy;
+mod strain_polynomial;
 
 pub(crate) use archive::fnv1a;
 pub use assembly::Structure;
@@ -20,3 +21,4 @@ pub use modes::ModalBasis;
 pub use particles::Particle;
 pub use reduced::{Mode, ModeFamily, ModeShapes, ReducedEngine, ReducedModel, ReducedStation, ReducedStrip};
 pub use strain_energy::StrainEnergy;
+pub use strain_polynomial::{PairProducts, StrainPolynomial};

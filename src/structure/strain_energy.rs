@@ -79,6 +79,16 @@ impl StrainEnergy {
         }
     }
 
+    /// The modes of each monomial of U₃ and its coefficient.
+    pub(super) fn cubic_terms(&self) -> impl Iterator<Item = ([usize; 3], f64)> {
+        ascending_tuples(self.modes).into_iter().zip(self.cubic.iter().copied())
+    }
+
+    /// The modes of each monomial of U₄ and its coefficient.
+    pub(super) fn quartic_terms(&self) -> impl Iterator<Item = ([usize; 4], f64)> {
+        ascending_tuples(self.modes).into_iter().zip(self.quartic.iter().copied())
+    }
+
     /// U₂ = ½ qᵀK₀q, with K₀ q added to `gradient`.
     pub fn add_quadratic(&self, q: &[f64], gradient: &mut [f64]) -> f64 {
         let mut value = 0.0;

@@ -62,7 +62,7 @@ fn residuals(equations: &EquationsOfMotion, particles: &Particles, state: &[f64]
     }
     for mode in 0..q.len() {
         let kinetic = derivative(1.0, |s| particles.kinetic_energy(&moved(&q, mode, s), &nu));
-        let elastic = derivative(20.0, |s| equations.elastic(&moved(&q, mode, s), &mut vec![0.0; q.len()]));
+        let elastic = derivative(20.0, |s| equations.strain_energy(&moved(&q, mode, s)));
         rows.push(vec![changes[6 + mode], -kinetic, elastic]);
     }
     rows.iter()
