@@ -269,10 +269,10 @@ mod tests {
             (&weights.middle, 0.1),
             (&weights.last, 0.05),
         ] {
-            for i in 0..layout.len() {
+            for (i, weight) in diagonal.iter().enumerate() {
                 let imaginary = layout.coordinates().contains(&i) || layout.inflow_im().contains(&i);
                 let expected = if imaginary { 0.0 } else { expected };
-                assert!((diagonal[i] - expected).abs() < 1e-16, "{i}");
+                assert!((weight - expected).abs() < 1e-16, "{i}");
             }
         }
     }
