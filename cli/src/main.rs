@@ -9,6 +9,7 @@ use clap::{Args, Parser, Subcommand};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft_packaging::Platform;
 
+mod bench;
 mod chart;
 mod check;
 mod diagnostics;
@@ -42,6 +43,9 @@ enum Command {
 
     /// Find the airspeeds at which an aircraft flutters or diverges, and draw V–g and V–f plots
     Flutter(flutter::FlutterOptions),
+
+    /// Measure how fast a packaged aircraft flies, how exact it is then, and what it costs to make it larger
+    Bench(bench::BenchOptions),
 
     /// Join the aircraft's FMU and others, such as control laws, to a system that masters run (SSP, OSP)
     Ssp(ssp::SspOptions),
@@ -97,6 +101,7 @@ fn main() -> ExitCode {
         Command::Reproduce(options) => reproduce::run(&options).map_err(|error| error.report()),
         Command::Simulate(options) => simulate::run(&options).map_err(|error| error.report()),
         Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
+        Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
         Command::Ssp(options) => ssp::run(&options).map_err(|error| format!("error: {error}")),
     };
     match outcome {

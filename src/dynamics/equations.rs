@@ -46,17 +46,17 @@ pub struct EquationsOfMotion {
     integrals: ModalIntegrals,
     strain_energy: StrainEnergy,
     /// Its third and fourth order, as far as the level keeps them.
-    pub(super) strain_polynomial: StrainPolynomial,
+    strain_polynomial: StrainPolynomial,
     stiffness_scale: f64,
     /// 2ζω_k.
     damping: Vec<f64>,
-    pub(super) strips: Strips,
+    strips: Strips,
     engines: Engines,
     inflow: PetersInflow,
     tunnel_flow: Vector3<f64>,
     symmetric: bool,
     /// How wide this machine's vectors are.
-    pub(super) arch: Arch,
+    arch: Arch,
 }
 
 impl EquationsOfMotion {
@@ -108,6 +108,17 @@ impl EquationsOfMotion {
             inflow: PetersInflow::new(0),
             ..self.clone()
         }
+    }
+
+    /// The same equations without wide vectors: slower, with the same bits. For comparisons.
+    pub fn one_strip_at_a_time(mut self) -> Self {
+        self.take_arch(Arch::Scalar);
+        self
+    }
+
+    /// Computes with vectors of a given width.
+    pub(super) fn take_arch(&mut self, arch: Arch) {
+        (self.arch, self.strips.arch, self.strain_polynomial.arch) = (arch, arch, arch);
     }
 
     /// Where each part of the state stands.

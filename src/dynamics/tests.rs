@@ -16,9 +16,7 @@ fn evaluate(arch: Arch, fidelity: Fidelity) -> Vec<u64> {
         tunnel_flow: Vector3::zeros(),
     };
     let mut equations = EquationsOfMotion::new(&jet().select(&[0, 1, 2, 3, 4]), &configuration);
-    equations.arch = arch;
-    equations.strips.arch = arch;
-    equations.strain_polynomial.arch = arch;
+    equations.take_arch(arch);
     let mut state: Vec<f64> = (0..equations.layout().len()).map(|i| libm::sin(i as f64)).collect();
     state[equations.layout().velocity().start] = 127.0;
     let mut rates = vec![0.0; state.len()];

@@ -48,7 +48,7 @@ impl Inputs {
     }
 
     /// Adds `factor` times others, such as rates of change times an elapsed time.
-    pub(crate) fn add(&mut self, factor: f64, others: &Inputs) {
+    pub fn add(&mut self, factor: f64, others: &Inputs) {
         for (value, other) in self.values_mut().zip(others.values()) {
             *value += factor * other;
         }

@@ -16,7 +16,7 @@ def test_the_system_structure_is_valid_ssp(system, law):
     assert [component.name for component in description.system.elements] == ["aircraft", "law", "gust"]
     assert len(description.system.connections) == len(LAWS[law][2]) + 1
     with zipfile.ZipFile(ssp) as archive:
-        names = ["SystemStructure.ssd", "resources/aircraft.fmu", "resources/law.fmu", "resources/gust.fmu"]
+        names = ["SystemStructure.ssd", "resources/aircraft.fmu", "resources/gust.fmu", "resources/law.fmu"]
         assert archive.namelist() == names
         # The parameters that the structure carries inline, after their own schema.
         structure = etree.fromstring(archive.read("SystemStructure.ssd"))

@@ -1,0 +1,120 @@
+//! `flexair bench`: how fast the aircraft flies, how exact it is then, and what it costs to make it larger.
+//!
+//! The standard flight goes through the C interface as an importing tool would fly it; what lies inside, the
+//! right-hand side and how it grows, is measured in the library. All times are of the processor, on one core.
+
+mod equations;
+mod report;
+mod scaling;
+mod standard_flight;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use clap::Args;
+use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::simulation::SimulationError;
+use flexible_aircraft::structure::{ReducedModel, StructureError};
+use flexible_aircraft_packaging::FmuError;
+use flexible_aircraft_packaging::c_abi::Fmu;
+
+use crate::diagnostics;
+use equations::RightHandSide;
+use report::Report;
+use scaling::Scaling;
+use standard_flight::StandardFlight;
+
+/// Options of `flexair bench`.
+#[derive(Args)]
+pub struct BenchOptions {
+    /// The FMU to fly, as `flexair package` writes it
+    #[arg(long, value_name = "FILE", default_value = "target/fmu/FlexibleAircraft.fmu")]
+    fmu: PathBuf,
+
+    /// The aircraft file (TOML) that the FMU was made of
+    #[arg(long, value_name = "FILE", default_value = "aircraft/generic-business-jet.toml")]
+    aircraft: PathBuf,
+
+    /// Where to write the figures (Markdown)
+    #[arg(long, value_name = "FILE", default_value = "target/performance/PERFORMANCE.md")]
+    output: PathBuf,
+
+    /// Where to draw the plot (SVG)
+    #[arg(long, value_name = "FILE", default_value = "target/performance/performance.svg")]
+    plot: PathBuf,
+}
+
+/// Why nothing can be measured.
+#[derive(Debug, thiserror::Error)]
+pub enum BenchError {
+    /// The aircraft file.
+    #[error(transparent)]
+    Aircraft(#[from] flexible_aircraft::aircraft::AircraftFileError),
+    /// Its structure.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+    /// The flight in the library.
+    #[error(transparent)]
+    Simulation(#[from] SimulationError),
+    /// The flight through the C interface.
+    #[error(transparent)]
+    Fmu(#[from] FmuError),
+    /// The results.
+    #[error("{}: {source}", path.display())]
+    Write {
+        /// Which file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+}
+
+impl BenchError {
+    /// For the terminal.
+    pub fn report(&self) -> String {
+        match self {
+            BenchError::Aircraft(error) => diagnostics::render(error),
+            other => format!("error: {other}"),
+        }
+    }
+}
+
+/// Measures and writes.
+///
+/// # Errors
+/// When the aircraft or the FMU cannot be read or flown, or the results cannot be written.
+pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
+    let aircraft = Aircraft::read(&options.aircraft)?;
+    let model = Arc::new(ReducedModel::new(&aircraft, ReducedModel::USUAL_MODES)?);
+    eprintln!("the standard flight through the C interface …");
+    let flight = StandardFlight::measure(&Fmu::open(&options.fmu)?)?;
+    eprintln!("the right-hand side and the plain method …");
+    let right_hand_side = RightHandSide::measure(&model)?;
+    eprintln!("larger and smaller aircraft …");
+    let scaling = Scaling::measure(&aircraft, &model)?;
+    let report = Report { model: &model, flight, right_hand_side, scaling };
+    println!("{}", report.summary());
+    write(&options.plot, &report.chart().to_svg())?;
+    write(&options.output, &report.markdown())
+}
+
+fn write(path: &Path, text: &str) -> Result<(), BenchError> {
+    let folder = path.parent().map_or(Ok(()), std::fs::create_dir_all);
+    folder
+        .and_then(|()| std::fs::write(path, text))
+        .map_err(|source| BenchError::Write { path: path.to_owned(), source })
+}
+
+/// The least time, s, that `work` takes of a few times; the rest is what else the machine does.
+fn least_time<T>(times: usize, mut work: impl FnMut() -> Result<T, BenchError>) -> Result<f64, BenchError> {
+    let mut least = f64::INFINITY;
+    for _ in 0..times {
+        let start = cpu_time::ThreadTime::now();
+        work()?;
+        least = least.min(start.elapsed().as_secs_f64());
+    }
+    Ok(least)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,164 @@
+//! What was measured, as a page and a plot.
+
+use flexible_aircraft::structure::ReducedModel;
+
+use super::equations::RightHandSide;
+use super::scaling::{Point, Scaling};
+use super::standard_flight::{Accuracy, Latency, StandardFlight};
+use crate::chart::{Axis, Chart, Curve, Mark, Window};
+
+/// All measurements of one run.
+pub struct Report<'a> {
+    pub model: &'a ReducedModel,
+    pub flight: StandardFlight,
+    pub right_hand_side: RightHandSide,
+    pub scaling: Scaling,
+}
+
+impl Report<'_> {
+    /// A few lines for the terminal.
+    pub fn summary(&self) -> String {
+        let rows = self.flight.accuracies.iter().map(|accuracy| {
+            let Accuracy { tolerance, time_per_second, errors: [pitch, tip, load] } = accuracy;
+            let times = 1.0 / time_per_second;
+            format!("tolerance {tolerance:.0e}: {times:.0} times real time; errors of pitch {pitch:.1e}, wing tip {tip:.1e}, load factor {load:.1e}\n")
+        });
+        let right = &self.right_hand_side;
+        rows.collect::<String>()
+            + &format!(
+                "right-hand side {:.2} µs; plain method {:.1} times real time",
+                1e6 * right.time,
+                1.0 / right.plain_time_per_second
+            )
+    }
+
+    /// `PERFORMANCE.md`.
+    pub fn markdown(&self) -> String {
+        let StandardFlight { accuracies, latencies, instantiation, trim, same_bits } = &self.flight;
+        let accuracies: String = accuracies.iter().map(accuracy_row).collect();
+        let latencies: String = latencies.iter().map(latency_row).collect();
+        let same = if *same_bits { "the same bits" } else { "**different bits**" };
+        let memory = self
+            .scaling
+            .memory
+            .map_or("not told by this system".to_owned(), |bytes| format!("{:.2} MB", bytes as f64 / 1e6));
+        format!(
+            "# How fast it flies\n\n\
+             Written by `flexair bench`; processor times of one core of {machine}, the least of several runs.\n\n\
+             ## The standard flight\n\n\
+             {name}, nominal stiffness, exact model, 12 modes of both families, 5 inflow states a strip, 127 m/s, elevator 2-3-1-1, 15 s,\n\
+             communication step 10 ms, through the C interface of the packaged FMU. Errors are the largest of the flight in parts of\n\
+             the quantity's peak, against a flight with the relative tolerance 1e-12, whose steps are hundreds of times shorter.\n\n\
+             | tolerance | CPU s per s | times real time | error of pitch | of wing tip | of load factor |\n\
+             | --- | --- | --- | --- | --- | --- |\n{accuracies}\
+             | plain method | {plain:.4} | {plain_times:.1} | | | |\n\n\
+             The *plain method* is the classical Runge–Kutta method in steps of 1 ms, one strip at a time, kept in the benchmark so that gains\n\
+             stay visible. One step of 10 ms and ten of 1 ms give {same}.\n\n\
+             | communication step | half of the steps within | 99 % | 99.9 % | all |\n\
+             | --- | --- | --- | --- | --- |\n{latencies}\n\
+             Latencies are wall clock, with the elevator moving every 10 ms. `fmi2Instantiate` takes {instantiation:.2} ms, initialisation with the trim \
+             {trim:.2} ms; a simulation holds {memory}.\n\n\
+             {right}\
+             ## What it costs\n\n\
+             ![Cost of the right-hand side over modes, strips and inflow states](docs/performance.svg)\n\n{scaling}",
+            machine = machine(),
+            name = self.model.name,
+            plain = self.right_hand_side.plain_time_per_second,
+            plain_times = 1.0 / self.right_hand_side.plain_time_per_second,
+            instantiation = 1e3 * instantiation,
+            trim = 1e3 * trim,
+            right = self.right_hand_side(),
+            scaling = self.scaling_tables(),
+        )
+    }
+
+    fn right_hand_side(&self) -> String {
+        let RightHandSide { strips, time, narrow_time, multiplications, .. } = &self.right_hand_side;
+        format!(
+            "## The right-hand side\n\n\
+             {:.2} µs, {:.0} ns for each of {strips} strips; one strip at a time {:.2} µs, with the same bits. The formulas ask for about\n\
+             {multiplications} multiplications (counted in `cli/src/bench/equations.rs`) and as many additions: {:.1} multiplications a nanosecond.\n\n",
+            1e6 * time,
+            1e9 * time / *strips as f64,
+            1e6 * narrow_time,
+            *multiplications as f64 / (1e9 * time),
+        )
+    }
+
+    fn scaling_tables(&self) -> String {
+        let Scaling { modes, strips, inflow_states, fidelity, .. } = &self.scaling;
+        let groups: [(&str, &[Point]); 4] = [
+            ("modes (the rest standard)", modes),
+            ("strips (each cut into parts)", strips),
+            ("inflow states", inflow_states),
+            ("fidelity level", fidelity),
+        ];
+        let table = |(title, points): (&str, &[Point])| {
+            let rows: String = points.iter().map(scaling_row).collect();
+            format!(
+                "| {title} | right-hand side, µs | CPU ms per s of flight, library |\n| --- | --- | --- |\n{rows}\n"
+            )
+        };
+        groups.into_iter().map(table).collect()
+    }
+
+    /// The right-hand side over the sizes, each relative to the standard aircraft's.
+    pub fn chart(&self) -> Chart {
+        let Scaling { modes, strips, inflow_states, .. } = &self.scaling;
+        let curve = |label: &str, points: &[Point], standard: usize| Curve {
+            label: label.to_owned(),
+            points: points
+                .iter()
+                .map(|point| (point.size as f64 / standard as f64, 1e6 * point.right_hand_side))
+                .collect(),
+        };
+        let curves = vec![
+            curve("modes / 12", modes, 12),
+            curve("strips / 99", strips, self.right_hand_side.strips),
+            curve("inflow states / 5", inflow_states, 5),
+        ];
+        let points = || curves.iter().flat_map(|curve| &curve.points);
+        let most = points().fold(0.0_f64, |most, point| most.max(point.1));
+        Chart {
+            title: "Cost of the right-hand side".to_owned(),
+            x: Axis::new("size relative to the standard aircraft", Window::new(0.0, 4.2)),
+            y: Axis::new("µs", Window::new(0.0, 1.1 * most)),
+            curves,
+            marks: vec![Mark::Vertical(1.0, String::new())],
+            frame: None,
+        }
+    }
+}
+
+fn accuracy_row(accuracy: &Accuracy) -> String {
+    let Accuracy { tolerance, time_per_second, errors: [pitch, tip, load] } = accuracy;
+    let times = 1.0 / time_per_second;
+    format!(
+        "| {tolerance:.0e} | {time_per_second:.5} | {times:.0} | {pitch:.1e} | {tip:.1e} | {load:.1e} |\n"
+    )
+}
+
+fn latency_row(latency: &Latency) -> String {
+    let cells: String = latency.quantiles.iter().map(|time| format!(" {:.1} µs |", 1e6 * time)).collect();
+    format!("| {:.0} ms |{cells}\n", 1e3 * latency.step)
+}
+
+fn scaling_row(point: &Point) -> String {
+    format!("| {} | {:.2} | {:.2} |\n", point.label, 1e6 * point.right_hand_side, 1e3 * point.time_per_second)
+}
+
+/// The processor, as Linux names it.
+fn machine() -> String {
+    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let value = |key: &str| {
+        let line = text.lines().find(|line| line.starts_with(key))?;
+        Some(line.split_once(':')?.1.trim().to_owned())
+    };
+    let vectors =
+        if value("flags").is_some_and(|flags| flags.contains("avx512f")) { " with AVX-512" } else { "" };
+    let name = value("model name").unwrap_or_else(|| std::env::consts::ARCH.to_owned());
+    match value("cpu MHz") {
+        Some(clock) => format!("{name}{vectors}, {clock} MHz"),
+        None => format!("{name}{vectors}"),
+    }
+}

@@ -1,0 +1,114 @@
+//! How the right-hand side and the flight grow with modes, strips, inflow states and fidelity.
+
+use std::sync::Arc;
+
+use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::simulation::{Fidelity, Inputs, Settings, Simulation};
+use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
+
+use super::equations::time_of;
+use super::{BenchError, least_time};
+
+/// Seconds flown for each point.
+const SECONDS: f64 = 2.0;
+
+/// One aircraft.
+pub struct Point {
+    pub label: String,
+    /// What varies, as a number.
+    pub size: usize,
+    /// Of the right-hand side, s.
+    pub right_hand_side: f64,
+    /// Processor time for a second of flight in steps of 10 ms with a moving elevator, s.
+    pub time_per_second: f64,
+}
+
+/// All aircraft.
+pub struct Scaling {
+    pub modes: Vec<Point>,
+    pub strips: Vec<Point>,
+    pub inflow_states: Vec<Point>,
+    pub fidelity: Vec<Point>,
+    /// Of one simulation, bytes.
+    pub memory: Option<usize>,
+}
+
+impl Scaling {
+    /// Measures about the trim of the standard flight.
+    pub fn measure(aircraft: &Aircraft, model: &Arc<ReducedModel>) -> Result<Self, BenchError> {
+        let most = Arc::new(ReducedModel::new(aircraft, 40)?);
+        let standard = Settings::default();
+        let modes = [0, 4, 8, 12, 20, 30, 40].map(|mode_count| {
+            let settings = Settings { mode_count, ..standard.clone() };
+            point(&most, &settings, format!("{mode_count} modes"), mode_count)
+        });
+        let strips = [1, 2, 4].map(|parts| {
+            let model = Arc::new(with_strips_in_parts(model, parts));
+            point(&model, &standard, format!("{} strips", model.strips.len()), model.strips.len())
+        });
+        let inflow_states = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|inflow_states| {
+            let settings = Settings { inflow_states, ..standard.clone() };
+            point(model, &settings, format!("{inflow_states} inflow states"), inflow_states)
+        });
+        let fidelity = Fidelity::ALL.map(|fidelity| {
+            let settings = Settings { fidelity, ..standard.clone() };
+            point(model, &settings, format!("{fidelity:?}"), fidelity as usize)
+        });
+        Ok(Scaling {
+            modes: modes.into_iter().collect::<Result<_, _>>()?,
+            strips: strips.into_iter().collect::<Result<_, _>>()?,
+            inflow_states: inflow_states.into_iter().collect::<Result<_, _>>()?,
+            fidelity: fidelity.into_iter().collect::<Result<_, _>>()?,
+            memory: memory(model)?,
+        })
+    }
+}
+
+fn point(
+    model: &Arc<ReducedModel>,
+    settings: &Settings,
+    label: String,
+    size: usize,
+) -> Result<Point, BenchError> {
+    let right_hand_side = time_of(&settings.equations(model)?, settings)?;
+    let engines = model.engines.len();
+    let trimmed = Simulation::new(Arc::clone(model), settings, 0.0)?;
+    let time = least_time(3, || {
+        let (mut flight, mut inputs) = (trimmed.clone(), Inputs::zero(engines));
+        for step in 0..(SECONDS * 100.0) as u32 {
+            inputs.elevator = -0.01 * f64::from(step % 2);
+            flight.set_inputs(&inputs, &Inputs::zero(engines));
+            flight.advance_to(0.01 * f64::from(step + 1))?;
+            std::hint::black_box(flight.outputs());
+        }
+        Ok(())
+    })?;
+    Ok(Point { label, size, right_hand_side, time_per_second: time / SECONDS })
+}
+
+/// The same aircraft with every strip cut into strips of a share of its width, at the same place.
+fn with_strips_in_parts(model: &ReducedModel, parts: usize) -> ReducedModel {
+    let cut = |strip: &ReducedStrip| ReducedStrip { width: strip.width / parts as f64, ..strip.clone() };
+    let strips = model.strips.iter().flat_map(|strip| std::iter::repeat_n(cut(strip), parts)).collect();
+    ReducedModel { strips, ..model.clone() }
+}
+
+/// What a simulation takes, bytes: the growth of the process over many; `None` where the system does not tell.
+fn memory(model: &Arc<ReducedModel>) -> Result<Option<usize>, BenchError> {
+    const MANY: usize = 50;
+    let standard = Settings::default();
+    let Some(before) = resident() else { return Ok(None) };
+    let flights = (0..MANY)
+        .map(|_| Simulation::new(Arc::clone(model), &standard, 0.0))
+        .collect::<Result<Vec<_>, _>>()?;
+    let after = resident();
+    drop(std::hint::black_box(flights));
+    Ok(after.map(|after| after.saturating_sub(before) / MANY))
+}
+
+/// Memory of this process that is resident, bytes (Linux).
+fn resident() -> Option<usize> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    Some(1024 * line.trim().trim_end_matches("kB").trim().parse::<usize>().ok()?)
+}

@@ -1,0 +1,121 @@
+//! The standard flight through the C interface: generic business jet, nominal stiffness, exact model, 12 modes of both
+//! families, 5 inflow states, 127 m/s, elevator 2-3-1-1 of [5.2], 15 s, communication step of 10 ms.
+
+use std::time::Instant;
+
+use flexible_aircraft_packaging::FmuError;
+use flexible_aircraft_packaging::c_abi::Fmu;
+
+use super::{BenchError, least_time};
+use crate::manoeuvre::Manoeuvre;
+
+/// s.
+pub const DURATION: f64 = 15.0;
+
+/// Of the flight that counts as exact: its steps are hundreds of times shorter.
+const REFERENCE_TOLERANCE: f64 = 1e-12;
+
+/// What is compared: pitch, a wing tip, the load factor.
+const WATCHED: [&str; 3] = ["attitude.pitch", "deflection.wing_tip_right.up", "load_factor.z"];
+
+/// One tolerance.
+pub struct Accuracy {
+    pub tolerance: f64,
+    /// Processor time for a second of flight, s.
+    pub time_per_second: f64,
+    /// Largest errors of pitch, wing tip and load factor in parts of their peaks.
+    pub errors: [f64; 3],
+}
+
+/// How long single steps take, s.
+pub struct Latency {
+    /// Communication step, s.
+    pub step: f64,
+    /// Half, 99 %, 99.9 % and all steps take no longer.
+    pub quantiles: [f64; 4],
+}
+
+/// What the flights showed.
+pub struct StandardFlight {
+    pub accuracies: Vec<Accuracy>,
+    pub latencies: Vec<Latency>,
+    /// `fmi2Instantiate`, s.
+    pub instantiation: f64,
+    /// To the end of the initialisation mode, s.
+    pub trim: f64,
+    /// Whether one step of 10 ms and ten of 1 ms give the same bits at every 10 ms.
+    pub same_bits: bool,
+}
+
+impl StandardFlight {
+    /// Flies.
+    pub fn measure(fmu: &Fmu) -> Result<Self, BenchError> {
+        let exact = fly(fmu, REFERENCE_TOLERANCE, 1, |_| {})?;
+        let mut accuracies = Vec::new();
+        for tolerance in [1e-4, 1e-5, 1e-6, 1e-7] {
+            let errors = errors(&fly(fmu, tolerance, 1, |_| {})?, &exact);
+            let time = least_time(5, || Ok(fly(fmu, tolerance, 1, |_| {})?))?;
+            accuracies.push(Accuracy { tolerance, time_per_second: time / DURATION, errors });
+        }
+        let mut latencies = Vec::new();
+        for parts in [1, 10] {
+            let mut times = Vec::new();
+            fly(fmu, 1e-5, parts, |seconds| times.push(seconds))?;
+            times.sort_by(f64::total_cmp);
+            let quantile = |share: f64| times[((times.len() - 1) as f64 * share) as usize];
+            let quantiles = [0.5, 0.99, 0.999, 1.0].map(quantile);
+            latencies.push(Latency { step: 0.01 / f64::from(parts), quantiles });
+        }
+        let bits =
+            |flight: Vec<[f64; 3]>| flight.into_iter().map(|row| row.map(f64::to_bits)).collect::<Vec<_>>();
+        let same_bits = bits(fly(fmu, 1e-5, 1, |_| {})?) == bits(fly(fmu, 1e-5, 10, |_| {})?);
+        let instantiation = least_time(5, || Ok(fmu.instantiate("bench").map(drop)?))?;
+        let mut aircraft = fmu.instantiate("bench")?;
+        let trim = least_time(5, || {
+            aircraft.reset()?;
+            Ok(aircraft.initialise(0.0, None)?)
+        })?;
+        Ok(StandardFlight { accuracies, latencies, instantiation, trim, same_bits })
+    }
+}
+
+/// Flies with so many communication steps in 10 ms, at the beginning of which the elevator moves; returns what is
+/// watched after each 10 ms, and tells `timed` how long each step took, s.
+pub fn fly(
+    fmu: &Fmu,
+    tolerance: f64,
+    parts: u32,
+    mut timed: impl FnMut(f64),
+) -> Result<Vec<[f64; 3]>, FmuError> {
+    let (elevator, watched) = ([fmu.variable("elevator")?], fmu.variables(&WATCHED)?);
+    let manoeuvre = Manoeuvre::two_three_one_one(-0.05, 0.7, 1.0, 0.05);
+    let mut aircraft = fmu.instantiate("bench")?;
+    aircraft.initialise(0.0, Some(tolerance))?;
+    let mut history = Vec::new();
+    let step = 0.01 / f64::from(parts);
+    for index in 0..(DURATION * 100.0) as u32 {
+        for part in 0..parts {
+            let time = 0.01 * f64::from(index) + step * f64::from(part);
+            let begin = Instant::now();
+            if part == 0 {
+                aircraft.set_real(&elevator, &[manoeuvre.value(time)])?;
+            }
+            aircraft.do_step(time, step)?;
+            timed(begin.elapsed().as_secs_f64());
+        }
+        let mut row = [0.0; 3];
+        aircraft.get_real(&watched, &mut row)?;
+        history.push(row);
+    }
+    aircraft.terminate()?;
+    Ok(history)
+}
+
+/// Largest differences in parts of the peaks.
+pub fn errors(flight: &[[f64; 3]], exact: &[[f64; 3]]) -> [f64; 3] {
+    std::array::from_fn(|quantity| {
+        let peak = exact.iter().fold(0.0_f64, |peak, row| peak.max(row[quantity].abs()));
+        let pairs = flight.iter().zip(exact);
+        pairs.fold(0.0_f64, |most, (a, b)| most.max((a[quantity] - b[quantity]).abs())) / peak
+    })
+}

@@ -1,0 +1,43 @@
+use std::path::Path;
+
+use flexible_aircraft::simulation::Settings;
+use flexible_aircraft_packaging::c_abi::Fmu;
+use flexible_aircraft_packaging::{Package, Platform};
+
+use super::equations::multiplications;
+use super::standard_flight::{errors, fly};
+
+/// The jet's FMU with the library that cargo built beside this test.
+fn jet() -> (tempfile::TempDir, Fmu) {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folder = tempfile::tempdir().unwrap();
+    let output = folder.path().join("jet.fmu");
+    let name = format!("{}flexible_aircraft{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
+    let library = std::env::current_exe().unwrap().with_file_name(name);
+    let binaries = vec![(Platform::host().unwrap(), library)];
+    let aircraft = workspace.join("aircraft/generic-business-jet.toml");
+    Package { aircraft, mode_count: 26, binaries, workspace }.write(&output).unwrap();
+    let fmu = Fmu::open(&output).unwrap();
+    (folder, fmu)
+}
+
+#[test]
+fn the_standard_flight_keeps_its_tolerance_and_its_bits() {
+    let (_folder, fmu) = jet();
+    let exact = fly(&fmu, 1e-10, 1, |_| {}).unwrap();
+    let usual = fly(&fmu, Settings::default().tolerance, 1, |_| {}).unwrap();
+    let found = errors(&usual, &exact);
+    assert!(found.iter().all(|error| *error < 1e-5 && *error > 0.0), "{found:?}");
+    let mut steps = 0;
+    let in_parts = fly(&fmu, Settings::default().tolerance, 10, |_| steps += 1).unwrap();
+    assert_eq!(steps, 15_000);
+    assert_eq!(usual, in_parts);
+}
+
+#[test]
+fn multiplications_grow_linearly_with_strips_and_as_the_fourth_power_with_many_modes() {
+    let of = multiplications;
+    assert_eq!(of(200, 12, 5) - of(100, 12, 5), of(300, 12, 5) - of(200, 12, 5));
+    // Distinct monomials of third and fourth degree in 2 variables: 4 + 5, 2 · 3 · 4 · 9 / 24 = 9.
+    assert_eq!(of(0, 2, 0), 2 * 9 + 15 * 4 + 60 * 2 + 512 / 6 + 2 * 64);
+}
