@@ -47,11 +47,18 @@ pub struct LocalFlow<S: Simd> {
     pub pitch_drift: Lanes<S>,
     /// λ₀, m/s.
     pub induced: Lanes<S>,
-    /// δ, rad.
-    pub flap_angle: Lanes<S>,
 }
 
-/// Loads at the elastic axis per unit width.
+/// Loads of flaps at the elastic axis per unit width and radian of δ.
+#[derive(Clone, Copy, Debug)]
+pub struct FlapLoads<S: Simd> {
+    /// Along n, N/m.
+    pub down: Lanes<S>,
+    /// About s, nose-up, N.
+    pub pitching: Lanes<S>,
+}
+
+/// Loads at the elastic axis per unit width, flaps neutral.
 #[derive(Clone, Copy, Debug)]
 pub struct SectionLoads<S: Simd> {
     /// Along f, N/m.
@@ -85,15 +92,14 @@ impl<S: Simd> Section<Lanes<S>> {
         upwash + (half(self.semichord) - self.elastic_axis_aft_of_midchord) * pitch_rate
     }
 
-    /// The loads, without the apparent-mass terms in the accelerations.
+    /// The loads with the flaps neutral, without the apparent-mass terms in the accelerations.
     #[inline(always)]
     pub fn loads(&self, flow: &LocalFlow<S>) -> SectionLoads<S> {
         let (b, d) = (self.semichord, self.elastic_axis_aft_of_midchord);
         let LocalFlow { density: rho, chordwise, normal, upwash, pitch_rate, induced, .. } = *flow;
 
         let effective_upwash = self.three_quarter_chord_upwash(upwash, pitch_rate) - induced;
-        let flap_pressure = rho * b * chordwise * chordwise * flow.flap_angle;
-        let lift = self.lift_slope * rho * chordwise * b * effective_upwash + flap_pressure * self.flap_lift;
+        let lift = self.lift_slope * rho * chordwise * b * effective_upwash;
 
         let apparent = rho * b * b * std::f64::consts::PI;
         let apparent_lift = apparent * (flow.upwash_drift - d * flow.pitch_drift);
@@ -111,8 +117,17 @@ impl<S: Simd> Section<Lanes<S>> {
         SectionLoads {
             forward: suction - drag_per_velocity * chordwise,
             down: -(lift + apparent_lift) - drag_per_velocity * normal,
-            pitching: (half(b) + d) * lift + apparent_moment + flap_pressure * b * self.flap_moment,
+            pitching: (half(b) + d) * lift + apparent_moment,
         }
+    }
+
+    /// What the flaps add per radian: the loads are linear in δ.
+    #[inline(always)]
+    pub fn flap_loads(&self, flow: &LocalFlow<S>) -> FlapLoads<S> {
+        let (b, d) = (self.semichord, self.elastic_axis_aft_of_midchord);
+        let pressure = flow.density * b * flow.chordwise * flow.chordwise;
+        let lift = pressure * self.flap_lift;
+        FlapLoads { down: -lift, pitching: (half(b) + d) * lift + pressure * b * self.flap_moment }
     }
 }
 

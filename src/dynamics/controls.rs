@@ -2,6 +2,9 @@
 
 use nalgebra::Vector3;
 
+/// Kinds of surfaces: elevator, aileron, both ailerons together, rudder.
+pub(super) const SURFACES: usize = 4;
+
 /// Absolute control positions and the motion of the air.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Controls {
@@ -33,5 +36,11 @@ impl Controls {
             wind: Vector3::zeros(),
             wind_rate: Vector3::zeros(),
         }
+    }
+
+    /// What the forces are linear in: the angles of [`SURFACES`] kinds of surfaces, then the thrusts.
+    pub(super) fn values(&self) -> impl Iterator<Item = f64> {
+        let surfaces = [self.elevator, self.aileron, self.aileron_symmetric, self.rudder];
+        surfaces.into_iter().chain(self.thrust.iter().copied())
     }
 }

@@ -1,21 +1,25 @@
 //! The equations of motion [2.2–2.4, 4; physics.md §2, §4, §5].
 //!
-//! One Cholesky solve of the mass matrix with apparent mass gives the accelerations (LU where the apparent
-//! mass is not symmetric: RL, or zero-lift lines off the chord); the inflow rates need none.
+//! One Cholesky factor of the mass matrix with apparent mass gives the accelerations (LU where the apparent
+//! mass is not symmetric: RL, or zero-lift lines off the chord); the inflow rates need none. Components of ν that
+//! support or symmetry hold are left out of the matrix.
 
 use nalgebra::{DMatrix, Vector3};
 use pulp::Arch;
 
 use crate::aerodynamics::{Air, PetersInflow};
 use crate::aircraft::Support;
-use crate::structure::{ModalIntegrals, PairProducts, ReducedModel, StrainEnergy, StrainPolynomial};
+use crate::structure::{
+    ModalIntegrals, PairProducts, ReducedModel, StrainEnergy, StrainPolynomial, SymmetricHalf,
+};
 
 use super::attitude::{Attitude, quaternion_rate};
 use super::controls::Controls;
 use super::fidelity::{Fidelity, Terms};
+use super::freedom::RigidFreedom;
 use super::inertia::{DeformedInertia, RigidMotion, add, write_undeformed_mass_matrix};
 use super::layout::StateLayout;
-use super::linear_solve::{Cholesky, solve_lu};
+use super::linear_solve::Factor;
 use super::propulsion::Engines;
 use super::strip_sums::StripSums;
 use super::strips::{Strips, SumLoads, Surroundings};
@@ -42,6 +46,7 @@ pub struct EquationsOfMotion {
     layout: StateLayout,
     terms: Terms,
     support: Support,
+    freedom: RigidFreedom,
     gravity: f64,
     integrals: ModalIntegrals,
     strain_energy: StrainEnergy,
@@ -62,8 +67,19 @@ pub struct EquationsOfMotion {
 impl EquationsOfMotion {
     /// The equations for a reduced model, all of whose modes take part unless it is to be rigid.
     pub fn new(model: &ReducedModel, configuration: &Configuration) -> Self {
+        EquationsOfMotion::with_freedom(model, configuration, RigidFreedom::All)
+    }
+
+    /// The equations of symmetric motion for half an aircraft, with neither ailerons against each other nor rudder nor
+    /// wind from the side: a third of the work.
+    pub fn of_half(half: &SymmetricHalf, configuration: &Configuration) -> Self {
+        EquationsOfMotion::with_freedom(&half.model, configuration, RigidFreedom::InPlane)
+    }
+
+    /// The equations with what a free support leaves free.
+    fn with_freedom(model: &ReducedModel, configuration: &Configuration, free: RigidFreedom) -> Self {
         if configuration.fidelity == Fidelity::Rigid && !model.modes.is_empty() {
-            return EquationsOfMotion::new(&model.select(&[]), configuration);
+            return EquationsOfMotion::with_freedom(&model.select(&[]), configuration, free);
         }
         let strips = Strips::new(model);
         let inflow = PetersInflow::new(configuration.inflow_states);
@@ -80,6 +96,10 @@ impl EquationsOfMotion {
             ),
             terms,
             support: model.support,
+            freedom: match model.support {
+                Support::Free => free,
+                Support::Clamped => RigidFreedom::Held,
+            },
             gravity: model.gravity,
             integrals: model.integrals.clone(),
             strain_energy: model.strain_energy.clone(),
@@ -157,17 +177,38 @@ impl EquationsOfMotion {
         let layout = &self.layout;
         let attitude = Attitude::from_quaternion(&state[layout.attitude()]);
         self.assemble(state, &attitude, controls, rates, workspace);
-        self.solve(workspace);
+        workspace.regular = workspace.factor.factorise(self.arch, &workspace.mass);
 
         let motion = self.motion(state);
         let velocity = attitude.body_from_inertial.tr_mul(&motion.velocity);
         rates[layout.position()].copy_from_slice(velocity.as_slice());
         let quaternion = quaternion_rate(&state[layout.attitude()], &motion.rate);
         rates[layout.attitude()].copy_from_slice(&quaternion);
-        rates[layout.velocity()].copy_from_slice(&workspace.accelerations[0..3]);
-        rates[layout.rate()].copy_from_slice(&workspace.accelerations[3..6]);
         rates[layout.coordinates()].copy_from_slice(&state[layout.coordinate_rates()]);
-        rates[layout.coordinate_rates()].copy_from_slice(&workspace.accelerations[6..]);
+        self.steer(controls, rates, workspace);
+    }
+
+    /// Writes the accelerations under given surface angles and thrusts at the state and in the wind of the last
+    /// evaluation into its rates: the same bits as a new evaluation, for next to nothing.
+    pub fn steer(&self, controls: &Controls, rates: &mut [f64], workspace: &mut Workspace) {
+        let Workspace { forces, factor, regular, solution, strip_sums, accelerations, .. } = workspace;
+        forces.sum(controls);
+        let moving = strip_sums.moving();
+        for (force, &component) in solution.iter_mut().zip(moving) {
+            *force = forces.total[component];
+        }
+        if *regular {
+            factor.solve(solution);
+        } else {
+            solution.fill(f64::NAN);
+        }
+        for (&component, &acceleration) in moving.iter().zip(&*solution) {
+            accelerations[component] = acceleration;
+        }
+        let layout = &self.layout;
+        rates[layout.velocity()].copy_from_slice(&accelerations[0..3]);
+        rates[layout.rate()].copy_from_slice(&accelerations[3..6]);
+        rates[layout.coordinate_rates()].copy_from_slice(&accelerations[6..]);
     }
 
     /// Sets the inflow states to a wake long at rest in the present flow.
@@ -229,22 +270,24 @@ impl EquationsOfMotion {
     ) -> Option<DMatrix<f64>> {
         let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
         self.assemble(state, &attitude, controls, &mut vec![0.0; state.len()], workspace);
-        let (n, held) = (self.layout.modes(), self.held_velocities());
-        let mut mass = DMatrix::from_row_slice(6 + n, 6 + n, &workspace.mass);
+        let (rigid, size) = (self.freedom.components().len(), self.moving().len());
+        let mut mass = DMatrix::from_row_slice(size, size, &workspace.mass);
         if self.symmetric {
             mass.fill_lower_triangle_with_upper_triangle();
         }
-        let moving = mass.view_range(held.., held..).into_owned().try_inverse()?;
-        let elastic = moving.view_range(6 - held.., 6 - held..);
+        let inverse = mass.try_inverse()?;
+        let elastic = inverse.view_range(rigid.., rigid..);
         Some((elastic + elastic.transpose()) * 0.5)
     }
 
-    /// How many components of ν the support holds.
-    fn held_velocities(&self) -> usize {
-        match self.support {
-            Support::Free => 0,
-            Support::Clamped => 6,
-        }
+    /// Places in ν of all that moves.
+    pub(super) fn moving(&self) -> Vec<usize> {
+        self.freedom.moving(self.layout.modes())
+    }
+
+    /// Room for the factor of the mass matrix.
+    pub(super) fn factor(&self) -> Factor {
+        Factor::new(self.symmetric, self.moving().len())
     }
 
     /// Room for the strain energy's products.
@@ -254,7 +297,7 @@ impl EquationsOfMotion {
 
     /// Room for the loads of the strips of these equations.
     pub(super) fn strip_sums(&self) -> StripSums {
-        StripSums::new(self.strips.groups(), self.layout.modes(), self.symmetric)
+        StripSums::new(&self.strips, self.freedom, self.layout.modes(), self.symmetric)
     }
 
     /// Altitude of O, m.
@@ -274,7 +317,9 @@ impl EquationsOfMotion {
         let q = &state[self.layout.coordinates()];
         let q_dot = &state[self.layout.coordinate_rates()];
         let motion = self.motion(state);
-        let Workspace { inertia, force, elastic_force, pairs, mass, strip_sums, .. } = workspace;
+        let Workspace { inertia, forces, elastic_force, pairs, mass, strip_sums, .. } = workspace;
+        forces.clear();
+        let force = &mut forces.passive;
         self.arch.dispatch(|| self.assemble_inertia(&motion, q, q_dot, inertia, mass, force));
 
         self.elastic(q, elastic_force, pairs);
@@ -289,11 +334,11 @@ impl EquationsOfMotion {
         for (force, momentum) in force[6..].iter_mut().zip(&self.integrals.momentum) {
             *force += momentum.dot(&gravity);
         }
-        self.engines.add_thrust(&controls.thrust, q, self.terms.deformed_forcing, force);
+        self.engines.write_effects(q, self.terms.deformed_forcing, forces.of_thrust());
 
         let around = self.surroundings(state, (q, q_dot), attitude, controls);
         let (strips, layout) = (&self.strips, &self.layout);
-        SumLoads { strips, around: &around, layout, state, rates, sums: strip_sums, force, mass }.run();
+        SumLoads { strips, around: &around, layout, state, rates, sums: strip_sums, forces, mass }.run();
     }
 
     /// Mass matrix and inertial forcing of the fidelity level.
@@ -307,17 +352,16 @@ impl EquationsOfMotion {
         mass: &mut [f64],
         force: &mut [f64],
     ) {
-        let integrals = &self.integrals;
-        force.fill(0.0);
+        let (integrals, freedom) = (&self.integrals, self.freedom);
         // The workspace starts undeformed and stays so for the levels that never deform it.
         if !self.terms.deformed_mass {
-            write_undeformed_mass_matrix(integrals, mass);
+            write_undeformed_mass_matrix(integrals, freedom, mass);
         }
         if self.terms.deformed_mass || self.terms.deformed_forcing {
             inertia.deform(integrals, q);
         }
         if self.terms.deformed_mass {
-            inertia.write_mass_matrix(integrals, mass);
+            inertia.write_mass_matrix(integrals, freedom, mass);
         }
         inertia.add_forcing(integrals.mass, &integrals.momentum, motion, force);
         if self.terms.deformed_forcing {
@@ -330,7 +374,7 @@ impl EquationsOfMotion {
         state: &[f64],
         (q, q_dot): (&'a [f64], &'a [f64]),
         attitude: &Attitude,
-        controls: &'a Controls,
+        controls: &Controls,
     ) -> Surroundings<'a> {
         Surroundings {
             motion: self.motion(state),
@@ -339,33 +383,9 @@ impl EquationsOfMotion {
             wind: attitude.body_from_inertial * self.air_motion(controls),
             wind_rate: attitude.body_from_inertial * controls.wind_rate,
             density: Air::at(self.altitude(state)).density,
-            controls,
             inflow: &self.inflow,
             deformed_arms: self.terms.deformed_forcing,
-        }
-    }
-
-    /// Solves for ν̇; of a clamped aircraft only the generalised coordinates move.
-    fn solve(&self, workspace: &mut Workspace) {
-        let Workspace { force, mass, factor, accelerations, .. } = workspace;
-        accelerations.copy_from_slice(force);
-        let size = accelerations.len();
-        let held = self.held_velocities();
-        let moving = size - held;
-        if held > 0 {
-            for row in 0..moving {
-                mass.copy_within((held + row) * size + held..(held + row + 1) * size, row * moving);
-            }
-            accelerations[..held].fill(0.0);
-        }
-        let (mass, right) = (&mut mass[..moving * moving], &mut accelerations[held..]);
-        let solved = if self.symmetric {
-            self.arch.dispatch(Cholesky { a: mass, b: right, factor })
-        } else {
-            solve_lu(mass, right)
-        };
-        if !solved {
-            accelerations.fill(f64::NAN);
+            freedom: self.freedom,
         }
     }
 }

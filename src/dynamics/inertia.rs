@@ -1,8 +1,10 @@
 //! Inertia of the deformed aircraft: mass matrix and inertial forcing [2.2–2.4; physics.md §2].
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Matrix6, Vector3};
 
 use crate::structure::ModalIntegrals;
+
+use super::freedom::RigidFreedom;
 
 /// The deformation-dependent integrals ĉ, Ĵ, Γ̂, ĥ at one q.
 #[derive(Clone, Debug)]
@@ -55,9 +57,10 @@ impl DeformedInertia {
         }
     }
 
-    /// Writes the mass matrix of the present deformation, row-major on ν = [v; ω; q̇].
-    pub fn write_mass_matrix(&self, integrals: &ModalIntegrals, matrix: &mut [f64]) {
-        write_mass_matrix(integrals, &self.first_moment, &self.inertia, &self.angular_momentum, matrix);
+    /// Writes the mass matrix of the present deformation, row-major on the components of ν = [v; ω; q̇] that move.
+    pub fn write_mass_matrix(&self, integrals: &ModalIntegrals, freedom: RigidFreedom, matrix: &mut [f64]) {
+        let rigid = rigid_mass_matrix(integrals.mass, &self.first_moment, &self.inertia);
+        write_mass_matrix(integrals, freedom, &rigid, &self.angular_momentum, matrix);
     }
 
     /// Adds the inertial forcing of the rigid motion: −mω×v + ω×cω… without the δ terms in q̇.
@@ -123,45 +126,46 @@ pub fn add(target: &mut [f64], vector: &Vector3<f64>) {
     }
 }
 
-/// Writes the mass matrix of the undeformed aircraft, row-major on ν = [v; ω; q̇].
-pub fn write_undeformed_mass_matrix(integrals: &ModalIntegrals, matrix: &mut [f64]) {
-    write_mass_matrix(
-        integrals,
-        &integrals.first_moment,
-        &integrals.inertia,
-        &integrals.angular_momentum,
-        matrix,
-    );
+/// Writes the mass matrix of the undeformed aircraft, row-major on the components of ν = [v; ω; q̇] that move.
+pub fn write_undeformed_mass_matrix(integrals: &ModalIntegrals, freedom: RigidFreedom, matrix: &mut [f64]) {
+    let rigid = rigid_mass_matrix(integrals.mass, &integrals.first_moment, &integrals.inertia);
+    write_mass_matrix(integrals, freedom, &rigid, &integrals.angular_momentum, matrix);
 }
 
-/// [[m1, −c×, p], [c×, J, h], [pᵀ, hᵀ, M]].
+/// [[m1, −c×], [c×, J]].
+fn rigid_mass_matrix(mass: f64, first_moment: &Vector3<f64>, inertia: &Matrix3<f64>) -> Matrix6<f64> {
+    let cross = first_moment.cross_matrix();
+    let mut matrix = Matrix6::zeros();
+    matrix.fixed_view_mut::<3, 3>(0, 0).fill_diagonal(mass);
+    matrix.fixed_view_mut::<3, 3>(0, 3).copy_from(&-cross);
+    matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&cross);
+    matrix.fixed_view_mut::<3, 3>(3, 3).copy_from(inertia);
+    matrix
+}
+
+/// [[rigid, (p; h)], [(p; h)ᵀ, M]] without the rows and columns that do not move.
 fn write_mass_matrix(
     integrals: &ModalIntegrals,
-    first_moment: &Vector3<f64>,
-    inertia: &Matrix3<f64>,
+    freedom: RigidFreedom,
+    rigid: &Matrix6<f64>,
     angular_momentum: &[Vector3<f64>],
     matrix: &mut [f64],
 ) {
-    let n = angular_momentum.len();
-    let size = 6 + n;
-    matrix.fill(0.0);
-    let cross = first_moment.cross_matrix();
-    for i in 0..3 {
-        matrix[i * size + i] = integrals.mass;
-        for j in 0..3 {
-            matrix[i * size + 3 + j] = -cross[(i, j)];
-            matrix[(3 + i) * size + j] = cross[(i, j)];
-            matrix[(3 + i) * size + 3 + j] = inertia[(i, j)];
+    let (components, n) = (freedom.components(), angular_momentum.len());
+    let first = components.len();
+    let size = first + n;
+    for (row, &i) in components.iter().enumerate() {
+        for (column, &j) in components.iter().enumerate() {
+            matrix[row * size + column] = rigid[(i, j)];
         }
         for a in 0..n {
-            matrix[i * size + 6 + a] = integrals.momentum[a][i];
-            matrix[(6 + a) * size + i] = integrals.momentum[a][i];
-            matrix[(3 + i) * size + 6 + a] = angular_momentum[a][i];
-            matrix[(6 + a) * size + 3 + i] = angular_momentum[a][i];
+            let coupling = if i < 3 { integrals.momentum[a][i] } else { angular_momentum[a][i - 3] };
+            matrix[row * size + first + a] = coupling;
+            matrix[(first + a) * size + row] = coupling;
         }
     }
     for a in 0..n {
-        let row = (6 + a) * size + 6;
+        let row = (first + a) * size + first;
         matrix[row..row + n].copy_from_slice(&integrals.mass_matrix[a * n..(a + 1) * n]);
     }
 }

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::attitude::Attitude;
 use super::equations::EquationsOfMotion;
+use super::freedom::RigidFreedom;
 use super::inertia::DeformedInertia;
 
 /// Energy and momentum at one state, with exact inertia whatever the fidelity level.
@@ -28,7 +29,7 @@ impl Mechanics {
         inertia.deform(equations.integrals(), q);
         let size = layout.velocities();
         let mut mass = vec![0.0; size * size];
-        inertia.write_mass_matrix(equations.integrals(), &mut mass);
+        inertia.write_mass_matrix(equations.integrals(), RigidFreedom::All, &mut mass);
 
         let velocities: Vec<f64> = [layout.velocity(), layout.rate(), layout.coordinate_rates()]
             .into_iter()

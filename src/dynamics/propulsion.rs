@@ -4,7 +4,6 @@ use nalgebra::Vector3;
 
 use crate::structure::{ModeShapes, ReducedEngine, ReducedModel};
 
-use super::inertia::add;
 use super::rotation::turned;
 
 /// All engines of an aircraft.
@@ -24,19 +23,18 @@ impl Engines {
         self.engines.len()
     }
 
-    /// Adds the generalised forces of the thrusts (N, one per engine) at q; with `deformed_arms` they act at
-    /// the deformed place.
-    pub fn add_thrust(&self, thrust: &[f64], q: &[f64], deformed_arms: bool, force: &mut [f64]) {
-        for (engine, &thrust) in self.engines.iter().zip(thrust) {
+    /// Writes the generalised forces of a newton of each engine's thrust at q; with `deformed_arms` it acts at the
+    /// deformed place.
+    pub fn write_effects(&self, q: &[f64], deformed_arms: bool, effects: &mut [Vec<f64>]) {
+        for (engine, effect) in self.engines.iter().zip(effects) {
             let ModeShapes { translation, rotation } = &engine.shapes;
             let axis = turned(&combine(rotation, q), &engine.direction);
             let displacement = if deformed_arms { combine(translation, q) } else { Vector3::zeros() };
-            let push = axis * thrust;
-            add(&mut force[0..3], &push);
-            add(&mut force[3..6], &(engine.position + displacement).cross(&push));
+            effect[0..3].copy_from_slice(axis.as_slice());
+            effect[3..6].copy_from_slice((engine.position + displacement).cross(&axis).as_slice());
             let n = q.len();
-            for (mode, force) in force[6..].iter_mut().enumerate() {
-                *force += (0..3).map(|i| translation[i * n + mode] * push[i]).sum::<f64>();
+            for (mode, effect) in effect[6..].iter_mut().enumerate() {
+                *effect = (0..3).map(|i| translation[i * n + mode] * axis[i]).sum();
             }
         }
     }

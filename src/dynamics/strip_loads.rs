@@ -17,6 +17,10 @@ pub struct StripLoads<S: Simd> {
     across: Lanes<S>,
     /// N·m.
     pitching: Lanes<S>,
+    /// N per radian of the flap.
+    flap_across: Lanes<S>,
+    /// N·m per radian of the flap.
+    flap_pitching: Lanes<S>,
     root_mass: Lanes<S>,
     root_inertia: Lanes<S>,
 }
@@ -25,18 +29,20 @@ impl<S: Simd> StripLoads<S> {
     /// Of strips of a width (m) in air of a density (kg/m³).
     #[inline(always)]
     pub fn new(section: &Section<Lanes<S>>, flow: &LocalFlow<S>, width: Lanes<S>, density: f64) -> Self {
-        let loads = section.loads(flow);
+        let (loads, flap) = (section.loads(flow), section.flap_loads(flow));
         let root_mass = section.semichord * (width * (std::f64::consts::PI * density)).sqrt();
         StripLoads {
             along: loads.forward * width,
             across: loads.down * width,
             pitching: loads.pitching * width,
+            flap_across: flap.down * width,
+            flap_pitching: flap.pitching * width,
             root_mass,
             root_inertia: section.semichord * root_mass * (0.5 * std::f64::consts::FRAC_1_SQRT_2),
         }
     }
 
-    /// What they contribute to one component of ν.
+    /// What they contribute to one component of ν, flaps neutral.
     #[inline(always)]
     pub fn on(&self, section: &Section<Lanes<S>>, work: &Work<S>) -> RowEntry<S> {
         let Work { down, ahead, nose_up, moving_down } = *work;
@@ -47,6 +53,12 @@ impl<S: Simd> StripLoads<S> {
             acceleration: (moving_down - about_midchord) * self.root_mass,
             force: down * self.across + ahead * self.along + nose_up * self.pitching,
         }
+    }
+
+    /// The generalised force of the flaps along one component of ν, per radian.
+    #[inline(always)]
+    pub fn of_flaps_on(&self, work: &Work<S>) -> Lanes<S> {
+        work.down * self.flap_across + work.nose_up * self.flap_pitching
     }
 }
 

@@ -8,21 +8,31 @@ use pulp::Simd;
 
 use crate::lanes::{Eight, Lanes, Place};
 
+use super::controls::SURFACES;
+use super::forces::GeneralisedForces;
+use super::freedom::RigidFreedom;
+use super::strips::Strips;
+
 /// Rows and columns of the product that are summed together.
 const BLOCK: usize = 3;
 
-/// Generalised forces and apparent mass of the strips, as they are being summed.
+/// Generalised forces and apparent mass of the strips, as they are being summed; rows are the components of ν that
+/// move.
 #[derive(Clone, Debug)]
 pub struct StripSums {
-    /// Length of ν.
-    size: usize,
+    /// Places in ν of the components that move.
+    moving: Vec<usize>,
+    /// How many of them, the first, are translations of the whole aircraft.
+    translations: usize,
     /// Whether X and Y are the same.
     symmetric: bool,
-    /// Generalised forces on ν, per lane.
+    /// Generalised forces with the flaps neutral, per lane.
     force: Vec<Eight>,
+    /// Generalised forces per radian of each kind of surfaces, per lane; empty for those that move no flap.
+    effects: [Vec<Eight>; SURFACES],
     /// Groups of strips.
     groups: usize,
-    /// X by component of ν (padded to whole blocks): heave of every group, then pitch of every group.
+    /// X row by row (padded to whole blocks): heave of every group, then pitch of every group.
     distribution: Vec<Eight>,
     /// Y, where it differs from X.
     acceleration: Vec<Eight>,
@@ -39,39 +49,49 @@ pub struct RowEntry<S: Simd> {
     pub pitch: Lanes<S>,
     /// √(πρb²Δy) (G_m − dG_Ω); read only where it differs from `heave`.
     pub acceleration: Lanes<S>,
-    /// Generalised force.
+    /// Generalised force, flaps neutral.
     pub force: Lanes<S>,
 }
 
 impl StripSums {
-    /// Room for groups of strips and `modes` generalised coordinates.
-    pub fn new(groups: usize, modes: usize, symmetric: bool) -> Self {
-        let size = 6 + modes;
+    /// Room for the sums of some strips; of the generalised forces and masses those of the components of ν that move.
+    pub fn new(strips: &Strips, freedom: RigidFreedom, modes: usize, symmetric: bool) -> Self {
+        let (moving, groups) = (freedom.moving(modes), strips.groups());
+        let size = moving.len();
         let rows = vec![Eight::ZERO; 2 * groups * size.next_multiple_of(BLOCK)];
+        let effect = |surface| vec![Eight::ZERO; if strips.has_surface(surface) { size } else { 0 }];
         StripSums {
-            size,
+            moving,
+            translations: freedom.translations(),
             symmetric,
             groups,
             force: vec![Eight::ZERO; size],
+            effects: std::array::from_fn(effect),
             acceleration: if symmetric { Vec::new() } else { rows.clone() },
             distribution: rows,
             reversed: None,
         }
     }
 
+    /// Places in ν of the rows.
+    pub fn moving(&self) -> &[usize] {
+        &self.moving
+    }
+
     /// Forgets the forces of the last evaluation; its rows are overwritten.
     pub fn clear(&mut self) {
-        self.force.fill(Eight::ZERO);
+        for force in self.effects.iter_mut().chain([&mut self.force]) {
+            force.fill(Eight::ZERO);
+        }
         self.reversed = None;
     }
 
-    /// Adds one component of ν of the strips at a place of a group.
+    /// Adds a row of the strips at a place of a group.
     #[inline(always)]
-    pub fn add<S: Simd>(&mut self, place: Place<S>, group: usize, component: usize, entry: &RowEntry<S>) {
-        let heave = 2 * self.groups * component + group;
+    pub fn add<S: Simd>(&mut self, place: Place<S>, group: usize, row: usize, entry: &RowEntry<S>) {
+        let heave = 2 * self.groups * row + group;
         let pitch = heave + self.groups;
-        let force = &mut self.force[component];
-        place.store(force, place.load(force) + entry.force);
+        add_to(place, &mut self.force[row], entry.force);
         place.store(&mut self.distribution[heave], entry.heave);
         place.store(&mut self.distribution[pitch], entry.pitch);
         if !self.symmetric {
@@ -80,20 +100,31 @@ impl StripSums {
         }
     }
 
-    /// Adds the forces, and XᵀY to a row-major mass matrix; of a symmetric one only the upper triangle.
+    /// Adds the generalised force in a row per radian of one kind of surfaces.
     #[inline(always)]
-    pub fn add_to<S: Simd>(&self, simd: S, force: &mut [f64], mass: &mut [f64]) {
-        for (force, lanes) in force.iter_mut().zip(&self.force) {
-            *force += lanes.sum();
+    pub fn add_effect<S: Simd>(&mut self, place: Place<S>, surface: usize, row: usize, effect: Lanes<S>) {
+        add_to(place, &mut self.effects[surface][row], effect);
+    }
+
+    /// Adds the forces to those on ν and to those per radian of each kind of surfaces, and XᵀY to the row-major mass
+    /// matrix of the components that move; of a symmetric one only the upper triangle.
+    #[inline(always)]
+    pub fn add_to<S: Simd>(&self, simd: S, forces: &mut GeneralisedForces, mass: &mut [f64]) {
+        let passive = std::iter::once((&mut forces.passive, &self.force));
+        for (force, rows) in passive.chain(forces.effects.iter_mut().zip(&self.effects)) {
+            for (&component, lanes) in self.moving.iter().zip(rows) {
+                force[component] += lanes.sum();
+            }
         }
+        let size = self.moving.len();
         let acceleration = if self.symmetric { &self.distribution } else { &self.acceleration };
-        let blocks = self.size.div_ceil(BLOCK);
+        let blocks = size.div_ceil(BLOCK);
         for row in 0..blocks {
             for column in if self.symmetric { row } else { 0 }..blocks {
                 let block = self.block(simd, acceleration, row * BLOCK, column * BLOCK);
-                for (i, sums) in block.iter().enumerate().take(self.size - row * BLOCK) {
-                    for (j, lanes) in sums.iter().enumerate().take(self.size - column * BLOCK) {
-                        mass[(row * BLOCK + i) * self.size + column * BLOCK + j] += lanes.sum();
+                for (i, sums) in block.iter().enumerate().take(size - row * BLOCK) {
+                    for (j, lanes) in sums.iter().enumerate().take(size - column * BLOCK) {
+                        mass[(row * BLOCK + i) * size + column * BLOCK + j] += lanes.sum();
                     }
                 }
             }
@@ -109,8 +140,9 @@ impl StripSums {
         row: usize,
         column: usize,
     ) -> [[Eight; BLOCK]; BLOCK] {
-        // Translations, the first block, turn nothing: their pitch is zero.
-        let used = if row == 0 || column == 0 { self.groups } else { 2 * self.groups };
+        // Translations turn nothing: their pitch is zero.
+        let turns_nothing = |first: usize| first + BLOCK <= self.translations;
+        let used = if turns_nothing(row) || turns_nothing(column) { self.groups } else { 2 * self.groups };
         let [x0, x1, x2] = self.rows(&self.distribution, row, used);
         let [y0, y1, y2] = self.rows(acceleration, column, used);
         let mut block = [[Eight::ZERO; BLOCK]; BLOCK];
@@ -140,4 +172,9 @@ impl StripSums {
         let length = 2 * self.groups;
         std::array::from_fn(|i| &matrix[(first + i) * length..][..used])
     }
+}
+
+#[inline(always)]
+fn add_to<S: Simd>(place: Place<S>, sum: &mut Eight, lanes: Lanes<S>) {
+    place.store(sum, place.load(sum) + lanes);
 }

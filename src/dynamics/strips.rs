@@ -16,7 +16,9 @@ use crate::aircraft::ControlGains;
 use crate::lanes::{Eight, EightVectors, LANES, LaneVector, Lanes, Place};
 use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
 
-use super::controls::Controls;
+use super::controls::SURFACES;
+use super::forces::GeneralisedForces;
+use super::freedom::RigidFreedom;
 use super::inertia::RigidMotion;
 use super::layout::StateLayout;
 use super::rotation::Rotation;
@@ -32,8 +34,8 @@ struct Group {
     width: Eight,
     zero_lift_offset: Eight,
     section: Section,
-    /// Flap angle per elevator, aileron, ailerons together, rudder.
-    gains: [Eight; 4],
+    /// Flap angle per angle of a kind of surfaces, for those kinds that move any flap here.
+    gains: Vec<(usize, Eight)>,
     /// Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z of each mode.
     shapes: Vec<[Eight; 6]>,
 }
@@ -62,12 +64,12 @@ pub struct Surroundings<'a> {
     pub wind_rate: Vector3<f64>,
     /// ρ, kg/m³.
     pub density: f64,
-    /// Surface positions.
-    pub controls: &'a Controls,
     /// The inflow model of every strip.
     pub inflow: &'a PetersInflow,
     /// Whether forces act at the deformed place (all models but RL).
     pub deformed_arms: bool,
+    /// Which components of v and ω move.
+    pub freedom: RigidFreedom,
 }
 
 /// What the loads of all strips are computed from, and where they go.
@@ -84,9 +86,10 @@ pub struct SumLoads<'a> {
     pub rates: &'a mut [f64],
     /// Scratch memory.
     pub sums: &'a mut StripSums,
-    /// The forces are added to these generalised forces.
-    pub force: &'a mut [f64],
-    /// The apparent mass is added to this mass matrix, row-major; of a symmetric one only the upper triangle.
+    /// The forces are added to these.
+    pub forces: &'a mut GeneralisedForces,
+    /// The apparent mass is added to this mass matrix of the components that move, row-major; of a symmetric one
+    /// only the upper triangle.
     pub mass: &'a mut [f64],
 }
 
@@ -129,6 +132,11 @@ impl Strips {
     /// Number of groups of strips.
     pub fn groups(&self) -> usize {
         self.groups.len()
+    }
+
+    /// Whether a kind of surfaces moves any flap.
+    pub fn has_surface(&self, surface: usize) -> bool {
+        self.groups.iter().any(|group| group.gains.iter().any(|(moved, _)| *moved == surface))
     }
 
     /// Whether ẇ and the loads are linear in the same rows, so that apparent mass is symmetric.
@@ -174,7 +182,7 @@ impl WithSimd for SumLoads<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let SumLoads { strips, around, layout, state, rates, sums, force, mass } = self;
+        let SumLoads { strips, around, layout, state, rates, sums, forces, mass } = self;
         sums.clear();
         for (index, group) in strips.groups.iter().enumerate() {
             let inflow = layout.group_inflow(index);
@@ -193,7 +201,7 @@ impl WithSimd for SumLoads<'_> {
                 group.distribute(place, index, around, &moving, sums);
             }
         }
-        sums.add_to(simd, force, mass);
+        sums.add_to(simd, forces, mass);
     }
 }
 
@@ -216,7 +224,9 @@ impl Group {
         let flap = |value: &dyn Fn(&FlapEffect) -> f64| {
             lanes(&|strip| strip.flap.as_ref().map_or(0.0, |flap| value(&FlapEffect::new(flap))), 0.0)
         };
-        let gain = |value: &dyn Fn(&ControlGains) -> f64| flap(&|effect| value(&effect.gains));
+        let gain = |value: fn(&ControlGains) -> f64| flap(&|effect| value(&effect.gains));
+        let gains: [_; SURFACES] =
+            [gain(|g| g.elevator), gain(|g| g.aileron), gain(|g| g.aileron_symmetric), gain(|g| g.rudder)];
         let shape = |mode: usize, row: usize| {
             lanes(
                 &|ReducedStrip { shapes: ModeShapes { translation, rotation }, .. }| {
@@ -240,12 +250,7 @@ impl Group {
                 flap_lift: flap(&|effect| effect.lift),
                 flap_moment: flap(&|effect| effect.moment),
             },
-            gains: [
-                gain(&|g| g.elevator),
-                gain(&|g| g.aileron),
-                gain(&|g| g.aileron_symmetric),
-                gain(&|g| g.rudder),
-            ],
+            gains: gains.into_iter().enumerate().filter(|(_, gain)| *gain != Eight::ZERO).collect(),
             shapes: (0..modes).map(|mode| std::array::from_fn(|row| shape(mode, row))).collect(),
         }
     }
@@ -282,7 +287,6 @@ impl Group {
                 + elastic_rate.cross(&zero_lift_normal).dot(&air_velocity),
             pitch_drift: elastic_rate.cross(&span).dot(&spin),
             induced: place.splat(0.0),
-            flap_angle: self.flap_angle(place, around.controls),
         };
         let excess = turn.excess_spin(&elastic_rate);
         let unforced = section.three_quarter_chord_upwash(
@@ -290,16 +294,6 @@ impl Group {
             excess.cross(&span).dot(&spin),
         );
         MovingSections { section, forward, span, normal, position, zero_lift_offset, flow, unforced }
-    }
-
-    #[inline(always)]
-    fn flap_angle<S: Simd>(&self, place: Place<S>, controls: &Controls) -> Lanes<S> {
-        let Controls { elevator, aileron, aileron_symmetric, rudder, .. } = *controls;
-        let [by_elevator, by_aileron, by_ailerons, by_rudder] = &self.gains;
-        place.load(by_elevator) * elevator
-            + place.load(by_aileron) * aileron
-            + place.load(by_ailerons) * aileron_symmetric
-            + place.load(by_rudder) * rudder
     }
 
     /// Ψᵘq, Ψᵠq, Ψᵘq̇ and Ψᵠq̇.
@@ -340,8 +334,10 @@ impl Group {
         let zero = place.splat_vector(&Vector3::zeros());
         let translation = Work::on_axes(normal, forward, &zero, &axis);
         let rotation = Work::on_axes(&arm.cross(normal), &arm.cross(forward), span, &position.cross(&axis));
-        for (component, work) in translation.iter().chain(&rotation).enumerate() {
-            sums.add(place, index, component, &loads.on(section, work));
+        let components = around.freedom.components();
+        for (row, &component) in components.iter().enumerate() {
+            let work = if component < 3 { &translation[component] } else { &rotation[component - 3] };
+            self.add_row(place, index, row, (&loads, section, work), sums);
         }
         for (mode, shape) in self.shapes.iter().enumerate() {
             let [ux, uy, uz, rx, ry, rz] = [0, 1, 2, 3, 4, 5].map(|row| place.load(&shape[row]));
@@ -354,7 +350,23 @@ impl Group {
                 nose_up: rotation.dot(span),
                 moving_down: down + ahead * *zero_lift_offset,
             };
-            sums.add(place, index, 6 + mode, &loads.on(section, &work));
+            self.add_row(place, index, components.len() + mode, (&loads, section, &work), sums);
+        }
+    }
+
+    /// Adds what the loads contribute to one component of ν.
+    #[inline(always)]
+    fn add_row<S: Simd>(
+        &self,
+        place: Place<S>,
+        index: usize,
+        row: usize,
+        (loads, section, work): (&StripLoads<S>, &Section<Lanes<S>>, &Work<S>),
+        sums: &mut StripSums,
+    ) {
+        sums.add(place, index, row, &loads.on(section, work));
+        for (surface, gain) in &self.gains {
+            sums.add_effect(place, *surface, row, loads.of_flaps_on(work) * place.load(gain));
         }
     }
 }

@@ -3,19 +3,23 @@
 use nalgebra::Vector3;
 use pulp::Arch;
 
-use super::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
+use super::{Configuration, Controls, EquationsOfMotion, Fidelity, StateLayout, Workspace};
+use crate::structure::{Counterpart, SymmetricHalf};
 use crate::variables::tests::jet;
 
-/// Rates and accelerations of the jet in a disturbed flight with vectors of a given width.
-fn evaluate(arch: Arch, fidelity: Fidelity) -> Vec<u64> {
-    let configuration = Configuration {
+fn configuration(fidelity: Fidelity) -> Configuration {
+    Configuration {
         fidelity,
         stiffness_scale: 1.0,
         structural_damping: 0.0,
         inflow_states: 5,
         tunnel_flow: Vector3::zeros(),
-    };
-    let mut equations = EquationsOfMotion::new(&jet().select(&[0, 1, 2, 3, 4]), &configuration);
+    }
+}
+
+/// Rates and accelerations of the jet in a disturbed flight with vectors of a given width.
+fn evaluate(arch: Arch, fidelity: Fidelity) -> Vec<u64> {
+    let mut equations = EquationsOfMotion::new(&jet().select(&[0, 1, 2, 3, 4]), &configuration(fidelity));
     equations.take_arch(arch);
     let mut state: Vec<f64> = (0..equations.layout().len()).map(|i| libm::sin(i as f64)).collect();
     state[equations.layout().velocity().start] = 127.0;
@@ -34,5 +38,100 @@ fn the_width_of_the_vectors_changes_no_bit() {
         if let Some(avx2) = pulp::x86::V3::try_new() {
             assert_eq!(narrow, evaluate(Arch::V3(avx2), fidelity));
         }
+    }
+}
+
+/// A state of symmetric motion, the inflow of each strip and each place given by `inflow`.
+fn symmetric_state(
+    layout: &StateLayout,
+    coordinates: &[f64],
+    inflow: impl Fn(usize, usize) -> f64,
+) -> Vec<f64> {
+    let mut state = vec![0.0; layout.len()];
+    state[layout.position()].copy_from_slice(&[100.0, 0.0, -7000.0]);
+    state[layout.attitude()].copy_from_slice(&[libm::cos(0.1), 0.0, libm::sin(0.1), 0.0]);
+    state[layout.velocity()].copy_from_slice(&[125.0, 0.0, 12.0]);
+    state[layout.rate().start + 1] = 0.2;
+    state[layout.coordinates()].copy_from_slice(coordinates);
+    let rates: Vec<f64> = coordinates.iter().map(|q| -7.0 * q).collect();
+    state[layout.coordinate_rates()].copy_from_slice(&rates);
+    for strip in 0..layout.inflow().len() / 5 {
+        for (state_index, place) in layout.strip_inflow(strip).into_iter().enumerate() {
+            state[place] = inflow(strip, state_index);
+        }
+    }
+    state
+}
+
+#[test]
+fn in_symmetric_motion_half_the_aircraft_moves_as_the_whole_one() {
+    let whole_model = jet().select(&[0, 1, 2, 3, 4, 5, 6, 7]);
+    let half = SymmetricHalf::find(&whole_model).unwrap();
+    let mut controls = Controls::neutral(2);
+    (controls.elevator, controls.aileron_symmetric, controls.thrust) = (-0.2, 0.05, vec![2e4; 2]);
+    (controls.wind, controls.wind_rate) = (Vector3::new(3.0, 0.0, -4.0), Vector3::new(1.0, 0.0, 2.0));
+    for fidelity in Fidelity::ALL {
+        let whole = EquationsOfMotion::new(&whole_model, &configuration(fidelity));
+        let halved = EquationsOfMotion::of_half(&half, &configuration(fidelity));
+        let q: Vec<f64> = (0..halved.layout().modes()).map(|mode| 20.0 / (1.0 + mode as f64)).collect();
+        let mut whole_q = vec![0.0; whole.layout().modes()];
+        if fidelity != Fidelity::Rigid {
+            half.modes.iter().zip(&q).for_each(|(&mode, &q)| whole_q[mode] = q);
+        }
+        let lifts = |strip: usize| half.model.strips[strip].span.y.abs() > 0.5;
+        let inflow = |strip: usize, index: usize| {
+            if lifts(strip) { 2.0 * libm::sin((strip * 5 + index) as f64) } else { 0.0 }
+        };
+        let state = symmetric_state(halved.layout(), &q, |strip, index| {
+            if strip < half.model.strips.len() { inflow(strip, index) } else { 0.0 }
+        });
+        let whole_state = symmetric_state(whole.layout(), &whole_q, |strip, index| {
+            half.strips.get(strip).map_or(0.0, |&Counterpart { strip, sign }| sign * inflow(strip, index))
+        });
+        let evaluate = |equations: &EquationsOfMotion, state: &[f64]| {
+            let (mut rates, mut workspace) = (vec![0.0; state.len()], Workspace::new(equations));
+            equations.rates(state, &controls, &mut rates, &mut workspace);
+            rates
+        };
+        let (rates, whole_rates) = (evaluate(&halved, &state), evaluate(&whole, &whole_state));
+        let agree = |found: f64, expected: f64, what: &str| {
+            let scale = 100.0 + expected.abs();
+            assert!((found - expected).abs() < 1e-11 * scale, "{fidelity:?}, {what}: {found} {expected}");
+        };
+        for place in 0..halved.layout().coordinates().start {
+            agree(rates[place], whole_rates[place], "rigid motion");
+        }
+        for (mode, place) in whole.layout().coordinate_rates().enumerate() {
+            let kept = half.modes.iter().position(|&kept| kept == mode);
+            let expected = kept.map_or(0.0, |kept| rates[halved.layout().coordinate_rates().start + kept]);
+            agree(expected, whole_rates[place], "modes");
+        }
+        for (strip, Counterpart { strip: kept, sign }) in half.strips.iter().enumerate() {
+            let pairs =
+                whole.layout().strip_inflow(strip).into_iter().zip(halved.layout().strip_inflow(*kept));
+            for (place, kept_place) in pairs {
+                agree(sign * rates[kept_place], whole_rates[place], "inflow");
+            }
+        }
+    }
+}
+
+#[test]
+fn steering_gives_the_same_bits_as_a_new_evaluation() {
+    for fidelity in [Fidelity::Exact, Fidelity::RuthlesslyLinearised] {
+        let equations = EquationsOfMotion::new(&jet().select(&[0, 1, 2, 3, 4]), &configuration(fidelity));
+        let mut state: Vec<f64> = (0..equations.layout().len()).map(|i| libm::sin(i as f64)).collect();
+        state[equations.layout().velocity().start] = 127.0;
+        let (mut rates, mut workspace) = (vec![0.0; state.len()], Workspace::new(&equations));
+        let mut controls = Controls::neutral(2);
+        equations.rates(&state, &controls, &mut rates, &mut workspace);
+        let before = rates.clone();
+        (controls.elevator, controls.aileron, controls.aileron_symmetric) = (0.1, -0.05, 0.02);
+        (controls.rudder, controls.thrust) = (0.03, vec![1e4, 2e4]);
+        equations.steer(&controls, &mut rates, &mut workspace);
+        let steered = rates.clone();
+        equations.rates(&state, &controls, &mut rates, &mut Workspace::new(&equations));
+        assert_eq!(steered, rates);
+        assert_ne!(steered, before);
     }
 }

@@ -8,7 +8,7 @@ use crate::aircraft::Support;
 use super::attitude::quaternion_of_euler_angles;
 use super::controls::Controls;
 use super::equations::EquationsOfMotion;
-use super::linear_solve::solve_lu;
+use super::linear_solve::solve;
 use super::workspace::Workspace;
 
 /// Newton steps before giving up.
@@ -220,7 +220,7 @@ impl Search {
         for count in 0..MAX_STEPS {
             self.jacobian(&mut jacobian);
             self.residual(&mut step);
-            if !solve_lu(&mut jacobian, &mut step) {
+            if !solve(&jacobian, &mut step) {
                 return SearchEnd::Singular(count);
             }
             let turns = &step[..self.flight_unknowns().min(2)];

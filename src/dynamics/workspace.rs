@@ -1,8 +1,9 @@
 //! Scratch memory of the equations of motion, allocated once.
 
 use super::equations::EquationsOfMotion;
+use super::forces::GeneralisedForces;
 use super::inertia::DeformedInertia;
-use super::linear_solve::Cholesky;
+use super::linear_solve::Factor;
 use super::strip_sums::StripSums;
 use crate::structure::PairProducts;
 
@@ -11,16 +12,20 @@ use crate::structure::PairProducts;
 pub struct Workspace {
     /// Integrals at the present q.
     pub(super) inertia: DeformedInertia,
-    /// Generalised forces on ν.
-    pub(super) force: Vec<f64>,
+    /// On ν.
+    pub(super) forces: GeneralisedForces,
     /// ∂U/∂q.
     pub(super) elastic_force: Vec<f64>,
     /// For the strain energy.
     pub(super) pairs: PairProducts,
-    /// Mass matrix with apparent mass, row-major.
+    /// Mass matrix with apparent mass of the components of ν that move, row-major.
     pub(super) mass: Vec<f64>,
-    /// Room for its factor.
-    pub(super) factor: Vec<f64>,
+    /// Its factor.
+    pub(super) factor: Factor,
+    /// Whether it has one.
+    pub(super) regular: bool,
+    /// Their accelerations.
+    pub(super) solution: Vec<f64>,
     /// Loads and apparent mass of the strips.
     pub(super) strip_sums: StripSums,
     /// ν̇ of the last evaluation.
@@ -30,16 +35,18 @@ pub struct Workspace {
 impl Workspace {
     /// For the given equations.
     pub fn new(equations: &EquationsOfMotion) -> Self {
-        let size = equations.layout().velocities();
+        let (components, moving) = (equations.layout().velocities(), equations.moving().len());
         Workspace {
             inertia: DeformedInertia::undeformed(equations.integrals()),
-            force: vec![0.0; size],
-            elastic_force: vec![0.0; size - 6],
+            forces: GeneralisedForces::new(components, equations.engine_count()),
+            elastic_force: vec![0.0; components - 6],
             pairs: equations.pair_products(),
-            mass: vec![0.0; size * size],
-            factor: vec![0.0; Cholesky::room(size)],
+            mass: vec![0.0; moving * moving],
+            factor: equations.factor(),
+            regular: false,
+            solution: vec![0.0; moving],
             strip_sums: equations.strip_sums(),
-            accelerations: vec![0.0; size],
+            accelerations: vec![0.0; components],
         }
     }
 
@@ -48,9 +55,9 @@ impl Workspace {
         &self.accelerations
     }
 
-    /// Generalised forces on ν of the last evaluation.
+    /// Generalised forces on ν of the last evaluation; those of the air on components that cannot move are left out.
     pub fn forces(&self) -> &[f64] {
-        &self.force
+        &self.forces.total
     }
 
     /// The first lifting strip that met the air backwards at the last evaluation.

@@ -2,11 +2,14 @@
 
 use std::sync::Arc;
 
-use crate::dynamics::{Controls, EquationsOfMotion, FreeModes, Trim, Workspace};
-use crate::structure::{ReducedModel, ReducedStation};
+use nalgebra::Vector3;
 
-use super::amplitudes::Amplitudes;
-use super::integrator::{CellEnd, ErrorScale, Integrator, MAX_SUBSTEPS};
+use crate::dynamics::{Controls, Trim};
+use crate::structure::ReducedModel;
+
+use super::airframe::{Airframe, Airframes};
+use super::course::Course;
+use super::integrator::{CellEnd, MAX_SUBSTEPS};
 use super::steering::Steering;
 use super::{Inputs, Outputs, Settings, SimulationError, outputs};
 
@@ -40,7 +43,7 @@ pub struct TrimPoint {
 pub(super) struct Point {
     /// s.
     pub time: f64,
-    /// All states.
+    /// All states of the equations that fly, in the axes of the course.
     pub state: Vec<f64>,
     /// Sub-steps to try in the next cell.
     pub substeps: u32,
@@ -51,14 +54,45 @@ pub(super) struct Point {
 }
 
 impl Point {
+    /// With room for a state of some length.
+    fn new(time: f64, state: &[f64], room: usize) -> Self {
+        let with_room = |numbers: &[f64]| {
+            let mut vector = Vec::with_capacity(room);
+            vector.extend_from_slice(numbers);
+            vector
+        };
+        let slope = with_room(&vec![0.0; state.len()]);
+        Point { time, state: with_room(state), substeps: 1, slope, slope_is_fresh: false }
+    }
+
+    /// Becomes another point, in the room that it has.
     fn copy_from(&mut self, other: &Point) {
         self.time = other.time;
-        self.state.copy_from_slice(&other.state);
+        self.state.clone_from(&other.state);
         self.substeps = other.substeps;
-        self.slope.copy_from_slice(&other.slope);
+        self.slope.clone_from(&other.slope);
         self.slope_is_fresh = other.slope_is_fresh;
     }
+
+    /// Takes a state of another length.
+    pub fn resize(&mut self, length: usize) {
+        self.state.resize(length, 0.0);
+        self.slope.resize(length, 0.0);
+        self.slope_is_fresh = false;
+    }
 }
+
+/// A state and slope of the whole aircraft while the half flies.
+#[derive(Clone, Debug)]
+pub(super) struct View {
+    pub state: Vec<f64>,
+    slope: Vec<f64>,
+    /// Whether they are those of the present under the present inputs.
+    is_fresh: bool,
+}
+
+/// Velocity of the air and its rate along the course, m/s and m/s².
+type Wind = (Vector3<f64>, Vector3<f64>);
 
 /// A flight of one aircraft: state, time and everything needed to go on.
 ///
@@ -70,22 +104,20 @@ pub struct Simulation {
     pub(super) model: Arc<ReducedModel>,
     /// Tells apart models and settings in snapshots.
     pub(super) identity: u128,
-    pub(super) modes: Vec<usize>,
-    pub(super) equations: EquationsOfMotion,
-    /// With the shapes of the modes that take part.
-    pub(super) stations: Vec<ReducedStation>,
+    pub(super) airframes: Airframes,
+    pub(super) course: Course,
     pub(super) steering: Steering,
     /// Where the present cell begins.
     pub(super) anchor: Point,
     pub(super) present: Point,
     /// What the present was before the call, should it fail.
     before: [Point; 2],
-    /// At which the integrator's linear part was taken, m/s.
-    pub(super) reference_airspeed: f64,
     /// Absolute controls at the last evaluation.
     pub(super) controls: Controls,
-    pub(super) workspace: Workspace,
-    integrator: Integrator,
+    /// The wind of the last evaluation, if that was at the present state.
+    evaluated_in: Option<Wind>,
+    /// The whole aircraft at the present, for reading what acts on one side alone before it flies on.
+    pub(super) view: View,
     pub(super) outputs: Outputs,
 }
 
@@ -96,34 +128,24 @@ impl Simulation {
     /// When a setting or the time is out of range or no trim exists.
     pub fn new(model: Arc<ReducedModel>, settings: &Settings, start: f64) -> Result<Self, SimulationError> {
         check_time(start)?;
-        let modes = settings.choose_modes(&model)?;
-        let reduced = model.select(&modes);
-        let equations = EquationsOfMotion::new(&reduced, &settings.configuration(&reduced));
-        let Trim { pitch, elevator, thrust, state } = equations.trim(&settings.trim_condition())?;
+        let along_course = Settings { heading: 0.0, ..settings.clone() };
+        let (airframes, trim) = Airframes::new(&model, &along_course)?;
+        let Trim { pitch, elevator, thrust, state } = trim;
         let engines = model.engines.len();
-        let present =
-            Point { time: start, slope: vec![0.0; state.len()], state, substeps: 1, slope_is_fresh: false };
-        let trimmed = Controls { elevator, thrust: vec![thrust; engines], ..Controls::neutral(engines) };
-        let free_modes = FreeModes::new(&equations, &present.state, &trimmed);
-        let amplitudes = Amplitudes::new(equations.layout(), free_modes);
+        let room = airframes.whole().equations.layout().len();
+        let present = Point::new(start, &state, room);
         Ok(Simulation {
             identity: super::snapshot::identity(&model, settings),
             steering: Steering::new(TrimPoint { pitch, elevator, thrust }, settings, engines, start),
-            anchor: present.clone(),
-            before: [present.clone(), present.clone()],
+            course: Course::new(settings.heading),
+            anchor: Point::new(start, &state, room),
+            before: [Point::new(start, &state, room), Point::new(start, &state, room)],
             present,
-            reference_airspeed: 0.0,
             controls: Controls::neutral(engines),
-            workspace: Workspace::new(&equations),
-            integrator: Integrator::new(
-                equations.layout(),
-                error_scale(&reduced, settings.tolerance),
-                amplitudes,
-            ),
+            evaluated_in: None,
+            view: View { state: Vec::with_capacity(room), slope: vec![0.0; room], is_fresh: false },
             outputs: Outputs::new(&model),
-            equations,
-            stations: reduced.stations,
-            modes,
+            airframes,
             model,
         })
     }
@@ -142,6 +164,7 @@ impl Simulation {
     pub fn set_inputs(&mut self, inputs: &Inputs, rates: &Inputs) {
         if self.steering.set(inputs, rates, self.present.time) {
             self.present.slope_is_fresh = false;
+            self.view.is_fresh = false;
             self.anchor.copy_from(&self.present);
         }
     }
@@ -153,30 +176,94 @@ impl Simulation {
     /// before the call.
     pub fn advance_to(&mut self, end: f64) -> Result<(), SimulationError> {
         check_time(end)?;
-        let reference_airspeed = self.reference_airspeed;
+        let (was_half, reference_airspeed) =
+            (self.airframes.is_half(), self.airframes.flying().reference_airspeed);
         self.before[0].copy_from(&self.anchor);
         self.before[1].copy_from(&self.present);
+        self.view.is_fresh = false;
+        if self.must_unfold() {
+            self.unfold();
+        }
         let flown = self.fly(end);
         if flown.is_err() {
             let [anchor, present] = &self.before;
             self.anchor.copy_from(anchor);
             self.present.copy_from(present);
-            self.present.slope_is_fresh = false;
-            self.take_reference_airspeed(reference_airspeed);
+            self.forget_evaluation();
+            self.airframes.choose(was_half);
+            self.airframes.flying_mut().take_reference_airspeed(reference_airspeed);
         }
         flown
     }
 
     /// The outputs at the present time under the present inputs, without allocating.
     pub fn outputs(&mut self) -> &Outputs {
-        if !self.present.slope_is_fresh {
-            self.steering.write(self.present.time, &mut self.controls);
-            let Point { state, slope, .. } = &mut self.present;
-            self.equations.rates(state, &self.controls, slope, &mut self.workspace);
-            self.present.slope_is_fresh = true;
+        if self.must_unfold() {
+            self.refresh_view();
+        } else {
+            self.refresh();
         }
         outputs::write(self);
         &self.outputs
+    }
+
+    /// Whether half the aircraft flies for the whole, since the motion is symmetric.
+    pub fn is_symmetric(&self) -> bool {
+        self.airframes.is_half()
+    }
+
+    /// Whether half the aircraft has flown, and something acts on one side alone now.
+    pub(super) fn must_unfold(&self) -> bool {
+        self.airframes.mirrored_engines().is_some_and(|engines| !self.steering.is_symmetric(engines))
+    }
+
+    /// Lets the whole aircraft fly on in place of the half.
+    fn unfold(&mut self) {
+        for point in [&mut self.anchor, &mut self.present] {
+            self.airframes.unfold(&point.state, &mut self.view.state);
+            point.resize(self.view.state.len());
+            point.state.copy_from_slice(&self.view.state);
+        }
+        self.airframes.leave_half();
+        self.forget_evaluation();
+    }
+
+    /// Has the equations evaluated anew when they are next asked.
+    pub(super) fn forget_evaluation(&mut self) {
+        self.evaluated_in = None;
+        self.view.is_fresh = false;
+        self.present.slope_is_fresh = false;
+    }
+
+    /// Evaluates the equations of the whole aircraft at the present of the half.
+    fn refresh_view(&mut self) {
+        let View { state, slope, is_fresh } = &mut self.view;
+        if !*is_fresh {
+            self.airframes.unfold(&self.present.state, state);
+            self.steering.write(self.present.time, &mut self.controls);
+            let Airframe { equations, workspace, .. } = self.airframes.whole_mut();
+            equations.rates(state, &self.controls, slope, workspace);
+            *is_fresh = true;
+        }
+    }
+
+    /// Brings the slope at the present up to date with the inputs.
+    fn refresh(&mut self) {
+        if self.present.slope_is_fresh {
+            return;
+        }
+        self.steering.write(self.present.time, &mut self.controls);
+        let controls = &self.controls;
+        let wind = (controls.wind, controls.wind_rate);
+        let Airframe { equations, workspace, .. } = self.airframes.flying_mut();
+        let Point { state, slope, .. } = &mut self.present;
+        if self.evaluated_in == Some(wind) {
+            equations.steer(controls, slope, workspace);
+        } else {
+            equations.rates(state, controls, slope, workspace);
+            self.evaluated_in = Some(wind);
+        }
+        self.present.slope_is_fresh = true;
     }
 
     /// Flies full cells from the anchor as far as `end` allows, then the rest of the way.
@@ -185,8 +272,11 @@ impl Simulation {
             let begin = self.anchor.time;
             let boundary = CELL * (libm::floor(begin / CELL + ON_GRID) + 1.0);
             let is_full = boundary - end < ON_GRID * CELL;
+            if self.present.time != begin {
+                self.evaluated_in = None;
+                self.present.copy_from(&self.anchor);
+            }
             self.follow_airspeed();
-            self.present.copy_from(&self.anchor);
             self.fly_cell(begin, if is_full { boundary } else { end })?;
             if is_full {
                 self.anchor.copy_from(&self.present);
@@ -197,59 +287,58 @@ impl Simulation {
 
     /// Flies the present, which stands at the anchor, over one cell or part of one.
     fn fly_cell(&mut self, begin: f64, end: f64) -> Result<(), SimulationError> {
-        let controls = &mut self.controls;
-        let (equations, workspace) = (&self.equations, &mut self.workspace);
-        let steering = &self.steering;
+        self.refresh();
+        if !self.anchor.slope_is_fresh {
+            // For the next step that begins here.
+            self.anchor.copy_from(&self.present);
+        }
+        self.evaluated_in = None;
+        let (controls, steering) = (&mut self.controls, &self.steering);
+        let Airframe { equations, workspace, integrator, .. } = self.airframes.flying_mut();
         let mut rates = |time: f64, state: &[f64], rates: &mut [f64]| {
             steering.write(time, controls);
             equations.rates(state, controls, rates, workspace);
         };
         let Point { time, state, substeps, slope, slope_is_fresh } = &mut self.present;
-        if !*slope_is_fresh {
-            rates(begin, state, slope);
-        }
-        match self.integrator.fly_cell((begin, end), *substeps, state, slope, rates) {
+        let cell_end = integrator.fly_cell((begin, end), *substeps, state, slope, &mut rates);
+        let reversed = workspace.reversed_strip();
+        match cell_end {
             CellEnd::Accepted { next } => {
                 (*time, *substeps, *slope_is_fresh) = (end, next, true);
-                self.workspace.reversed_strip().map_or(Ok(()), |strip| Err(self.reverse_flow(strip)))
+                self.evaluated_in = Some((controls.wind, controls.wind_rate));
+                reversed.map_or(Ok(()), |strip| Err(self.reverse_flow(strip)))
             }
-            CellEnd::Failed => Err(self.failure(end - begin)),
+            CellEnd::Failed => Err(self.failure(end - begin, reversed)),
         }
     }
 
     /// Keeps the inflow's linear part near that of the flight.
     fn follow_airspeed(&mut self) {
         self.steering.write(self.anchor.time, &mut self.controls);
-        let airspeed = self.equations.airspeed(&self.anchor.state, &self.controls);
-        if (airspeed - self.reference_airspeed).abs() > AIRSPEED_DRIFT * self.reference_airspeed {
-            self.take_reference_airspeed(airspeed);
-        }
-    }
-
-    /// Takes the inflow's linear part at the given airspeed.
-    pub(super) fn take_reference_airspeed(&mut self, airspeed: f64) {
-        if airspeed != self.reference_airspeed {
-            self.reference_airspeed = airspeed;
-            let equations = &self.equations;
-            self.integrator.set_inflow_linear_part(|linear| equations.inflow_linear_part(airspeed, linear));
+        let airframe = self.airframes.flying_mut();
+        let airspeed = airframe.equations.airspeed(&self.anchor.state, &self.controls);
+        let reference = airframe.reference_airspeed;
+        if (airspeed - reference).abs() > AIRSPEED_DRIFT * reference {
+            airframe.take_reference_airspeed(airspeed);
         }
     }
 
     /// Why a cell could not be flown, not even in the smallest sub-steps.
-    fn failure(&self, width: f64) -> SimulationError {
+    fn failure(&self, width: f64, reversed: Option<usize>) -> SimulationError {
         let Point { time, state, slope, .. } = &self.present;
         let time = *time;
-        if let Some(strip) = self.workspace.reversed_strip() {
+        if let Some(strip) = reversed {
             return self.reverse_flow(strip);
         }
         if state.iter().chain(slope).any(|x| !x.is_finite()) {
             return SimulationError::NotFinite { time };
         }
         let step = width / f64::from(MAX_SUBSTEPS);
-        SimulationError::Tolerance { time, step, tolerance: self.integrator.tolerance() }
+        SimulationError::Tolerance { time, step, tolerance: self.airframes.flying().integrator.tolerance() }
     }
 
     fn reverse_flow(&self, strip: usize) -> SimulationError {
+        let strip = self.airframes.packaged_strip(strip);
         let component = self.model.strips[strip].component.clone();
         SimulationError::ReverseFlow { time: self.present.time, strip, component }
     }
@@ -257,13 +346,4 @@ impl Simulation {
 
 fn check_time(time: f64) -> Result<(), SimulationError> {
     if time.abs() <= LATEST { Ok(()) } else { Err(SimulationError::Time { found: time }) }
-}
-
-/// Magnitudes below which errors are absolute: 10 m and 1 m/s of O, 0.1 rad/s, 0.1 m and 1 m/s of the most
-/// moving strip of any mode, 1 m/s of inflow.
-fn error_scale(model: &ReducedModel, tolerance: f64) -> ErrorScale {
-    let translations = model.strips.iter().flat_map(|strip| &strip.shapes.translation);
-    let largest = translations.fold(0.0_f64, |largest, shape| largest.max(shape.abs()));
-    let per_metre = if largest > 0.0 { 1.0 / largest } else { 1.0 };
-    ErrorScale { tolerance, floors: [10.0, 1.0, 1.0, 0.1, 0.1 * per_metre, per_metre, 1.0] }
 }

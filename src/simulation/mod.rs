@@ -1,6 +1,8 @@
 //! A flight in time: the thing a user steps.
 
+mod airframe;
 mod amplitudes;
+mod course;
 mod error;
 mod exponential;
 mod flight;

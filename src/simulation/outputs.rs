@@ -7,6 +7,7 @@ use crate::dynamics::{Attitude, BodyMotion, Sensors, combine};
 use crate::structure::ReducedModel;
 
 use super::Simulation;
+use super::airframe::Airframe;
 
 /// All outputs at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,17 +98,18 @@ impl Outputs {
 
 /// Writes the outputs of a simulation whose accelerations and controls are up to date.
 pub(super) fn write(simulation: &mut Simulation) {
-    let Simulation { equations, present, controls, workspace, outputs, model, modes, stations, .. } =
-        simulation;
-    let state = &present.state;
+    let must_unfold = simulation.must_unfold();
+    let Simulation { airframes, course, present, view, controls, outputs, model, .. } = simulation;
+    let (airframe, state) =
+        if must_unfold { (airframes.whole(), &view.state) } else { (airframes.flying(), &present.state) };
+    let Airframe { equations, modes, stations, workspace, .. } = airframe;
     let layout = equations.layout();
-    let attitude = Attitude::from_quaternion(&state[layout.attitude()]);
+    let to_body = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial;
     let motion = equations.motion(state);
     let acceleration = Vector3::from_column_slice(&workspace.accelerations()[0..3]);
-    let to_body = attitude.body_from_inertial;
 
-    outputs.position = Vector3::from_column_slice(&state[layout.position()]);
-    outputs.attitude = attitude.euler_angles();
+    outputs.position = course.to_north(&Vector3::from_column_slice(&state[layout.position()]));
+    outputs.attitude = Attitude { body_from_inertial: to_body * course.matrix() }.euler_angles();
     outputs.velocity = motion.velocity;
     outputs.rate = motion.rate;
     outputs.acceleration = acceleration;
@@ -117,6 +119,8 @@ pub(super) fn write(simulation: &mut Simulation) {
     outputs.air = AirData::new(&air_velocity, &Air::at(equations.altitude(state)));
 
     let (q, q_dot) = (&state[layout.coordinates()], &state[layout.coordinate_rates()]);
+    outputs.modal_q.fill(0.0);
+    outputs.modal_q_dot.fill(0.0);
     for ((&packaged, q), q_dot) in modes.iter().zip(q).zip(q_dot) {
         outputs.modal_q[packaged] = *q;
         outputs.modal_q_dot[packaged] = *q_dot;

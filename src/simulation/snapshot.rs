@@ -1,8 +1,8 @@
 //! The complete state of a flight as bytes: restoring them continues bit for bit.
 //!
 //! Layout, little-endian: 8 bytes of magic with the format's version, identity of model and settings (u128),
-//! sub-steps of anchor and present and number of numbers (u32 each), the numbers (f64), FNV-1a hash of all
-//! before (u128).
+//! sub-steps of anchor and present and whether half the aircraft flies (1) or all (0) (u32 each), the numbers (f64),
+//! FNV-1a hash of all before (u128).
 
 use crate::structure::{ReducedModel, fnv1a};
 
@@ -11,7 +11,7 @@ use super::integrator::MAX_SUBSTEPS;
 use super::{Settings, Simulation, SimulationError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXSNP02";
+const MAGIC: &[u8; 8] = b"FLXSNP03";
 
 /// Bytes before the numbers.
 const HEADER: usize = 8 + 16 + 3 * 4;
@@ -28,10 +28,12 @@ impl Simulation {
         let start = bytes.len();
         bytes.extend_from_slice(MAGIC);
         bytes.extend_from_slice(&self.identity.to_le_bytes());
-        for count in [self.anchor.substeps, self.present.substeps, self.numbers() as u32] {
+        let is_half = u32::from(self.airframes.is_half());
+        for count in [self.anchor.substeps, self.present.substeps, is_half] {
             bytes.extend_from_slice(&count.to_le_bytes());
         }
-        for number in [self.anchor.time, self.present.time, self.steering.since, self.reference_airspeed] {
+        let reference_airspeed = self.airframes.flying().reference_airspeed;
+        for number in [self.anchor.time, self.present.time, self.steering.since, reference_airspeed] {
             bytes.extend_from_slice(&number.to_le_bytes());
         }
         let inputs = self.steering.inputs.values().chain(self.steering.rates.values());
@@ -43,9 +45,24 @@ impl Simulation {
         bytes.extend_from_slice(&hash.to_le_bytes());
     }
 
-    /// Length of a snapshot in bytes.
+    /// Length of a snapshot in bytes; it grows when the whole aircraft takes over from its half.
     pub fn snapshot_size(&self) -> usize {
-        HEADER + 8 * self.numbers() + 16
+        self.size_with(self.present.state.len())
+    }
+
+    /// Whether a snapshot of some length is of half or of all of the aircraft, and the length of its states.
+    fn airframe_of(&self, size: usize) -> Option<(bool, usize)> {
+        let airframes = [(false, Some(self.airframes.whole())), (true, self.airframes.half())];
+        let lengths = airframes.into_iter().filter_map(|(is_half, airframe)| {
+            airframe.map(|airframe| (is_half, airframe.equations.layout().len()))
+        });
+        lengths.into_iter().find(|(_, state)| size == self.size_with(*state))
+    }
+
+    /// Length of a snapshot with states of some length.
+    fn size_with(&self, state: usize) -> usize {
+        let numbers = 4 + 2 * self.steering.inputs.values().count() + 2 * state;
+        HEADER + 8 * numbers + 16
     }
 
     /// Goes back to a snapshot taken of a simulation of the same model with the same settings.
@@ -54,9 +71,9 @@ impl Simulation {
     /// When the bytes are damaged or of another model, settings or version; nothing changes then.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SimulationError> {
         let refuse = |reason| Err(SimulationError::Snapshot(reason));
-        if bytes.len() != self.snapshot_size() {
+        let Some((is_half, length)) = self.airframe_of(bytes.len()) else {
             return refuse("its length is not that of this model and these settings");
-        }
+        };
         let (content, hash) = bytes.split_at(bytes.len() - 16);
         if !content.starts_with(MAGIC) {
             return refuse("it does not begin with the mark of this version");
@@ -68,12 +85,15 @@ impl Simulation {
             return refuse("it was taken of another aircraft or with other parameters");
         }
         // PROOF: chunks_exact(n) yields slices of n bytes only, here and below.
-        let mut counts = content[24..32]
+        let mut counts = content[24..HEADER]
             .chunks_exact(4)
             .map(|bytes| u32::from_le_bytes(bytes.try_into().expect("4 bytes")));
         let (anchor_substeps, substeps) = (counts.next().unwrap_or(0), counts.next().unwrap_or(0));
         if [anchor_substeps, substeps].iter().any(|count| !(1..=MAX_SUBSTEPS).contains(count)) {
             return refuse("its number of sub-steps is out of range");
+        }
+        if counts.next() != Some(u32::from(is_half)) {
+            return refuse("its mark of symmetry does not fit its length");
         }
         // PROOF: as above.
         let mut numbers = content[HEADER..]
@@ -92,17 +112,14 @@ impl Simulation {
         for number in self.steering.inputs.values_mut().chain(self.steering.rates.values_mut()) {
             *number = next();
         }
-        for number in self.anchor.state.iter_mut().chain(&mut self.present.state) {
-            *number = next();
+        for point in [&mut self.anchor, &mut self.present] {
+            point.resize(length);
+            point.state.fill_with(&mut next);
         }
         (self.anchor.substeps, self.present.substeps) = (anchor_substeps, substeps);
-        (self.anchor.slope_is_fresh, self.present.slope_is_fresh) = (false, false);
-        self.take_reference_airspeed(reference_airspeed);
+        self.forget_evaluation();
+        self.airframes.choose(is_half);
+        self.airframes.flying_mut().take_reference_airspeed(reference_airspeed);
         Ok(())
-    }
-
-    /// How many floating-point numbers a snapshot holds.
-    fn numbers(&self) -> usize {
-        4 + 2 * self.steering.inputs.values().count() + 2 * self.present.state.len()
     }
 }

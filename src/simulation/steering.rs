@@ -2,6 +2,7 @@
 
 use crate::dynamics::Controls;
 
+use super::course::Course;
 use super::{InputReference, Inputs, Settings, TrimPoint};
 
 /// What acts on the aircraft from the last setting of the inputs on.
@@ -10,6 +11,8 @@ pub struct Steering {
     /// The trim, to which inputs may add.
     pub trim: TrimPoint,
     reference: InputReference,
+    /// The controls' wind is along it.
+    course: Course,
     /// Values at the time they were set.
     pub inputs: Inputs,
     /// Per second.
@@ -22,7 +25,8 @@ impl Steering {
     /// Hands off, from a time (s) on.
     pub fn new(trim: TrimPoint, settings: &Settings, engines: usize, since: f64) -> Self {
         let (inputs, rates) = (Inputs::zero(engines), Inputs::zero(engines));
-        Steering { trim, reference: settings.input_reference, inputs, rates, since }
+        let course = Course::new(settings.heading);
+        Steering { trim, reference: settings.input_reference, course, inputs, rates, since }
     }
 
     /// Sets inputs and rates at a time (s); returns whether that changes anything.
@@ -36,9 +40,20 @@ impl Steering {
         true
     }
 
+    /// Whether everything acts alike on both sides, and will; `images` has the mirror image of each engine.
+    pub fn is_symmetric(&self, images: &[usize]) -> bool {
+        [&self.inputs, &self.rates].into_iter().all(|inputs| {
+            let mut engines = images.iter().enumerate();
+            inputs.aileron == 0.0
+                && inputs.rudder == 0.0
+                && self.course.from_north(&inputs.wind).y == 0.0
+                && engines.all(|(engine, &image)| inputs.thrust[engine] == inputs.thrust[image])
+        })
+    }
+
     /// The absolute controls at a time (s).
     pub fn write(&self, time: f64, controls: &mut Controls) {
-        let Steering { trim, inputs, rates, .. } = self;
+        let Steering { trim, inputs, rates, course, .. } = self;
         let elapsed = time - self.since;
         let (elevator, thrust) = match self.reference {
             InputReference::Trim => (trim.elevator, trim.thrust),
@@ -51,7 +66,7 @@ impl Steering {
         for ((acting, input), rate) in controls.thrust.iter_mut().zip(&inputs.thrust).zip(&rates.thrust) {
             *acting = thrust + input + elapsed * rate;
         }
-        controls.wind = inputs.wind + rates.wind * elapsed;
-        controls.wind_rate = rates.wind;
+        controls.wind = course.from_north(&(inputs.wind + rates.wind * elapsed));
+        controls.wind_rate = course.from_north(&rates.wind);
     }
 }

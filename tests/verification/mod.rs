@@ -18,5 +18,6 @@ mod rigid_modes;
 mod sensors;
 mod spin_up;
 mod strain_energy;
+mod symmetry;
 mod trim;
 mod wind_tunnel;

@@ -31,6 +31,7 @@ const CLAIMS: &[Claim] = &[
     ("Sensors on the structure", "sensors", &["sensors"]),
     ("Fidelity levels", "fidelity_levels", &["rigid-limit", "damping"]),
     ("Invariance of the flight", "flight", &["mirror", "steadiness", "heading"]),
+    ("Symmetric motion", "symmetry", &["half"]),
     ("Flutter", "flutter", &["flutter-section", "flutter-wings"]),
     ("Wind tunnel", "wind_tunnel", &["divergence"]),
 ];

@@ -1,0 +1,33 @@
+//! What support and symmetry leave free of the rigid motion.
+
+/// Which components of v and ω move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RigidFreedom {
+    /// All six.
+    All,
+    /// Those in the mirror plane y = 0: v_x, v_z and ω_y.
+    InPlane,
+    /// None.
+    Held,
+}
+
+impl RigidFreedom {
+    /// Their places in ν = [v; ω; q̇].
+    pub fn components(self) -> &'static [usize] {
+        match self {
+            RigidFreedom::All => &[0, 1, 2, 3, 4, 5],
+            RigidFreedom::InPlane => &[0, 2, 4],
+            RigidFreedom::Held => &[],
+        }
+    }
+
+    /// How many of them are translations.
+    pub fn translations(self) -> usize {
+        self.components().iter().filter(|&&component| component < 3).count()
+    }
+
+    /// Places in ν of all that moves, with the generalised coordinates.
+    pub fn moving(self, modes: usize) -> Vec<usize> {
+        self.components().iter().copied().chain(6..6 + modes).collect()
+    }
+}

@@ -1,0 +1,259 @@
+//! The right half of an aircraft, for motion that is its own mirror image in the plane y = 0 (physics.md §1).
+//!
+//! In such motion antisymmetric modes rest, left and right carry the same loads, and what the left half does is known
+//! from the right one. The half keeps the symmetric modes, the strips on the right at twice their width and those in
+//! the plane as they are; integrals over the mass and strain energy stay those of the whole aircraft.
+
+use nalgebra::Vector3;
+
+use crate::aircraft::{ControlGains, Flap};
+
+use super::{ModeFamily, ModeShapes, ReducedEngine, ReducedModel, ReducedStrip};
+
+/// How far mirror images may differ, in parts of the aircraft's size or of each number.
+const SYMMETRIC: f64 = 1e-9;
+
+/// What symmetric motion needs of an aircraft with a mirror plane.
+#[derive(Clone, Debug)]
+pub struct SymmetricHalf {
+    /// The half's strips, the symmetric modes, all engines and stations.
+    pub model: ReducedModel,
+    /// Which modes of the whole aircraft those are.
+    pub modes: Vec<usize>,
+    /// For each strip of the whole aircraft the one of the half that moves as it does or as its mirror image.
+    pub strips: Vec<Counterpart>,
+    /// For each engine its mirror image.
+    pub engines: Vec<usize>,
+}
+
+/// The strip of the half that stands for one of the whole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Counterpart {
+    /// Index in the half.
+    pub strip: usize,
+    /// 1, or −1 where the span axis points the other way than the mirrored one: upwash and inflow change their sign.
+    pub sign: f64,
+}
+
+impl SymmetricHalf {
+    /// The half of an aircraft; `None` when it has no mirror plane.
+    pub fn find(whole: &ReducedModel) -> Option<Self> {
+        let unsymmetric = |family| family == ModeFamily::Unsymmetric;
+        if whole.modes.iter().any(|mode| unsymmetric(mode.family)) || !mass_is_symmetric(whole) {
+            return None;
+        }
+        let symmetric = |&mode: &usize| whole.modes[mode].family == ModeFamily::Symmetric;
+        let modes: Vec<usize> = (0..whole.modes.len()).filter(symmetric).collect();
+        let mut model = whole.select(&modes);
+        let mirror = Mirror::of(&model);
+        let engines = model
+            .engines
+            .iter()
+            .map(|engine| model.engines.iter().position(|image| mirror.maps_engine(engine, image)))
+            .collect::<Option<_>>()?;
+        let strips = mirror.counterparts(&model.strips)?;
+        let side = |strip: &ReducedStrip| mirror.side(&strip.position);
+        model.strips.retain(|strip| side(strip) >= 0);
+        for strip in &mut model.strips {
+            if side(strip) > 0 {
+                strip.width *= 2.0;
+            }
+            if let Some(Flap { gains, .. }) = &mut strip.flap {
+                // What turns the two sides differently is at rest.
+                *gains = ControlGains { aileron: 0.0, rudder: 0.0, ..*gains };
+            }
+        }
+        Some(SymmetricHalf { model, modes, strips, engines })
+    }
+}
+
+/// Whether the undeformed aircraft's mass is symmetric; that of its modes is, if they have families.
+fn mass_is_symmetric(model: &ReducedModel) -> bool {
+    let (c, j) = (&model.integrals.first_moment, &model.integrals.inertia);
+    let (c_size, j_size) = (c.norm(), j.norm());
+    c.y.abs() <= SYMMETRIC * c_size && [j[(0, 1)], j[(1, 2)]].iter().all(|x| x.abs() <= SYMMETRIC * j_size)
+}
+
+/// The reflection in y = 0 of an aircraft's symmetric modes.
+struct Mirror {
+    /// Largest distance of a strip from O, m.
+    size: f64,
+    /// Largest displacement or rotation of a strip per unit coordinate.
+    shape: f64,
+}
+
+impl Mirror {
+    fn of(model: &ReducedModel) -> Self {
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, |a, b| a.max(b.abs()));
+        let shapes = model.strips.iter().map(|strip| &strip.shapes);
+        Mirror {
+            size: largest(&mut model.strips.iter().map(|strip| strip.position.norm())),
+            shape: largest(
+                &mut shapes.flat_map(|shapes| shapes.translation.iter().chain(&shapes.rotation)).copied(),
+            ),
+        }
+    }
+
+    /// 1 on the right, −1 on the left, 0 in the plane.
+    fn side(&self, position: &Vector3<f64>) -> i8 {
+        match position.y {
+            y if y > SYMMETRIC * self.size => 1,
+            y if y < -SYMMETRIC * self.size => -1,
+            _ => 0,
+        }
+    }
+
+    /// For every strip its own place among those kept, or that of its image, each image taken once.
+    fn counterparts(&self, strips: &[ReducedStrip]) -> Option<Vec<Counterpart>> {
+        let kept: Vec<usize> =
+            (0..strips.len()).filter(|&strip| self.side(&strips[strip].position) >= 0).collect();
+        let place = |strip: usize| kept.iter().position(|&kept| kept == strip);
+        let mut taken = vec![false; strips.len()];
+        let mut counterparts = vec![None; strips.len()];
+        for (index, strip) in strips.iter().enumerate() {
+            let side = self.side(&strip.position);
+            if side >= 0 {
+                counterparts[index] = place(index).map(|strip| Counterpart { strip, sign: 1.0 });
+            }
+            if side == 0 && self.sign(strip, strip).is_none() {
+                return None;
+            }
+            if side < 0 {
+                let is_free = |&&image: &&usize| !taken[image] && self.side(&strips[image].position) > 0;
+                let image = *kept
+                    .iter()
+                    .filter(is_free)
+                    .find(|&&image| self.sign(strip, &strips[image]).is_some())?;
+                taken[image] = true;
+                let sign = self.sign(strip, &strips[image])?;
+                counterparts[index] = place(image).map(|strip| Counterpart { strip, sign });
+            }
+        }
+        let all_taken = kept.iter().all(|&strip| taken[strip] || self.side(&strips[strip].position) == 0);
+        counterparts.into_iter().collect::<Option<Vec<_>>>().filter(|_| all_taken)
+    }
+
+    /// Whether one strip is the mirror image of another, and whether its span axis is the mirrored one (1) or its
+    /// opposite (−1).
+    fn sign(&self, strip: &ReducedStrip, image: &ReducedStrip) -> Option<f64> {
+        let ReducedStrip { position, forward, span, flap, shapes, .. } = strip;
+        if !self.maps(position, &image.position, self.size) || !self.maps(forward, &image.forward, 1.0) {
+            return None;
+        }
+        let sign = [1.0, -1.0].into_iter().find(|&sign| maps_axial(&(span * sign), &image.span, 1.0))?;
+        let numbers = |strip: &ReducedStrip| {
+            [
+                strip.semichord,
+                strip.elastic_axis_aft_of_midchord,
+                strip.width,
+                strip.lift_slope,
+                strip.profile_drag,
+                strip.leading_edge_suction,
+            ]
+        };
+        let alike = numbers(strip).into_iter().zip(numbers(image)).all(|(a, b)| are_alike(a, b))
+            && are_alike(strip.zero_lift_offset, sign * image.zero_lift_offset)
+            && flaps_mirror(flap.as_ref(), image.flap.as_ref(), sign)
+            && self.maps_shapes(shapes, &image.shapes);
+        alike.then_some(sign)
+    }
+
+    fn maps_engine(&self, engine: &ReducedEngine, image: &ReducedEngine) -> bool {
+        self.maps(&engine.position, &image.position, self.size)
+            && self.maps(&engine.direction, &image.direction, 1.0)
+            && self.maps_shapes(&engine.shapes, &image.shapes)
+    }
+
+    fn maps_shapes(&self, shapes: &ModeShapes, image: &ModeShapes) -> bool {
+        let n = shapes.translation.len() / 3;
+        let column = |rows: &[f64], mode: usize| Vector3::new(rows[mode], rows[n + mode], rows[2 * n + mode]);
+        (0..n).all(|mode| {
+            let pair = |rows: &[f64], images: &[f64]| (column(rows, mode), column(images, mode));
+            let (translation, moved) = pair(&shapes.translation, &image.translation);
+            let (rotation, turned) = pair(&shapes.rotation, &image.rotation);
+            self.maps(&translation, &moved, self.shape) && maps_axial(&rotation, &turned, self.shape)
+        })
+    }
+
+    /// Whether an arrow becomes another one in the mirror.
+    fn maps(&self, arrow: &Vector3<f64>, image: &Vector3<f64>, size: f64) -> bool {
+        (Vector3::new(arrow.x, -arrow.y, arrow.z) - image).amax() <= SYMMETRIC * size
+    }
+}
+
+/// Whether an axis of rotation becomes another one in the mirror.
+fn maps_axial(axis: &Vector3<f64>, image: &Vector3<f64>, size: f64) -> bool {
+    (Vector3::new(-axis.x, axis.y, -axis.z) - image).amax() <= SYMMETRIC * size
+}
+
+fn are_alike(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SYMMETRIC * a.abs().max(b.abs())
+}
+
+/// Whether two flaps turn alike under elevator and both ailerons together.
+fn flaps_mirror(flap: Option<&Flap>, image: Option<&Flap>, sign: f64) -> bool {
+    match (flap, image) {
+        (Some(flap), Some(image)) => {
+            are_alike(flap.lift_slope, image.lift_slope)
+                && are_alike(flap.hinge, image.hinge)
+                && are_alike(flap.gains.elevator, sign * image.gains.elevator)
+                && are_alike(flap.gains.aileron_symmetric, sign * image.gains.aileron_symmetric)
+        }
+        (flap, image) => flap.is_none() && image.is_none(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::variables::tests::jet;
+
+    #[test]
+    fn the_jet_has_a_half_of_its_right_strips_and_those_in_the_plane() {
+        let jet = jet();
+        let half = SymmetricHalf::find(jet).unwrap();
+        assert_eq!((jet.strips.len(), half.model.strips.len()), (99, 24 + 8 + 20 + 15));
+        assert_eq!((half.modes.len(), half.engines.as_slice()), (12, &[1, 0][..]));
+        let area = |model: &ReducedModel| -> f64 {
+            model.strips.iter().map(|strip| strip.semichord * strip.width).sum()
+        };
+        assert!((area(jet) / area(&half.model) - 1.0).abs() < 1e-14);
+        for (strip, Counterpart { strip: kept, sign }) in jet.strips.iter().zip(&half.strips) {
+            let kept = &half.model.strips[*kept];
+            assert!((strip.position.y.abs() - kept.position.y).abs() < 1e-12 && *sign == 1.0);
+            assert_eq!(strip.component.replace("left", "right"), kept.component);
+        }
+    }
+
+    /// Whether the jet, changed, has a half.
+    fn has_half(change: impl FnOnce(&mut ReducedModel)) -> bool {
+        let mut model = jet().clone();
+        change(&mut model);
+        SymmetricHalf::find(&model).is_some()
+    }
+
+    #[test]
+    fn an_aircraft_without_a_mirror_plane_has_no_half() {
+        assert!(has_half(|_| {}));
+        assert!(!has_half(|jet| jet.strips[3].semichord *= 1.001));
+        assert!(!has_half(|jet| jet.strips[3].shapes.rotation[0] += 1e-3));
+        assert!(!has_half(|jet| jet.engines[0].position.y -= 0.1));
+        assert!(!has_half(|jet| jet.modes[5].family = ModeFamily::Unsymmetric));
+        assert!(!has_half(|jet| jet.integrals.first_moment.y = 1.0));
+        assert!(!has_half(|jet| drop(jet.strips.remove(0))));
+        let fin = jet().strips.iter().position(|strip| strip.component == "vtail").unwrap();
+        assert!(!has_half(|jet| jet.strips[fin].zero_lift_offset = 0.01));
+    }
+
+    #[test]
+    fn a_strip_whose_span_axis_points_the_other_way_counts_with_the_opposite_sign() {
+        let mut model = jet().clone();
+        let left = model.strips.iter().position(|strip| strip.component == "wing_left").unwrap();
+        let strip = &mut model.strips[left];
+        strip.span = -strip.span;
+        let gains = &mut strip.flap.as_mut().unwrap().gains;
+        gains.aileron_symmetric = -gains.aileron_symmetric;
+        let half = SymmetricHalf::find(&model).unwrap();
+        assert_eq!(half.strips[left].sign, -1.0);
+    }
+}

@@ -1,0 +1,150 @@
+//! Symmetric motion: half the aircraft flies for the whole until something acts on one side alone.
+
+use flexible_aircraft::simulation::{Fidelity, Inputs, Outputs, Settings, Simulation};
+
+use super::record::Record;
+use crate::support::{fly, jet, two_three_one_one, up};
+
+/// An aileron so small that it moves nothing, but not zero: the whole aircraft flies.
+const NOTHING: f64 = 1e-300;
+
+/// A symmetric manoeuvre, flown by half the aircraft or by all of it.
+fn manoeuvre(settings: &Settings, aileron: f64) -> Vec<Outputs> {
+    fly(settings, 6.0, two_three_one_one, |inputs, angle| {
+        (inputs.elevator, inputs.aileron) = (angle, aileron);
+        (inputs.aileron_symmetric, inputs.wind.z) = (-angle, 20.0 * angle);
+    })
+}
+
+#[test]
+fn half_the_aircraft_flies_as_the_whole_one_does() {
+    let mut record = Record::new(
+        "half",
+        "A symmetric manoeuvre flown by half the aircraft and by all of it: largest differences over 6 s at the tolerance \
+         1e-8, heading 1 rad",
+        "the whole aircraft, kept from using its symmetry by an aileron of 1e-300 rad",
+    );
+    for fidelity in Fidelity::ALL {
+        let settings =
+            Settings { fidelity, stiffness_scale: 0.3, heading: 1.0, tolerance: 1e-8, ..Settings::default() };
+        let (half, whole) = (manoeuvre(&settings, 0.0), manoeuvre(&settings, NOTHING));
+        let largest = |difference: fn(&Outputs, &Outputs) -> f64| {
+            half.iter()
+                .zip(&whole)
+                .fold(0.0_f64, |largest, (half, whole)| largest.max(difference(half, whole)))
+        };
+        record.rounding(
+            &format!("{fidelity:?}: pitch, rad"),
+            1e-7,
+            largest(|half, whole| (half.attitude.y - whole.attitude.y).abs()),
+        );
+        record.rounding(
+            &format!("{fidelity:?}: position, m"),
+            1e-5,
+            largest(|half, whole| (half.position - whole.position).norm()),
+        );
+        record.rounding(
+            &format!("{fidelity:?}: left wing tip, m"),
+            1e-7,
+            largest(|half, whole| (up(half, "wing_tip_left") - up(whole, "wing_tip_left")).abs()),
+        );
+        record.rounding(
+            &format!("{fidelity:?}: load factor"),
+            1e-6,
+            largest(|half, whole| (half.load_factor - whole.load_factor).norm()),
+        );
+        let aside = |outputs: &Outputs| outputs.velocity.y.abs() + outputs.attitude.x.abs();
+        record.rounding(
+            &format!("{fidelity:?}: sideways, m/s and rad"),
+            1e-9,
+            whole.iter().map(aside).fold(0.0, f64::max),
+        );
+        assert!(
+            half.iter().all(|outputs| aside(outputs) == 0.0),
+            "{fidelity:?}: half an aircraft goes straight"
+        );
+    }
+    record.finish();
+}
+
+fn set(flight: &mut Simulation, change: impl FnOnce(&mut Inputs)) {
+    let mut inputs = Inputs::zero(2);
+    change(&mut inputs);
+    flight.set_inputs(&inputs, &Inputs::zero(2));
+}
+
+#[test]
+fn whatever_acts_on_one_side_alone_makes_the_whole_aircraft_fly() {
+    let flies_as_half = |change: fn(&mut Inputs)| {
+        let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+        set(&mut flight, change);
+        flight.advance_to(0.02).unwrap();
+        flight.is_symmetric()
+    };
+    assert!(flies_as_half(|inputs| inputs.elevator = 0.01));
+    assert!(flies_as_half(|inputs| inputs.aileron_symmetric = 0.01));
+    assert!(flies_as_half(|inputs| inputs.thrust.fill(500.0)));
+    assert!(flies_as_half(|inputs| (inputs.wind.x, inputs.wind.z) = (2.0, -1.0)));
+    assert!(!flies_as_half(|inputs| inputs.aileron = 0.01));
+    assert!(!flies_as_half(|inputs| inputs.rudder = 0.01));
+    assert!(!flies_as_half(|inputs| inputs.thrust[1] = 500.0));
+    assert!(!flies_as_half(|inputs| inputs.wind.y = 1.0));
+}
+
+#[test]
+fn reading_what_one_side_would_do_changes_nothing_of_what_follows() {
+    let flight = |looks: bool| {
+        let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+        flight.advance_to(0.015).unwrap();
+        set(&mut flight, |inputs| inputs.aileron = 0.1);
+        if looks {
+            let rolling = flight.outputs().sensors.clone();
+            assert_ne!(rolling[0].specific_force.z, rolling[1].specific_force.z);
+        }
+        set(&mut flight, |inputs| inputs.elevator = 0.02);
+        flight.advance_to(0.1).unwrap();
+        assert!(flight.is_symmetric());
+        flight.outputs().clone()
+    };
+    assert_eq!(flight(true), flight(false));
+}
+
+#[test]
+fn the_whole_aircraft_goes_on_where_the_half_stood() {
+    let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+    set(&mut flight, |inputs| (inputs.elevator, inputs.wind.z) = (-0.03, -2.0));
+    flight.advance_to(0.777).unwrap();
+    let half = flight.outputs().clone();
+    set(&mut flight, |inputs| (inputs.elevator, inputs.wind.z, inputs.aileron) = (-0.03, -2.0, NOTHING));
+    let seen = flight.outputs().clone();
+    flight.advance_to(0.777 + 1e-5).unwrap();
+    assert!(!flight.is_symmetric());
+    let whole = flight.outputs().clone();
+    for outputs in [&seen, &whole] {
+        assert!((outputs.load_factor - half.load_factor).norm() < 1e-3);
+        assert!((up(outputs, "wing_tip_left") - up(&half, "wing_tip_left")).abs() < 1e-3);
+        let difference = half.modal_q_dot.iter().zip(&outputs.modal_q_dot).map(|(a, b)| (a - b).abs());
+        assert!(difference.fold(0.0, f64::max) < 0.1);
+    }
+    assert!((seen.load_factor - half.load_factor).norm() < 1e-12);
+}
+
+#[test]
+fn a_snapshot_of_the_half_brings_it_back_when_the_whole_aircraft_flies() {
+    let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+    flight.advance_to(0.505).unwrap();
+    let mut bytes = Vec::new();
+    flight.snapshot(&mut bytes);
+    let go_on = |flight: &mut Simulation| {
+        set(flight, |inputs| inputs.elevator = 0.02);
+        flight.advance_to(1.0).unwrap();
+        flight.outputs().clone()
+    };
+    let straight = go_on(&mut flight);
+    set(&mut flight, |inputs| inputs.rudder = 0.05);
+    flight.advance_to(1.5).unwrap();
+    assert!(!flight.is_symmetric() && flight.snapshot_size() > bytes.len());
+    flight.restore(&bytes).unwrap();
+    assert!(flight.is_symmetric());
+    assert_eq!(go_on(&mut flight), straight);
+}
