@@ -132,6 +132,24 @@ impl<S: Simd> Lanes<S> {
         Lanes { value: self.simd.sqrt_f64s(self.value), ..self }
     }
 
+    /// Magnitudes.
+    #[inline(always)]
+    pub fn abs(self) -> Self {
+        Lanes { value: self.simd.abs_f64s(self.value), ..self }
+    }
+
+    /// The largest number, if all are numbers.
+    #[inline(always)]
+    pub fn largest(self) -> f64 {
+        self.simd.reduce_max_f64s(self.value)
+    }
+
+    /// The least number, if all are numbers.
+    #[inline(always)]
+    pub fn least(self) -> f64 {
+        self.simd.reduce_min_f64s(self.value)
+    }
+
     /// The numbers, one by one.
     #[inline(always)]
     pub fn numbers(&self) -> &[f64] {

@@ -10,19 +10,20 @@ use pulp::Arch;
 use crate::aerodynamics::{Air, PetersInflow};
 use crate::aircraft::Support;
 use crate::structure::{
-    ModalIntegrals, PairProducts, ReducedModel, StrainEnergy, StrainPolynomial, SymmetricHalf,
+    ElasticForces, ElasticScratch, ModalIntegrals, ReducedModel, ReducedStrip, StrainEnergy, SymmetricHalf,
 };
 
 use super::attitude::{Attitude, quaternion_rate};
 use super::controls::Controls;
 use super::fidelity::{Fidelity, Terms};
 use super::freedom::RigidFreedom;
-use super::inertia::{DeformedInertia, RigidMotion, add, write_undeformed_mass_matrix};
+use super::inertia::{DeformedInertia, RigidMotion, add};
 use super::layout::StateLayout;
 use super::linear_solve::Factor;
 use super::propulsion::Engines;
 use super::strip_sums::StripSums;
 use super::strips::{Strips, SumLoads, Surroundings};
+use super::structural_forces::StructuralForces;
 use super::workspace::Workspace;
 
 /// What distinguishes one set of equations of the same reduced model from another.
@@ -44,14 +45,14 @@ pub struct Configuration {
 #[derive(Clone, Debug)]
 pub struct EquationsOfMotion {
     layout: StateLayout,
-    terms: Terms,
+    pub(super) terms: Terms,
     support: Support,
     freedom: RigidFreedom,
     gravity: f64,
-    integrals: ModalIntegrals,
+    pub(super) integrals: ModalIntegrals,
     strain_energy: StrainEnergy,
-    /// Its third and fourth order, as far as the level keeps them.
-    strain_polynomial: StrainPolynomial,
+    /// ∂U/∂q of the orders that the level keeps.
+    pub(super) elastic_forces: ElasticForces,
     stiffness_scale: f64,
     /// 2ζω_k.
     damping: Vec<f64>,
@@ -67,21 +68,26 @@ pub struct EquationsOfMotion {
 impl EquationsOfMotion {
     /// The equations for a reduced model, all of whose modes take part unless it is to be rigid.
     pub fn new(model: &ReducedModel, configuration: &Configuration) -> Self {
-        EquationsOfMotion::with_freedom(model, configuration, RigidFreedom::All)
+        EquationsOfMotion::with_freedom(model, &[], configuration, RigidFreedom::All)
     }
 
     /// The equations of symmetric motion for half an aircraft, with neither ailerons against each other nor rudder nor
     /// wind from the side: a third of the work.
     pub fn of_half(half: &SymmetricHalf, configuration: &Configuration) -> Self {
-        EquationsOfMotion::with_freedom(&half.model, configuration, RigidFreedom::InPlane)
+        EquationsOfMotion::with_freedom(&half.model, &half.edge_on, configuration, RigidFreedom::InPlane)
     }
 
     /// The equations with what a free support leaves free.
-    fn with_freedom(model: &ReducedModel, configuration: &Configuration, free: RigidFreedom) -> Self {
+    fn with_freedom(
+        model: &ReducedModel,
+        edge_on: &[ReducedStrip],
+        configuration: &Configuration,
+        free: RigidFreedom,
+    ) -> Self {
         if configuration.fidelity == Fidelity::Rigid && !model.modes.is_empty() {
-            return EquationsOfMotion::with_freedom(&model.select(&[]), configuration, free);
+            return EquationsOfMotion::with_freedom(&model.select(&[]), edge_on, configuration, free);
         }
-        let strips = Strips::new(model);
+        let strips = Strips::new(model, edge_on);
         let inflow = PetersInflow::new(configuration.inflow_states);
         let scale = libm::sqrt(configuration.stiffness_scale);
         let damping = |frequency: f64| 2.0 * configuration.structural_damping * scale * frequency;
@@ -103,9 +109,10 @@ impl EquationsOfMotion {
             gravity: model.gravity,
             integrals: model.integrals.clone(),
             strain_energy: model.strain_energy.clone(),
-            strain_polynomial: StrainPolynomial::new(
+            elastic_forces: ElasticForces::new(
                 &model.strain_energy,
                 &families,
+                configuration.stiffness_scale,
                 terms.cubic_energy,
                 terms.quartic_energy,
             ),
@@ -138,7 +145,7 @@ impl EquationsOfMotion {
 
     /// Computes with vectors of a given width.
     pub(super) fn take_arch(&mut self, arch: Arch) {
-        (self.arch, self.strips.arch, self.strain_polynomial.arch) = (arch, arch, arch);
+        (self.arch, self.strips.arch) = (arch, arch);
     }
 
     /// Where each part of the state stands.
@@ -232,18 +239,15 @@ impl EquationsOfMotion {
         (self.motion(state).velocity - attitude.body_from_inertial * self.air_motion(controls)).norm()
     }
 
-    /// Strain energy at q, J. Allocates.
+    /// Strain energy at q, J, of the orders that the level keeps. Allocates.
     pub fn strain_energy(&self, q: &[f64]) -> f64 {
-        self.elastic(q, &mut vec![0.0; q.len()], &mut self.strain_polynomial.pair_products())
-    }
-
-    /// Strain energy at q, J, and its gradient.
-    fn elastic(&self, q: &[f64], gradient: &mut [f64], pairs: &mut PairProducts) -> f64 {
-        gradient.fill(0.0);
-        let energy =
-            self.strain_energy.add_quadratic(q, gradient) + self.strain_polynomial.add(q, gradient, pairs);
-        for force in gradient {
-            *force *= self.stiffness_scale;
+        let gradient = &mut vec![0.0; q.len()];
+        let mut energy = self.strain_energy.add_quadratic(q, gradient);
+        if self.terms.cubic_energy {
+            energy += self.strain_energy.add_cubic(q, gradient);
+        }
+        if self.terms.quartic_energy {
+            energy += self.strain_energy.add_quartic(q, gradient);
         }
         energy * self.stiffness_scale
     }
@@ -290,9 +294,14 @@ impl EquationsOfMotion {
         Factor::new(self.symmetric, self.moving().len())
     }
 
-    /// Room for the strain energy's products.
-    pub(super) fn pair_products(&self) -> PairProducts {
-        self.strain_polynomial.pair_products()
+    /// Room for evaluating the elastic forces.
+    pub(super) fn elastic_scratch(&self) -> ElasticScratch {
+        self.elastic_forces.scratch()
+    }
+
+    /// The inertia without deformation.
+    pub(super) fn undeformed_inertia(&self) -> DeformedInertia {
+        DeformedInertia::undeformed(&self.integrals, self.freedom)
     }
 
     /// Room for the loads of the strips of these equations.
@@ -317,12 +326,10 @@ impl EquationsOfMotion {
         let q = &state[self.layout.coordinates()];
         let q_dot = &state[self.layout.coordinate_rates()];
         let motion = self.motion(state);
-        let Workspace { inertia, forces, elastic_force, pairs, mass, strip_sums, .. } = workspace;
-        forces.clear();
+        workspace.forces.clear();
+        self.arch.dispatch(StructuralForces { equations: self, motion: &motion, q, q_dot, workspace });
+        let Workspace { inertia, forces, elastic_force, mass, strip_sums, .. } = workspace;
         let force = &mut forces.passive;
-        self.arch.dispatch(|| self.assemble_inertia(&motion, q, q_dot, inertia, mass, force));
-
-        self.elastic(q, elastic_force, pairs);
         for (mode, force) in force[6..].iter_mut().enumerate() {
             *force -= elastic_force[mode] + self.damping[mode] * q_dot[mode];
         }
@@ -339,34 +346,6 @@ impl EquationsOfMotion {
         let around = self.surroundings(state, (q, q_dot), attitude, controls);
         let (strips, layout) = (&self.strips, &self.layout);
         SumLoads { strips, around: &around, layout, state, rates, sums: strip_sums, forces, mass }.run();
-    }
-
-    /// Mass matrix and inertial forcing of the fidelity level.
-    #[inline(always)]
-    fn assemble_inertia(
-        &self,
-        motion: &RigidMotion,
-        q: &[f64],
-        q_dot: &[f64],
-        inertia: &mut DeformedInertia,
-        mass: &mut [f64],
-        force: &mut [f64],
-    ) {
-        let (integrals, freedom) = (&self.integrals, self.freedom);
-        // The workspace starts undeformed and stays so for the levels that never deform it.
-        if !self.terms.deformed_mass {
-            write_undeformed_mass_matrix(integrals, freedom, mass);
-        }
-        if self.terms.deformed_mass || self.terms.deformed_forcing {
-            inertia.deform(integrals, q);
-        }
-        if self.terms.deformed_mass {
-            inertia.write_mass_matrix(integrals, freedom, mass);
-        }
-        inertia.add_forcing(integrals.mass, &integrals.momentum, motion, force);
-        if self.terms.deformed_forcing {
-            inertia.add_coriolis(integrals, &motion.rate, q_dot, force);
-        }
     }
 
     fn surroundings<'a>(

@@ -21,7 +21,23 @@ impl RigidFreedom {
         }
     }
 
-    /// How many of them are translations.
+    /// The axes about which there can be any rate: of a held aircraft it may be prescribed.
+    pub fn axes(self) -> &'static [usize] {
+        match self {
+            RigidFreedom::All | RigidFreedom::Held => &[0, 1, 2],
+            RigidFreedom::InPlane => &[1],
+        }
+    }
+
+    /// Place among them of an axis that moves.
+    pub fn place(self, axis: usize) -> usize {
+        match self {
+            RigidFreedom::All | RigidFreedom::Held => axis,
+            RigidFreedom::InPlane => 0,
+        }
+    }
+
+    /// How many components that move are translations.
     pub fn translations(self) -> usize {
         self.components().iter().filter(|&&component| component < 3).count()
     }

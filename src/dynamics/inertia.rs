@@ -1,7 +1,13 @@
 //! Inertia of the deformed aircraft: mass matrix and inertial forcing [2.2–2.4; physics.md §2].
+//!
+//! Γ̂_α and ĥ_α are linear in q, and both are needed along the axes about which the aircraft spins. They are kept
+//! component by component, each for all modes, and come from one product of a constant matrix with q.
 
 use nalgebra::{Matrix3, Matrix6, Vector3};
+use pulp::Simd;
 
+use crate::columns::Columns;
+use crate::lanes::LANES;
 use crate::structure::ModalIntegrals;
 
 use super::freedom::RigidFreedom;
@@ -12,102 +18,158 @@ pub struct DeformedInertia {
     /// ĉ = c₀ + p_α q_α, kg·m.
     pub first_moment: Vector3<f64>,
     /// Ĵ = J₀ + (Γᵀ + Γ)q + Πqq, kg·m².
-    pub inertia: Matrix3<f64>,
-    /// Γ̂_α = Γ_α + Π_αβ q_β.
-    pub gamma: Vec<Matrix3<f64>>,
-    /// ĥ_α = h_α + υ_αβ q_β.
-    pub angular_momentum: Vec<Vector3<f64>>,
-    /// For each β the numbers of h_α's slope υ_αβ of all α, then those of Γ_α's slope Π_αβ.
-    slopes: Vec<Vec<f64>>,
-    /// Room for a sum of slopes.
-    sum: Vec<f64>,
+    inertia: Matrix3<f64>,
+    freedom: RigidFreedom,
+    /// ĥ_α = h_α + υ_αβ q_β, then Γ̂_α = Γ_α + Π_αβ q_β: a block for each component, with a number for each mode.
+    deformed: Vec<f64>,
+    /// The same undeformed.
+    undeformed: Vec<f64>,
+    /// Their derivatives υ and Π by q.
+    slopes: Columns,
+    /// υ alone.
+    upsilon: Columns,
+    /// υ q̇.
+    coriolis: Vec<f64>,
 }
 
 impl DeformedInertia {
     /// The undeformed values.
-    pub fn undeformed(integrals: &ModalIntegrals) -> Self {
-        let n = integrals.modes();
-        let slope = |b: usize| {
-            let upsilon = (0..n).flat_map(|a| integrals.upsilon[a * n + b].iter());
-            upsilon.chain((0..n).flat_map(|a| integrals.pi[a * n + b].iter())).copied().collect()
+    pub fn undeformed(integrals: &ModalIntegrals, freedom: RigidFreedom) -> Self {
+        let (n, axes) = (integrals.modes(), freedom.axes());
+        let (block, vectors) = (block_length(n), axes.len());
+        let number =
+            |row: usize, of_h: &dyn Fn(usize, usize) -> f64, of_gamma: &dyn Fn(usize, [usize; 2]) -> f64| {
+                let (component, mode) = (row / block.max(1), row % block.max(1));
+                match component.checked_sub(vectors) {
+                    _ if mode >= n => 0.0,
+                    None => of_h(mode, axes[component]),
+                    Some(pair) => of_gamma(mode, [axes[pair / vectors], axes[pair % vectors]]),
+                }
+            };
+        let rows = (vectors + vectors * vectors) * block;
+        let undeformed: Vec<f64> = (0..rows)
+            .map(|row| {
+                number(row, &|a, i| integrals.angular_momentum[a][i], &|a, [i, j]| integrals.gamma[a][(i, j)])
+            })
+            .collect();
+        let slope = |row: usize, b: usize| {
+            number(row, &|a, i| integrals.upsilon[a * n + b][i], &|a, [i, j]| integrals.pi[a * n + b][(i, j)])
         };
         DeformedInertia {
             first_moment: integrals.first_moment,
             inertia: integrals.inertia,
-            gamma: integrals.gamma.clone(),
-            angular_momentum: integrals.angular_momentum.clone(),
-            slopes: (0..n).map(slope).collect(),
-            sum: vec![0.0; 12 * n],
+            freedom,
+            deformed: undeformed.clone(),
+            slopes: Columns::new(rows, n, slope),
+            upsilon: Columns::new(vectors * block, n, slope),
+            coriolis: vec![0.0; vectors * block],
+            undeformed,
         }
     }
 
     /// Evaluates all integrals at q.
     #[inline(always)]
-    pub fn deform(&mut self, integrals: &ModalIntegrals, q: &[f64]) {
-        let n = q.len();
-        sum_slopes(&self.slopes, q, &mut self.sum);
+    pub fn deform<S: Simd>(&mut self, simd: S, integrals: &ModalIntegrals, q: &[f64]) {
+        self.slopes.times(simd, q, &mut self.deformed);
+        for (deformed, undeformed) in self.deformed.iter_mut().zip(&self.undeformed) {
+            *deformed += undeformed;
+        }
         self.first_moment = integrals.first_moment;
+        for (momentum, &q) in integrals.momentum.iter().zip(q) {
+            self.first_moment += momentum * q;
+        }
         self.inertia = integrals.inertia;
-        let (vectors, matrices) = self.sum.split_at(3 * n);
-        for (a, (vector, matrix)) in vectors.chunks_exact(3).zip(matrices.chunks_exact(9)).enumerate() {
-            self.angular_momentum[a] = integrals.angular_momentum[a] + Vector3::from_column_slice(vector);
-            self.gamma[a] = integrals.gamma[a] + Matrix3::from_column_slice(matrix);
-            self.first_moment += integrals.momentum[a] * q[a];
-            self.inertia += (integrals.gamma[a].transpose() + self.gamma[a]) * q[a];
+        let axes = self.freedom.axes();
+        for (i, &axis) in axes.iter().enumerate() {
+            for (j, &other) in axes.iter().enumerate() {
+                let sum = dot(gamma(&self.undeformed, axes, [j, i], q.len()), q)
+                    + dot(gamma(&self.deformed, axes, [i, j], q.len()), q);
+                self.inertia[(axis, other)] += sum;
+            }
         }
     }
 
     /// Writes the mass matrix of the present deformation, row-major on the components of ν = [v; ω; q̇] that move.
-    pub fn write_mass_matrix(&self, integrals: &ModalIntegrals, freedom: RigidFreedom, matrix: &mut [f64]) {
+    pub fn write_mass_matrix(&self, integrals: &ModalIntegrals, matrix: &mut [f64]) {
         let rigid = rigid_mass_matrix(integrals.mass, &self.first_moment, &self.inertia);
-        write_mass_matrix(integrals, freedom, &rigid, &self.angular_momentum, matrix);
+        write_mass_matrix(integrals, self.freedom, &rigid, &self.deformed, matrix);
+    }
+
+    /// Writes the mass matrix of the undeformed aircraft, row-major on the components of ν that move.
+    pub fn write_undeformed_mass_matrix(&self, integrals: &ModalIntegrals, matrix: &mut [f64]) {
+        let rigid = rigid_mass_matrix(integrals.mass, &integrals.first_moment, &integrals.inertia);
+        write_mass_matrix(integrals, self.freedom, &rigid, &self.undeformed, matrix);
     }
 
     /// Adds the inertial forcing of the rigid motion: −mω×v + ω×cω… without the δ terms in q̇.
+    #[inline(always)]
     pub fn add_forcing(&self, mass: f64, momentum: &[Vector3<f64>], motion: &RigidMotion, force: &mut [f64]) {
         let RigidMotion { velocity, rate } = motion;
         let transport = rate.cross(velocity);
         let c = &self.first_moment;
         add(&mut force[0..3], &(-transport * mass + rate.cross(&c.cross(rate))));
         add(&mut force[3..6], &(-c.cross(&transport) - rate.cross(&(self.inertia * rate))));
-        for ((force, gamma), p) in force[6..].iter_mut().zip(&self.gamma).zip(momentum) {
-            *force += rate.dot(&(gamma * rate)) - p.dot(&transport);
+        for (force, p) in force[6..].iter_mut().zip(momentum) {
+            *force -= p.dot(&transport);
+        }
+        let axes = self.freedom.axes();
+        for (i, &axis) in axes.iter().enumerate() {
+            for (j, &other) in axes.iter().enumerate() {
+                let squares = rate[axis] * rate[other];
+                for (force, gamma) in
+                    force[6..].iter_mut().zip(gamma(&self.deformed, axes, [i, j], momentum.len()))
+                {
+                    *force += gamma * squares;
+                }
+            }
         }
     }
 
     /// Adds the δ terms −2ω×p_αq̇_α, −2Γ̂_αᵀωq̇_α, −2υ_αβᵀωq̇_β.
     #[inline(always)]
-    pub fn add_coriolis(
+    pub fn add_coriolis<S: Simd>(
         &mut self,
+        simd: S,
         integrals: &ModalIntegrals,
         rate: &Vector3<f64>,
         q_dot: &[f64],
         force: &mut [f64],
     ) {
-        let (mut momentum, mut moment) = (Vector3::zeros(), Vector3::zeros());
-        for ((p, gamma), &q_dot) in integrals.momentum.iter().zip(&self.gamma).zip(q_dot) {
+        let n = q_dot.len();
+        let mut momentum = Vector3::zeros();
+        for (p, &q_dot) in integrals.momentum.iter().zip(q_dot) {
             momentum += p * q_dot;
-            moment += gamma.tr_mul(rate) * q_dot;
         }
         add(&mut force[0..3], &(rate.cross(&momentum) * -2.0));
-        add(&mut force[3..6], &(moment * -2.0));
-        let coriolis = &mut self.sum[..3 * q_dot.len()];
-        sum_slopes(&self.slopes, q_dot, coriolis);
-        for (force, coriolis) in force[6..].iter_mut().zip(coriolis.chunks_exact(3)) {
-            *force -= 2.0 * Vector3::from_column_slice(coriolis).dot(rate);
+        let axes = self.freedom.axes();
+        self.upsilon.times(simd, q_dot, &mut self.coriolis);
+        for (i, &axis) in axes.iter().enumerate() {
+            for (j, &other) in axes.iter().enumerate() {
+                let turned = dot(gamma(&self.deformed, axes, [i, j], n), q_dot);
+                force[3 + other] -= 2.0 * rate[axis] * turned;
+            }
+            let upsilon = &self.coriolis[i * block_length(n)..][..n];
+            for (force, upsilon) in force[6..].iter_mut().zip(upsilon) {
+                *force -= 2.0 * rate[axis] * upsilon;
+            }
         }
     }
 }
 
-/// The first numbers of Σ slope_β x_β.
+/// Length of the block of one component.
+fn block_length(modes: usize) -> usize {
+    modes.next_multiple_of(LANES)
+}
+
+/// The numbers Γ_ij of all modes, i and j counting the axes.
 #[inline(always)]
-fn sum_slopes(slopes: &[Vec<f64>], x: &[f64], sum: &mut [f64]) {
-    sum.fill(0.0);
-    for (slope, &x) in slopes.iter().zip(x) {
-        for (sum, slope) in sum.iter_mut().zip(slope) {
-            *sum += slope * x;
-        }
-    }
+fn gamma<'a>(numbers: &'a [f64], axes: &[usize], [i, j]: [usize; 2], modes: usize) -> &'a [f64] {
+    &numbers[(axes.len() * (1 + i) + j) * block_length(modes)..][..modes]
+}
+
+#[inline(always)]
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// v and ω, body axes.
@@ -126,12 +188,6 @@ pub fn add(target: &mut [f64], vector: &Vector3<f64>) {
     }
 }
 
-/// Writes the mass matrix of the undeformed aircraft, row-major on the components of ν = [v; ω; q̇] that move.
-pub fn write_undeformed_mass_matrix(integrals: &ModalIntegrals, freedom: RigidFreedom, matrix: &mut [f64]) {
-    let rigid = rigid_mass_matrix(integrals.mass, &integrals.first_moment, &integrals.inertia);
-    write_mass_matrix(integrals, freedom, &rigid, &integrals.angular_momentum, matrix);
-}
-
 /// [[m1, −c×], [c×, J]].
 fn rigid_mass_matrix(mass: f64, first_moment: &Vector3<f64>, inertia: &Matrix3<f64>) -> Matrix6<f64> {
     let cross = first_moment.cross_matrix();
@@ -143,15 +199,15 @@ fn rigid_mass_matrix(mass: f64, first_moment: &Vector3<f64>, inertia: &Matrix3<f
     matrix
 }
 
-/// [[rigid, (p; h)], [(p; h)ᵀ, M]] without the rows and columns that do not move.
+/// [[rigid, (p; h)], [(p; h)ᵀ, M]] without the rows and columns that do not move; `numbers` begin with those of h.
 fn write_mass_matrix(
     integrals: &ModalIntegrals,
     freedom: RigidFreedom,
     rigid: &Matrix6<f64>,
-    angular_momentum: &[Vector3<f64>],
+    numbers: &[f64],
     matrix: &mut [f64],
 ) {
-    let (components, n) = (freedom.components(), angular_momentum.len());
+    let (components, n) = (freedom.components(), integrals.modes());
     let first = components.len();
     let size = first + n;
     for (row, &i) in components.iter().enumerate() {
@@ -159,7 +215,8 @@ fn write_mass_matrix(
             matrix[row * size + column] = rigid[(i, j)];
         }
         for a in 0..n {
-            let coupling = if i < 3 { integrals.momentum[a][i] } else { angular_momentum[a][i - 3] };
+            let h = |axis: usize| numbers[freedom.place(axis) * block_length(n) + a];
+            let coupling = if i < 3 { integrals.momentum[a][i] } else { h(i - 3) };
             matrix[row * size + first + a] = coupling;
             matrix[(first + a) * size + row] = coupling;
         }

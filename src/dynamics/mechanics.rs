@@ -1,6 +1,7 @@
 //! Energy and momentum of the deformed aircraft, for checks of conservation.
 
 use nalgebra::Vector3;
+use pulp::Scalar;
 
 use super::attitude::Attitude;
 use super::equations::EquationsOfMotion;
@@ -25,11 +26,11 @@ impl Mechanics {
     pub fn new(equations: &EquationsOfMotion, state: &[f64]) -> Self {
         let layout = equations.layout();
         let q = &state[layout.coordinates()];
-        let mut inertia = DeformedInertia::undeformed(equations.integrals());
-        inertia.deform(equations.integrals(), q);
+        let mut inertia = DeformedInertia::undeformed(equations.integrals(), RigidFreedom::All);
+        inertia.deform(Scalar::new(), equations.integrals(), q);
         let size = layout.velocities();
         let mut mass = vec![0.0; size * size];
-        inertia.write_mass_matrix(equations.integrals(), RigidFreedom::All, &mut mass);
+        inertia.write_mass_matrix(equations.integrals(), &mut mass);
 
         let velocities: Vec<f64> = [layout.velocity(), layout.rate(), layout.coordinate_rates()]
             .into_iter()

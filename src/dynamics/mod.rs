@@ -2,6 +2,7 @@
 
 mod attitude;
 mod controls;
+mod edge_on;
 mod equations;
 mod fidelity;
 mod forces;
@@ -18,6 +19,7 @@ mod sensors;
 mod strip_loads;
 mod strip_sums;
 mod strips;
+mod structural_forces;
 mod trim;
 mod workspace;
 

@@ -9,17 +9,31 @@ use crate::lanes::{LaneVector, Lanes};
 /// Below this φ² the series are exact to rounding, and cheaper than a sine.
 const SERIES_LIMIT: f64 = 0.25;
 
-/// 1/(k(k+1)) for k = 2, 4, … 16: the ratios of successive terms of sin φ/φ in φ².
-const SINE: [f64; 8] =
-    [1.0 / 6.0, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0, 1.0 / 156.0, 1.0 / 210.0, 1.0 / 272.0];
+/// The first term left out is below 1e-17 of the sum.
+const TERMS: usize = 7;
 
-/// 1/(k(k+1)) for k = 3, 5, … 17: the ratios of successive terms of 2(1 − cos φ)/φ² in φ².
-const VERSINE: [f64; 8] =
-    [1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0, 1.0 / 132.0, 1.0 / 182.0, 1.0 / 240.0, 1.0 / 306.0];
+/// (−1)^k / (2k + 2)!: (1 − cos φ)/φ² in powers of φ².
+const VERSINE: [f64; TERMS] = taylor(2);
 
-/// 1/(k(k+1)) for k = 4, 6, … 18: the ratios of successive terms of 6(1 − sin φ/φ)/φ² in φ².
-const SINE_DEFICIT: [f64; 8] =
-    [1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0, 1.0 / 156.0, 1.0 / 210.0, 1.0 / 272.0, 1.0 / 342.0];
+/// (−1)^k / (2k + 3)!: (1 − sin φ/φ)/φ² in powers of φ².
+const SINE_DEFICIT: [f64; TERMS] = taylor(3);
+
+/// (−1)^k / (2k + first)!.
+const fn taylor(first: usize) -> [f64; TERMS] {
+    let mut coefficients = [0.0; TERMS];
+    let (mut factorial, mut sign, mut k) = (1.0, 1.0, 0);
+    let mut factor = 2;
+    while k < TERMS {
+        while factor <= 2 * k + first {
+            factorial *= factor as f64;
+            factor += 1;
+        }
+        coefficients[k] = sign / factorial;
+        sign = -sign;
+        k += 1;
+    }
+    coefficients
+}
 
 /// exp(φ×) = 1 + (sin φ/φ) φ× + ((1 − cos φ)/φ²) φ×φ×, ready to be applied.
 #[derive(Clone, Copy, Debug)]
@@ -38,13 +52,14 @@ impl<S: Simd> Rotation<S> {
     #[inline(always)]
     pub fn new(vector: LaneVector<S>) -> Self {
         let square = vector.dot(&vector);
+        let sine_deficit = polynomial(square, &SINE_DEFICIT);
         let mut rotation = Rotation {
             vector,
-            sine: alternating_series(square, &SINE),
-            versine: alternating_series(square, &VERSINE) * 0.5,
-            sine_deficit: alternating_series(square, &SINE_DEFICIT) * (1.0 / 6.0),
+            sine: square.splat(1.0) - square * sine_deficit,
+            versine: polynomial(square, &VERSINE),
+            sine_deficit,
         };
-        if square.numbers().iter().any(|&square| square >= SERIES_LIMIT) {
+        if square.largest() >= SERIES_LIMIT {
             rotation.take_closed_forms(&square);
         }
         rotation
@@ -94,15 +109,14 @@ pub fn excess_spin(rotation: &Vector3<f64>, rotation_rate: &Vector3<f64>) -> Vec
         .vector()
 }
 
-/// 1 − r₀x (1 − r₁x (1 − …)).
+/// c₀ + c₁x + c₂x² + …
 #[inline(always)]
-fn alternating_series<S: Simd>(x: Lanes<S>, ratios: &[f64; 8]) -> Lanes<S> {
-    let one = x.splat(1.0);
-    let mut tail = one;
-    for &ratio in ratios.iter().rev() {
-        tail = one - x * ratio * tail;
+fn polynomial<S: Simd>(x: Lanes<S>, coefficients: &[f64; TERMS]) -> Lanes<S> {
+    let mut sum = x.splat(0.0);
+    for &coefficient in coefficients.iter().rev() {
+        sum = sum * x + x.splat(coefficient);
     }
-    tail
+    sum
 }
 
 #[cfg(test)]

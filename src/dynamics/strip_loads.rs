@@ -26,11 +26,15 @@ pub struct StripLoads<S: Simd> {
 }
 
 impl<S: Simd> StripLoads<S> {
-    /// Of strips of a width (m) in air of a density (kg/m³).
+    /// Of strips of a width (m) in a flow; the roots are for air of unit density.
     #[inline(always)]
-    pub fn new(section: &Section<Lanes<S>>, flow: &LocalFlow<S>, width: Lanes<S>, density: f64) -> Self {
+    pub fn new(
+        section: &Section<Lanes<S>>,
+        flow: &LocalFlow<S>,
+        width: Lanes<S>,
+        [root_mass, root_inertia]: [Lanes<S>; 2],
+    ) -> Self {
         let (loads, flap) = (section.loads(flow), section.flap_loads(flow));
-        let root_mass = section.semichord * (width * (std::f64::consts::PI * density)).sqrt();
         StripLoads {
             along: loads.forward * width,
             across: loads.down * width,
@@ -38,7 +42,7 @@ impl<S: Simd> StripLoads<S> {
             flap_across: flap.down * width,
             flap_pitching: flap.pitching * width,
             root_mass,
-            root_inertia: section.semichord * root_mass * (0.5 * std::f64::consts::FRAC_1_SQRT_2),
+            root_inertia,
         }
     }
 

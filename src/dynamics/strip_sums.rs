@@ -1,7 +1,7 @@
 //! Sums over all strips: their generalised forces and their apparent mass [4.1; physics.md §4].
 //!
 //! The apparent mass πρb²Δy [(G_w − dG_Ω)ᵀ(G_m − dG_Ω) + (b²/8) G_ΩᵀG_Ω], summed over strips, is a product
-//! XᵀY of two rows per strip, each scaled by the root of its mass. Each entry is summed lane by lane over
+//! ρXᵀY of two rows per strip, each scaled by the root of its mass in air of unit density. Each entry is summed lane by lane over
 //! the groups of strips, then over the lanes: always in the same order.
 
 use pulp::Simd;
@@ -36,18 +36,18 @@ pub struct StripSums {
     distribution: Vec<Eight>,
     /// Y, where it differs from X.
     acceleration: Vec<Eight>,
-    /// The first lifting strip in reverse flow, if any.
+    /// The first lifting strip in reverse flow, if any; those edge-on count after all others.
     pub reversed: Option<usize>,
 }
 
 /// One component of ν of the rows of some strips, and the force along it.
 #[derive(Clone, Copy, Debug)]
 pub struct RowEntry<S: Simd> {
-    /// √(πρb²Δy) (G_w − dG_Ω).
+    /// √(πb²Δy) (G_w − dG_Ω).
     pub heave: Lanes<S>,
-    /// √(πρb⁴Δy/8) G_Ω.
+    /// √(πb⁴Δy/8) G_Ω.
     pub pitch: Lanes<S>,
-    /// √(πρb²Δy) (G_m − dG_Ω); read only where it differs from `heave`.
+    /// √(πb²Δy) (G_m − dG_Ω); read only where it differs from `heave`.
     pub acceleration: Lanes<S>,
     /// Generalised force, flaps neutral.
     pub force: Lanes<S>,
@@ -100,16 +100,22 @@ impl StripSums {
         }
     }
 
+    /// Adds a generalised force in a row.
+    #[inline(always)]
+    pub fn add_force<S: Simd>(&mut self, place: Place<S>, row: usize, force: Lanes<S>) {
+        add_to(place, &mut self.force[row], force);
+    }
+
     /// Adds the generalised force in a row per radian of one kind of surfaces.
     #[inline(always)]
     pub fn add_effect<S: Simd>(&mut self, place: Place<S>, surface: usize, row: usize, effect: Lanes<S>) {
         add_to(place, &mut self.effects[surface][row], effect);
     }
 
-    /// Adds the forces to those on ν and to those per radian of each kind of surfaces, and XᵀY to the row-major mass
+    /// Adds the forces to those on ν and to those per radian of each kind of surfaces, and ρXᵀY to the row-major mass
     /// matrix of the components that move; of a symmetric one only the upper triangle.
     #[inline(always)]
-    pub fn add_to<S: Simd>(&self, simd: S, forces: &mut GeneralisedForces, mass: &mut [f64]) {
+    pub fn add_to<S: Simd>(&self, simd: S, density: f64, forces: &mut GeneralisedForces, mass: &mut [f64]) {
         let passive = std::iter::once((&mut forces.passive, &self.force));
         for (force, rows) in passive.chain(forces.effects.iter_mut().zip(&self.effects)) {
             for (&component, lanes) in self.moving.iter().zip(rows) {
@@ -124,7 +130,7 @@ impl StripSums {
                 let block = self.block(simd, acceleration, row * BLOCK, column * BLOCK);
                 for (i, sums) in block.iter().enumerate().take(size - row * BLOCK) {
                     for (j, lanes) in sums.iter().enumerate().take(size - column * BLOCK) {
-                        mass[(row * BLOCK + i) * size + column * BLOCK + j] += lanes.sum();
+                        mass[(row * BLOCK + i) * size + column * BLOCK + j] += density * lanes.sum();
                     }
                 }
             }

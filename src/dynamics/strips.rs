@@ -8,6 +8,8 @@
 //! and Ω̇, which is the true spin only for small rotations. The inflow is forced by that ẇ, so its states,
 //! which count from the true w₃, take the difference (`unforced`) off again.
 
+use std::f64::consts::PI;
+
 use nalgebra::Vector3;
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
@@ -17,6 +19,7 @@ use crate::lanes::{Eight, EightVectors, LANES, LaneVector, Lanes, Place};
 use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
 
 use super::controls::SURFACES;
+use super::edge_on::EdgeOnStrips;
 use super::forces::GeneralisedForces;
 use super::freedom::RigidFreedom;
 use super::inertia::RigidMotion;
@@ -32,6 +35,10 @@ struct Group {
     forward: EightVectors,
     span: EightVectors,
     width: Eight,
+    /// √(πb²Δy) and √(πb⁴Δy/8): roots of apparent mass and inertia in air of unit density.
+    apparent_roots: [Eight; 2],
+    /// 1/b.
+    per_semichord: Eight,
     zero_lift_offset: Eight,
     section: Section,
     /// Flap angle per angle of a kind of surfaces, for those kinds that move any flap here.
@@ -46,6 +53,8 @@ pub struct Strips {
     /// Number of strips.
     count: usize,
     groups: Vec<Group>,
+    /// Those that only drag.
+    edge_on: EdgeOnStrips,
     /// How wide this machine's vectors are.
     pub(super) arch: Arch,
 }
@@ -108,17 +117,18 @@ struct MovingSections<S: Simd> {
 }
 
 impl Strips {
-    /// The strips of a model.
-    pub fn new(model: &ReducedModel) -> Self {
+    /// The strips of a model, and others with the same modes that flow in the mirror plane meets edge-on.
+    pub fn new(model: &ReducedModel, edge_on: &[ReducedStrip]) -> Self {
         let modes = model.modes.len();
         Strips {
             count: model.strips.len(),
             groups: model.strips.chunks(LANES).map(|strips| Group::new(strips, modes)).collect(),
+            edge_on: EdgeOnStrips::new(edge_on, modes),
             arch: Arch::new(),
         }
     }
 
-    /// Number of strips.
+    /// Number of strips, without those edge-on.
     pub fn count(&self) -> usize {
         self.count
     }
@@ -190,23 +200,25 @@ impl WithSimd for SumLoads<'_> {
             for place in Place::all(simd) {
                 let mut moving = group.deform(place, around);
                 let MovingSections { section, flow, unforced, .. } = &mut moving;
-                if sums.reversed.is_none() {
+                if flow.chordwise.least() <= 0.0 && sums.reversed.is_none() {
                     sums.reversed = reversed(section, flow).map(|lane| index * LANES + place.lane(lane));
                 }
                 let w3 = section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
                 flow.induced = around.inflow.induced_velocity(place, &states, w3);
-                let passing = flow.chordwise / section.semichord;
+                let passing = flow.chordwise * place.load(&group.per_semichord);
                 let wake = WakeFlow { w3, passing, unforced: *unforced };
                 around.inflow.write_rates(place, &states, &wake, &mut rates);
                 group.distribute(place, index, around, &moving, sums);
             }
         }
-        sums.add_to(simd, forces, mass);
+        let edge_on = strips.edge_on.add_drag(simd, around, sums);
+        sums.reversed = sums.reversed.or(edge_on.map(|strip| strips.count + strip));
+        sums.add_to(simd, around.density, forces, mass);
     }
 }
 
 /// The first lane whose lifting strip meets the air from behind.
-#[inline(always)]
+#[cold]
 fn reversed<S: Simd>(section: &Section<Lanes<S>>, flow: &LocalFlow<S>) -> Option<usize> {
     let mut strips = flow.chordwise.numbers().iter().zip(section.lift_slope.numbers());
     strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
@@ -240,6 +252,11 @@ impl Group {
             forward: vectors(&|strip| strip.forward),
             span: vectors(&|strip| strip.span),
             width: lanes(&|strip| strip.width, 0.0),
+            apparent_roots: [
+                lanes(&|strip| strip.semichord * libm::sqrt(PI * strip.width), 0.0),
+                lanes(&|strip| strip.semichord * strip.semichord * libm::sqrt(PI / 8.0 * strip.width), 0.0),
+            ],
+            per_semichord: lanes(&|strip| 1.0 / strip.semichord, 1.0),
             zero_lift_offset: lanes(&|strip| strip.zero_lift_offset, 0.0),
             section: Section {
                 semichord: lanes(&|strip| strip.semichord, 1.0),
@@ -329,7 +346,9 @@ impl Group {
     ) {
         let MovingSections { section, forward, span, normal, position, zero_lift_offset, .. } = moving;
         let arm = if around.deformed_arms { *position } else { place.load_vector(&self.position) };
-        let loads = StripLoads::new(section, &moving.flow, place.load(&self.width), around.density);
+        let [root_mass, root_inertia] = &self.apparent_roots;
+        let roots = [place.load(root_mass), place.load(root_inertia)];
+        let loads = StripLoads::new(section, &moving.flow, place.load(&self.width), roots);
         let axis = *normal + *forward * *zero_lift_offset;
         let zero = place.splat_vector(&Vector3::zeros());
         let translation = Work::on_axes(normal, forward, &zero, &axis);

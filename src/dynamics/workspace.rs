@@ -5,7 +5,7 @@ use super::forces::GeneralisedForces;
 use super::inertia::DeformedInertia;
 use super::linear_solve::Factor;
 use super::strip_sums::StripSums;
-use crate::structure::PairProducts;
+use crate::structure::ElasticScratch;
 
 /// Everything that evaluating the equations of motion overwrites.
 #[derive(Clone, Debug)]
@@ -16,8 +16,8 @@ pub struct Workspace {
     pub(super) forces: GeneralisedForces,
     /// ∂U/∂q.
     pub(super) elastic_force: Vec<f64>,
-    /// For the strain energy.
-    pub(super) pairs: PairProducts,
+    /// For evaluating it.
+    pub(super) elastic_scratch: ElasticScratch,
     /// Mass matrix with apparent mass of the components of ν that move, row-major.
     pub(super) mass: Vec<f64>,
     /// Its factor.
@@ -37,10 +37,10 @@ impl Workspace {
     pub fn new(equations: &EquationsOfMotion) -> Self {
         let (components, moving) = (equations.layout().velocities(), equations.moving().len());
         Workspace {
-            inertia: DeformedInertia::undeformed(equations.integrals()),
+            inertia: equations.undeformed_inertia(),
             forces: GeneralisedForces::new(components, equations.engine_count()),
             elastic_force: vec![0.0; components - 6],
-            pairs: equations.pair_products(),
+            elastic_scratch: equations.elastic_scratch(),
             mass: vec![0.0; moving * moving],
             factor: equations.factor(),
             regular: false,

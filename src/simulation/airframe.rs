@@ -117,9 +117,13 @@ impl Airframes {
 
     /// A strip of the packaged aircraft that one of the equations that fly is, or stands for.
     pub fn packaged_strip(&self, strip: usize) -> usize {
-        let half = self.half.as_ref().filter(|_| self.is_half);
-        half.and_then(|half| half.strips.iter().position(|counterpart| counterpart.strip == strip))
-            .unwrap_or(strip)
+        let Some(half) = self.half.as_ref().filter(|_| self.is_half) else { return strip };
+        let lifting = half.airframe.equations.strip_count();
+        let stands_for = |counterpart: &Counterpart| match *counterpart {
+            Counterpart::Lifting { index, .. } => index == strip,
+            Counterpart::EdgeOn(index) => lifting + index == strip,
+        };
+        half.strips.iter().position(stands_for).unwrap_or(strip)
     }
 
     /// Writes a state of the half as one of the whole.
@@ -190,8 +194,9 @@ impl Unfolding {
             sources[to.coordinates().start + mode] = Some((from.coordinates().start + kept, 1.0));
             sources[to.coordinate_rates().start + mode] = Some((from.coordinate_rates().start + kept, 1.0));
         }
-        for (strip, &Counterpart { strip: kept, sign }) in half.strips.iter().enumerate() {
-            for (place, source) in to.strip_inflow(strip).into_iter().zip(from.strip_inflow(kept)) {
+        for (strip, counterpart) in half.strips.iter().enumerate() {
+            let Counterpart::Lifting { index, sign } = *counterpart else { continue };
+            for (place, source) in to.strip_inflow(strip).into_iter().zip(from.strip_inflow(index)) {
                 sources[place] = Some((source, sign));
             }
         }

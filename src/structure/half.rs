@@ -2,7 +2,8 @@
 //!
 //! In such motion antisymmetric modes rest, left and right carry the same loads, and what the left half does is known
 //! from the right one. The half keeps the symmetric modes, the strips on the right at twice their width and those in
-//! the plane as they are; integrals over the mass and strain energy stay those of the whole aircraft.
+//! the plane as they are; integrals over the mass and strain energy stay those of the whole aircraft. Strips in the
+//! plane whose normal points sideways, such as a fin's, meet the flow edge-on: only their drag remains.
 
 use nalgebra::Vector3;
 
@@ -16,9 +17,11 @@ const SYMMETRIC: f64 = 1e-9;
 /// What symmetric motion needs of an aircraft with a mirror plane.
 #[derive(Clone, Debug)]
 pub struct SymmetricHalf {
-    /// The half's strips, the symmetric modes, all engines and stations.
+    /// The half's strips but those edge-on, the symmetric modes, all engines and stations.
     pub model: ReducedModel,
-    /// Which modes of the whole aircraft those are.
+    /// The strips that meet the flow edge-on.
+    pub edge_on: Vec<ReducedStrip>,
+    /// Which modes of the whole aircraft the half has.
     pub modes: Vec<usize>,
     /// For each strip of the whole aircraft the one of the half that moves as it does or as its mirror image.
     pub strips: Vec<Counterpart>,
@@ -28,11 +31,17 @@ pub struct SymmetricHalf {
 
 /// The strip of the half that stands for one of the whole.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Counterpart {
-    /// Index in the half.
-    pub strip: usize,
-    /// 1, or −1 where the span axis points the other way than the mirrored one: upwash and inflow change their sign.
-    pub sign: f64,
+pub enum Counterpart {
+    /// One of the half's model.
+    Lifting {
+        /// Its index there.
+        index: usize,
+        /// 1, or −1 where the span axis points the other way than the mirrored one: upwash and inflow change their
+        /// sign.
+        sign: f64,
+    },
+    /// One of those edge-on, by its index; its inflow rests.
+    EdgeOn(usize),
 }
 
 impl SymmetricHalf {
@@ -51,20 +60,50 @@ impl SymmetricHalf {
             .iter()
             .map(|engine| model.engines.iter().position(|image| mirror.maps_engine(engine, image)))
             .collect::<Option<_>>()?;
-        let strips = mirror.counterparts(&model.strips)?;
-        let side = |strip: &ReducedStrip| mirror.side(&strip.position);
-        model.strips.retain(|strip| side(strip) >= 0);
-        for strip in &mut model.strips {
-            if side(strip) > 0 {
-                strip.width *= 2.0;
-            }
-            if let Some(Flap { gains, .. }) = &mut strip.flap {
-                // What turns the two sides differently is at rest.
-                *gains = ControlGains { aileron: 0.0, rudder: 0.0, ..*gains };
+        let images = mirror.images(&model.strips)?;
+        let (mut kept, mut edge_on) = (Vec::new(), Vec::new());
+        let mut places = vec![None; images.len()];
+        for (index, (strip, image)) in model.strips.drain(..).zip(&images).enumerate() {
+            match *image {
+                Image { of, .. } if of != index => {}
+                Image { sign, is_in_plane: true, .. } if sign < 0.0 => {
+                    places[index] = Some(Counterpart::EdgeOn(edge_on.len()));
+                    edge_on.push(strip);
+                }
+                Image { sign, is_in_plane, .. } => {
+                    places[index] = Some(Counterpart::Lifting { index: kept.len(), sign });
+                    kept.push(half_strip(strip, is_in_plane));
+                }
             }
         }
-        Some(SymmetricHalf { model, modes, strips, engines })
+        model.strips = kept;
+        let counterpart = |image: &Image| match places[image.of]? {
+            Counterpart::Lifting { index, .. } => Some(Counterpart::Lifting { index, sign: image.sign }),
+            edge_on @ Counterpart::EdgeOn(_) => Some(edge_on),
+        };
+        let strips = images.iter().map(counterpart).collect::<Option<_>>()?;
+        Some(SymmetricHalf { model, edge_on, modes, strips, engines })
     }
+}
+
+/// A strip as it counts in the half.
+fn half_strip(mut strip: ReducedStrip, is_in_plane: bool) -> ReducedStrip {
+    if !is_in_plane {
+        strip.width *= 2.0;
+    }
+    if let Some(Flap { gains, .. }) = &mut strip.flap {
+        // What turns the two sides differently is at rest.
+        *gains = ControlGains { aileron: 0.0, rudder: 0.0, ..*gains };
+    }
+    strip
+}
+
+/// The strip on the right or in the plane that is a strip or its mirror image.
+#[derive(Clone, Copy)]
+struct Image {
+    of: usize,
+    sign: f64,
+    is_in_plane: bool,
 }
 
 /// Whether the undeformed aircraft's mass is symmetric; that of its modes is, if they have families.
@@ -103,34 +142,27 @@ impl Mirror {
         }
     }
 
-    /// For every strip its own place among those kept, or that of its image, each image taken once.
-    fn counterparts(&self, strips: &[ReducedStrip]) -> Option<Vec<Counterpart>> {
-        let kept: Vec<usize> =
-            (0..strips.len()).filter(|&strip| self.side(&strips[strip].position) >= 0).collect();
-        let place = |strip: usize| kept.iter().position(|&kept| kept == strip);
+    /// For every strip on the left its image on the right, each taken once; the others are their own.
+    fn images(&self, strips: &[ReducedStrip]) -> Option<Vec<Image>> {
+        let side = |index: usize| self.side(&strips[index].position);
         let mut taken = vec![false; strips.len()];
-        let mut counterparts = vec![None; strips.len()];
-        for (index, strip) in strips.iter().enumerate() {
-            let side = self.side(&strip.position);
-            if side >= 0 {
-                counterparts[index] = place(index).map(|strip| Counterpart { strip, sign: 1.0 });
+        let mut image = |index: usize| {
+            let is_in_plane = side(index) == 0;
+            if is_in_plane {
+                let sign = self.sign(&strips[index], &strips[index])?;
+                return Some(Image { of: index, sign, is_in_plane });
             }
-            if side == 0 && self.sign(strip, strip).is_none() {
-                return None;
+            if side(index) > 0 {
+                return Some(Image { of: index, sign: 1.0, is_in_plane });
             }
-            if side < 0 {
-                let is_free = |&&image: &&usize| !taken[image] && self.side(&strips[image].position) > 0;
-                let image = *kept
-                    .iter()
-                    .filter(is_free)
-                    .find(|&&image| self.sign(strip, &strips[image]).is_some())?;
-                taken[image] = true;
-                let sign = self.sign(strip, &strips[image])?;
-                counterparts[index] = place(image).map(|strip| Counterpart { strip, sign });
-            }
-        }
-        let all_taken = kept.iter().all(|&strip| taken[strip] || self.side(&strips[strip].position) == 0);
-        counterparts.into_iter().collect::<Option<Vec<_>>>().filter(|_| all_taken)
+            let mut right = (0..strips.len()).filter(|&other| side(other) > 0 && !taken[other]);
+            let (of, sign) =
+                right.find_map(|of| self.sign(&strips[index], &strips[of]).map(|sign| (of, sign)))?;
+            taken[of] = true;
+            Some(Image { of, sign, is_in_plane })
+        };
+        let images = (0..strips.len()).map(&mut image).collect::<Option<Vec<_>>>()?;
+        (0..strips.len()).all(|index| side(index) <= 0 || taken[index]).then_some(images)
     }
 
     /// Whether one strip is the mirror image of another, and whether its span axis is the mirrored one (1) or its
@@ -212,15 +244,23 @@ mod tests {
     fn the_jet_has_a_half_of_its_right_strips_and_those_in_the_plane() {
         let jet = jet();
         let half = SymmetricHalf::find(jet).unwrap();
-        assert_eq!((jet.strips.len(), half.model.strips.len()), (99, 24 + 8 + 20 + 15));
+        assert_eq!(jet.strips.len(), 99);
+        assert_eq!((half.model.strips.len(), half.edge_on.len()), (24 + 8 + 10, 10 + 15));
         assert_eq!((half.modes.len(), half.engines.as_slice()), (12, &[1, 0][..]));
-        let area = |model: &ReducedModel| -> f64 {
-            model.strips.iter().map(|strip| strip.semichord * strip.width).sum()
+        let area = |strips: &[ReducedStrip]| -> f64 {
+            strips.iter().map(|strip| strip.semichord * strip.width).sum()
         };
-        assert!((area(jet) / area(&half.model) - 1.0).abs() < 1e-14);
-        for (strip, Counterpart { strip: kept, sign }) in jet.strips.iter().zip(&half.strips) {
-            let kept = &half.model.strips[*kept];
-            assert!((strip.position.y.abs() - kept.position.y).abs() < 1e-12 && *sign == 1.0);
+        let halved = area(&half.model.strips) + area(&half.edge_on);
+        assert!((area(&jet.strips) / halved - 1.0).abs() < 1e-14);
+        for (strip, counterpart) in jet.strips.iter().zip(&half.strips) {
+            let kept = match *counterpart {
+                Counterpart::Lifting { index, sign } => {
+                    assert_eq!(sign, 1.0);
+                    &half.model.strips[index]
+                }
+                Counterpart::EdgeOn(index) => &half.edge_on[index],
+            };
+            assert!((strip.position.y.abs() - kept.position.y).abs() < 1e-12);
             assert_eq!(strip.component.replace("left", "right"), kept.component);
         }
     }
@@ -254,6 +294,6 @@ mod tests {
         let gains = &mut strip.flap.as_mut().unwrap().gains;
         gains.aileron_symmetric = -gains.aileron_symmetric;
         let half = SymmetricHalf::find(&model).unwrap();
-        assert_eq!(half.strips[left].sign, -1.0);
+        assert!(matches!(half.strips[left], Counterpart::Lifting { sign: -1.0, .. }));
     }
 }

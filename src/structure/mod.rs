@@ -3,6 +3,7 @@
 mod archive;
 mod assembly;
 mod beam;
+mod elastic_forces;
 mod error;
 mod half;
 mod mirror;
@@ -11,11 +12,11 @@ mod modes;
 mod particles;
 mod reduced;
 mod strain_energy;
-mod strain_polynomial;
 
 pub(crate) use archive::fnv1a;
 pub use assembly::Structure;
 pub use beam::{BeamGeometry, Gradients, NodalMap, NodalRow};
+pub use elastic_forces::{ElasticForces, ElasticScratch};
 pub use error::StructureError;
 pub use half::{Counterpart, SymmetricHalf};
 pub use modal_integrals::ModalIntegrals;
@@ -23,4 +24,3 @@ pub use modes::ModalBasis;
 pub use particles::Particle;
 pub use reduced::{Mode, ModeFamily, ModeShapes, ReducedEngine, ReducedModel, ReducedStation, ReducedStrip};
 pub use strain_energy::StrainEnergy;
-pub use strain_polynomial::{PairProducts, StrainPolynomial};

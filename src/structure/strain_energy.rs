@@ -18,7 +18,7 @@ pub struct StrainEnergy {
     /// Number of modes.
     modes: usize,
     /// K₀, n × n.
-    linear_stiffness: Vec<f64>,
+    pub(super) linear_stiffness: Vec<f64>,
     /// Coefficients of q_a q_b q_c in U₃, a ≤ b ≤ c in lexicographic order.
     cubic: Vec<f64>,
     /// Coefficients of q_a q_b q_c q_d in U₄, a ≤ b ≤ c ≤ d in lexicographic order.

@@ -1,0 +1,87 @@
+//! Constant matrices that are multiplied with many vectors, eight rows at a time.
+//!
+//! Each sum runs over the columns in their order: the same bits at any width of the machine's vectors.
+
+use pulp::Simd;
+
+use crate::lanes::{Eight, LANES, Place};
+
+/// A constant matrix: rows in groups of eight, and of each group the columns that are not all zero there.
+#[derive(Clone, Debug)]
+pub struct Columns {
+    rows: usize,
+    /// For each group of rows, where its columns end.
+    ends: Vec<usize>,
+    columns: Vec<usize>,
+    entries: Vec<Eight>,
+}
+
+impl Columns {
+    /// From the matrix' entries by row and column.
+    pub fn new(rows: usize, columns: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
+        let mut matrix = Columns { rows, ends: Vec::new(), columns: Vec::new(), entries: Vec::new() };
+        for first in (0..rows).step_by(LANES) {
+            for column in 0..columns {
+                let row_entry =
+                    |lane: usize| if first + lane < rows { entry(first + lane, column) } else { 0.0 };
+                let eight = Eight(std::array::from_fn(row_entry));
+                if eight != Eight::ZERO {
+                    matrix.columns.push(column);
+                    matrix.entries.push(eight);
+                }
+            }
+            matrix.ends.push(matrix.columns.len());
+        }
+        matrix
+    }
+
+    /// Length of a product: the number of rows, filled up to whole groups.
+    pub fn room(&self) -> usize {
+        self.rows.next_multiple_of(LANES)
+    }
+
+    /// How many groups of eight entries are kept.
+    #[cfg(test)]
+    pub fn kept(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// product = matrix · vector, as far as `product` has [room](Self::room).
+    #[inline(always)]
+    pub fn times<S: Simd>(&self, simd: S, vector: &[f64], product: &mut [f64]) {
+        let mut begin = 0;
+        for (product, &end) in product.chunks_exact_mut(LANES).zip(&self.ends) {
+            let (columns, entries) = (&self.columns[begin..end], &self.entries[begin..end]);
+            for place in Place::all(simd) {
+                let mut sum = place.splat(0.0);
+                for (&column, entries) in columns.iter().zip(entries) {
+                    sum += place.load(entries) * vector[column];
+                }
+                place.store_slice(product, sum);
+            }
+            begin = end;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_product_is_that_of_the_matrix_and_zero_columns_are_left_out() {
+        let entry = |row: usize, column: usize| {
+            if column == 2 { 0.0 } else { (1 + row) as f64 - 0.1 * (column * column) as f64 }
+        };
+        let matrix = Columns::new(11, 4, entry);
+        assert_eq!((matrix.room(), matrix.kept()), (16, 6));
+        let vector = [0.3, -1.0, 7.0, 2.0];
+        let mut product = vec![f64::NAN; matrix.room()];
+        matrix.times(pulp::Scalar::new(), &vector, &mut product);
+        for row in 0..16 {
+            let expected: f64 =
+                if row < 11 { (0..4).map(|column| entry(row, column) * vector[column]).sum() } else { 0.0 };
+            assert!((product[row] - expected).abs() < 1e-13, "{row}");
+        }
+    }
+}
