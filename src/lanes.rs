@@ -248,6 +248,16 @@ impl LaneVector<Scalar> {
 }
 
 impl<S: Simd> LaneVector<S> {
+    /// Along axis 0 (x), 1 (y) or 2 (z).
+    #[inline(always)]
+    pub fn component(&self, axis: usize) -> Lanes<S> {
+        match axis {
+            0 => self.x,
+            1 => self.y,
+            _ => self.z,
+        }
+    }
+
     /// Scalar products.
     #[inline(always)]
     pub fn dot(&self, other: &Self) -> Lanes<S> {

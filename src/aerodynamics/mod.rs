@@ -12,4 +12,4 @@ pub use atmosphere::{Air, STANDARD_GRAVITY};
 pub use flap::FlapEffect;
 pub(crate) use inflow::WakeFlow;
 pub use inflow::{InflowStates, PetersInflow};
-pub(crate) use section::{LocalFlow, Section};
+pub(crate) use section::{FlapLoads, LocalFlow, Section, SectionLoads};

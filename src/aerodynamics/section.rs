@@ -4,6 +4,8 @@
 //! the apparent-mass part that is proportional to accelerations, which the equations of motion carry on
 //! their left-hand side.
 
+use std::f64::consts::PI;
+
 use pulp::Simd;
 
 use crate::lanes::{Eight, Lanes, Place};
@@ -96,12 +98,14 @@ impl<S: Simd> Section<Lanes<S>> {
     #[inline(always)]
     pub fn loads(&self, flow: &LocalFlow<S>) -> SectionLoads<S> {
         let (b, d) = (self.semichord, self.elastic_axis_aft_of_midchord);
-        let LocalFlow { density: rho, chordwise, normal, upwash, pitch_rate, induced, .. } = *flow;
+        let LocalFlow { density, chordwise, normal, upwash, pitch_rate, induced, .. } = *flow;
+        let rho_b = density * b;
 
         let effective_upwash = self.three_quarter_chord_upwash(upwash, pitch_rate) - induced;
-        let lift = self.lift_slope * rho * chordwise * b * effective_upwash;
+        let lift_by_upwash = self.lift_slope * rho_b;
+        let lift = lift_by_upwash * chordwise * effective_upwash;
 
-        let apparent = rho * b * b * std::f64::consts::PI;
+        let apparent = rho_b * b * PI;
         let apparent_lift = apparent * (flow.upwash_drift - d * flow.pitch_drift);
         let apparent_moment = apparent
             * (d * flow.upwash_drift
@@ -109,10 +113,8 @@ impl<S: Simd> Section<Lanes<S>> {
                 - (d * d + b * b * 0.125) * flow.pitch_drift);
 
         let suction_velocity = upwash - d * pitch_rate - induced;
-        let suction =
-            self.leading_edge_suction * self.lift_slope * rho * b * suction_velocity * suction_velocity;
-        let drag_per_velocity =
-            self.profile_drag * rho * b * (chordwise * chordwise + normal * normal).sqrt();
+        let suction = self.leading_edge_suction * lift_by_upwash * suction_velocity * suction_velocity;
+        let drag_per_velocity = self.profile_drag * rho_b * (chordwise * chordwise + normal * normal).sqrt();
 
         SectionLoads {
             forward: suction - drag_per_velocity * chordwise,

@@ -42,7 +42,7 @@ impl GeneralisedForces {
     /// Sums what acts under the given controls.
     pub fn sum(&mut self, controls: &Controls) {
         self.total.copy_from_slice(&self.passive);
-        for (effect, value) in self.effects.iter().zip(controls.values()) {
+        for (effect, value) in self.effects.iter().zip(controls.values()).filter(|(_, value)| *value != 0.0) {
             for (total, effect) in self.total.iter_mut().zip(effect) {
                 *total += effect * value;
             }

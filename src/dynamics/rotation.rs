@@ -87,6 +87,14 @@ impl<S: Simd> Rotation<S> {
         *vectors + once * self.sine + twice * self.versine
     }
 
+    /// The vectors turned back.
+    #[inline(always)]
+    pub fn apply_inverse(&self, vectors: &LaneVector<S>) -> LaneVector<S> {
+        let once = self.vector.cross(vectors);
+        let twice = self.vector.cross(&once);
+        *vectors - once * self.sine + twice * self.versine
+    }
+
     /// How far the spin of the turning section exceeds the rate of its rotation vector, rad/s: the left
     /// Jacobian of the exponential less one, times φ̇.
     #[inline(always)]
@@ -102,21 +110,13 @@ pub fn turned(rotation: &Vector3<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
     Rotation::<Scalar>::new(LaneVector::single(rotation)).apply(&LaneVector::single(vector)).vector()
 }
 
-/// How far the spin of a single turning section exceeds the rate of its rotation vector, rad/s.
-pub fn excess_spin(rotation: &Vector3<f64>, rotation_rate: &Vector3<f64>) -> Vector3<f64> {
-    Rotation::<Scalar>::new(LaneVector::single(rotation))
-        .excess_spin(&LaneVector::single(rotation_rate))
-        .vector()
-}
-
-/// c₀ + c₁x + c₂x² + …
+/// c₀ + c₁x + c₂x² + …, in pairs: a shorter way from x to the sum.
 #[inline(always)]
-fn polynomial<S: Simd>(x: Lanes<S>, coefficients: &[f64; TERMS]) -> Lanes<S> {
-    let mut sum = x.splat(0.0);
-    for &coefficient in coefficients.iter().rev() {
-        sum = sum * x + x.splat(coefficient);
-    }
-    sum
+fn polynomial<S: Simd>(x: Lanes<S>, [c0, c1, c2, c3, c4, c5, c6]: &[f64; TERMS]) -> Lanes<S> {
+    let pair = |low: &f64, high: &f64| x * *high + x.splat(*low);
+    let square = x * x;
+    let (first, second, third) = (pair(c0, c1), pair(c2, c3), pair(c4, c5));
+    first + square * (second + square * (third + square * *c6))
 }
 
 #[cfg(test)]
@@ -140,7 +140,10 @@ mod tests {
         for vector in [Vector3::new(0.1, 0.2, -0.1), Vector3::new(0.7, -1.0, 0.5)] {
             let step = 1e-5;
             let [ahead, behind] = [step, -step].map(|step| turned(&(vector + rate * step), &arm));
-            let spin = rate + excess_spin(&vector, &rate);
+            let rotation = Rotation::<Scalar>::new(LaneVector::single(&vector));
+            let spin = rate + rotation.excess_spin(&LaneVector::single(&rate)).vector();
+            let back = rotation.apply_inverse(&LaneVector::single(&turned(&vector, &arm))).vector();
+            assert!((back - arm).norm() < 1e-15 * 4.0);
             let error = (ahead - behind) / (2.0 * step) - spin.cross(&turned(&vector, &arm));
             assert!(error.norm() < 1e-9, "{error}");
         }

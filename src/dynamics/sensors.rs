@@ -4,12 +4,14 @@
 //! by exp(φ×); it spins at ω plus the true rate of that rotation, which for finite φ is not quite Ψᵠq̇.
 
 use nalgebra::Vector3;
+use pulp::Scalar;
 
+use crate::lanes::LaneVector;
 use crate::structure::ReducedStation;
 
 use super::inertia::RigidMotion;
 use super::propulsion::combine;
-use super::rotation::{excess_spin, turned};
+use super::rotation::Rotation;
 
 /// How the aircraft moves and deforms at an instant; vectors in body axes.
 #[derive(Clone, Copy, Debug)]
@@ -52,11 +54,13 @@ impl Sensors {
             + rate.cross(&(rate.cross(&place) + combine(translation, q_dot) * 2.0))
             + combine(translation, q_ddot);
 
-        let (turn, turn_rate) = (combine(rotation, q), combine(rotation, q_dot));
-        let into_section = |vector: &Vector3<f64>| turned(&-turn, vector);
+        let turn = Rotation::<Scalar>::new(LaneVector::single(&combine(rotation, q)));
+        let turn_rate = LaneVector::single(&combine(rotation, q_dot));
+        let spin = LaneVector::single(&rate) + turn_rate + turn.excess_spin(&turn_rate);
+        let specific_force = LaneVector::single(&(acceleration - body.gravity));
         Sensors {
-            specific_force: into_section(&(acceleration - body.gravity)),
-            rate: into_section(&(rate + turn_rate + excess_spin(&turn, &turn_rate))),
+            specific_force: turn.apply_inverse(&specific_force).vector(),
+            rate: turn.apply_inverse(&spin).vector(),
         }
     }
 }

@@ -1,96 +1,130 @@
-//! Loads of whole strips and the work they do on each component of ν [4.1; physics.md §4].
+//! What loads and apparent mass of whole strips do on each component of ν [4.1; physics.md §4].
 //!
-//! Symbols: G_w, G_f, G_Ω and G_m are rows of the strip's kinematics, see [`strips`](super::strips).
+//! A component of ν moves the attachment of a strip by δu and turns it by δθ about s. Its entries are then
+//!
+//! ```text
+//! generalised force   F·δu + M δθ,
+//! heave (G_w − dG_Ω)  n·δu − d δθ,      of accelerations (G_m − dG_Ω)  m·δu − d δθ,      pitch G_Ω  δθ,
+//! ```
+//!
+//! heave and pitch times the root of their apparent mass or inertia.
 
 use pulp::Simd;
 
-use crate::aerodynamics::{LocalFlow, Section};
+use crate::aerodynamics::{FlapLoads, SectionLoads};
 use crate::lanes::{LaneVector, Lanes};
 
 use super::strip_sums::RowEntry;
 
-/// Loads of whole strips, and the roots of their apparent mass and inertia.
-pub struct StripLoads<S: Simd> {
-    /// N.
-    along: Lanes<S>,
-    /// N.
-    across: Lanes<S>,
-    /// N·m.
-    pitching: Lanes<S>,
-    /// N per radian of the flap.
-    flap_across: Lanes<S>,
-    /// N·m per radian of the flap.
-    flap_pitching: Lanes<S>,
-    root_mass: Lanes<S>,
-    root_inertia: Lanes<S>,
+/// Resultants on whole strips; `SYMMETRIC` where accelerations are distributed as loads are.
+pub struct StripLoads<S: Simd, const SYMMETRIC: bool> {
+    /// F, N.
+    pub force: LaneVector<S>,
+    /// M, N·m.
+    pub moment: Lanes<S>,
+    /// √(πb²Δy) n.
+    pub heave: LaneVector<S>,
+    /// √(πb²Δy) m.
+    pub acceleration: LaneVector<S>,
+    /// −d √(πb²Δy).
+    heave_by_turn: Lanes<S>,
+    /// √(πb⁴Δy/8).
+    pitch_by_turn: Lanes<S>,
 }
 
-impl<S: Simd> StripLoads<S> {
-    /// Of strips of a width (m) in a flow; the roots are for air of unit density.
+/// Resultants of the flaps per radian, the force in parts of `StripLoads::heave`.
+pub struct FlapResultants<S: Simd> {
+    /// N per √kg.
+    force: Lanes<S>,
+    /// N·m.
+    moment: Lanes<S>,
+}
+
+/// Properties of whole strips that distributing their loads needs.
+pub struct StripSizes<S: Simd> {
+    /// Δy, m.
+    pub width: Lanes<S>,
+    /// d, m.
+    pub elastic_axis_aft_of_midchord: Lanes<S>,
+    /// √(πb²Δy), for air of unit density.
+    pub root_mass: Lanes<S>,
+    /// √(πb⁴Δy/8).
+    pub root_inertia: Lanes<S>,
+}
+
+/// How a component of ν moves strips.
+pub struct Displacement<S: Simd> {
+    /// `StripLoads::heave`·δu.
+    pub heave: Lanes<S>,
+    /// F·δu.
+    pub force: Lanes<S>,
+    /// `StripLoads::acceleration`·δu.
+    pub acceleration: Lanes<S>,
+    /// δθ.
+    pub turn: Lanes<S>,
+}
+
+impl<S: Simd, const SYMMETRIC: bool> StripLoads<S, SYMMETRIC> {
+    /// Of strips with their axes n, f and m.
     #[inline(always)]
     pub fn new(
-        section: &Section<Lanes<S>>,
-        flow: &LocalFlow<S>,
-        width: Lanes<S>,
-        [root_mass, root_inertia]: [Lanes<S>; 2],
+        loads: &SectionLoads<S>,
+        sizes: &StripSizes<S>,
+        normal: &LaneVector<S>,
+        forward: &LaneVector<S>,
+        zero_lift_normal: &LaneVector<S>,
     ) -> Self {
-        let (loads, flap) = (section.loads(flow), section.flap_loads(flow));
+        let heave = *normal * sizes.root_mass;
         StripLoads {
-            along: loads.forward * width,
-            across: loads.down * width,
-            pitching: loads.pitching * width,
-            flap_across: flap.down * width,
-            flap_pitching: flap.pitching * width,
-            root_mass,
-            root_inertia,
+            force: *normal * (loads.down * sizes.width) + *forward * (loads.forward * sizes.width),
+            moment: loads.pitching * sizes.width,
+            heave,
+            acceleration: if SYMMETRIC { heave } else { *zero_lift_normal * sizes.root_mass },
+            heave_by_turn: -(sizes.elastic_axis_aft_of_midchord * sizes.root_mass),
+            pitch_by_turn: sizes.root_inertia,
         }
     }
 
-    /// What they contribute to one component of ν, flaps neutral.
+    /// Of a component of ν that moves the attachment along a vector and turns the strip.
     #[inline(always)]
-    pub fn on(&self, section: &Section<Lanes<S>>, work: &Work<S>) -> RowEntry<S> {
-        let Work { down, ahead, nose_up, moving_down } = *work;
-        let about_midchord = nose_up * section.elastic_axis_aft_of_midchord;
+    pub fn displaced(&self, translation: &LaneVector<S>, turn: Lanes<S>) -> Displacement<S> {
+        let heave = self.heave.dot(translation);
+        Displacement {
+            heave,
+            force: self.force.dot(translation),
+            acceleration: if SYMMETRIC { heave } else { self.acceleration.dot(translation) },
+            turn,
+        }
+    }
+
+    /// The entries of a component of ν, flaps neutral.
+    #[inline(always)]
+    pub fn on(&self, displacement: &Displacement<S>) -> RowEntry<S> {
+        let Displacement { heave, force, acceleration, turn } = *displacement;
+        let by_turn = turn * self.heave_by_turn;
+        let heave = heave + by_turn;
         RowEntry {
-            heave: (down - about_midchord) * self.root_mass,
-            pitch: nose_up * self.root_inertia,
-            acceleration: (moving_down - about_midchord) * self.root_mass,
-            force: down * self.across + ahead * self.along + nose_up * self.pitching,
+            heave,
+            pitch: turn * self.pitch_by_turn,
+            acceleration: if SYMMETRIC { heave } else { acceleration + by_turn },
+            force: force + turn * self.moment,
+        }
+    }
+}
+
+impl<S: Simd> FlapResultants<S> {
+    /// Of the flaps of strips.
+    #[inline(always)]
+    pub fn new(loads: &FlapLoads<S>, sizes: &StripSizes<S>, per_root_mass: Lanes<S>) -> Self {
+        FlapResultants {
+            force: loads.down * sizes.width * per_root_mass,
+            moment: loads.pitching * sizes.width,
         }
     }
 
-    /// The generalised force of the flaps along one component of ν, per radian.
+    /// The generalised force along a component of ν, per radian.
     #[inline(always)]
-    pub fn of_flaps_on(&self, work: &Work<S>) -> Lanes<S> {
-        work.down * self.flap_across + work.nose_up * self.flap_pitching
-    }
-}
-
-/// Work of unit loads of a strip per unit of one component of ν.
-pub struct Work<S: Simd> {
-    /// G_w: of a force along n.
-    pub down: Lanes<S>,
-    /// G_f: of a force along f.
-    pub ahead: Lanes<S>,
-    /// G_Ω: of a moment about s.
-    pub nose_up: Lanes<S>,
-    /// G_m: velocity along m, where the strip is.
-    pub moving_down: Lanes<S>,
-}
-
-impl<S: Simd> Work<S> {
-    /// On the three axes of v or of ω.
-    #[inline(always)]
-    pub fn on_axes(
-        down: &LaneVector<S>,
-        ahead: &LaneVector<S>,
-        nose_up: &LaneVector<S>,
-        moving_down: &LaneVector<S>,
-    ) -> [Work<S>; 3] {
-        [
-            Work { down: down.x, ahead: ahead.x, nose_up: nose_up.x, moving_down: moving_down.x },
-            Work { down: down.y, ahead: ahead.y, nose_up: nose_up.y, moving_down: moving_down.y },
-            Work { down: down.z, ahead: ahead.z, nose_up: nose_up.z, moving_down: moving_down.z },
-        ]
+    pub fn on(&self, displacement: &Displacement<S>) -> Lanes<S> {
+        displacement.heave * self.force + displacement.turn * self.moment
     }
 }

@@ -78,6 +78,11 @@ impl StripSums {
         &self.moving
     }
 
+    /// Whether accelerations are distributed as loads are.
+    pub fn is_symmetric(&self) -> bool {
+        self.symmetric
+    }
+
     /// Forgets the forces of the last evaluation; its rows are overwritten.
     pub fn clear(&mut self) {
         for force in self.effects.iter_mut().chain([&mut self.force]) {
@@ -128,9 +133,12 @@ impl StripSums {
         for row in 0..blocks {
             for column in if self.symmetric { row } else { 0 }..blocks {
                 let block = self.block(simd, acceleration, row * BLOCK, column * BLOCK);
+                let on_diagonal = self.symmetric && row == column;
                 for (i, sums) in block.iter().enumerate().take(size - row * BLOCK) {
-                    for (j, lanes) in sums.iter().enumerate().take(size - column * BLOCK) {
-                        mass[(row * BLOCK + i) * size + column * BLOCK + j] += density * lanes.sum();
+                    let first = if on_diagonal { i } else { 0 };
+                    let mass = &mut mass[(row * BLOCK + i) * size + column * BLOCK..];
+                    for (mass, lanes) in mass.iter_mut().zip(sums).take(size - column * BLOCK).skip(first) {
+                        *mass += density * lanes.sum();
                     }
                 }
             }

@@ -25,7 +25,7 @@ use super::freedom::RigidFreedom;
 use super::inertia::RigidMotion;
 use super::layout::StateLayout;
 use super::rotation::Rotation;
-use super::strip_loads::{StripLoads, Work};
+use super::strip_loads::{Displacement, FlapResultants, StripLoads, StripSizes};
 use super::strip_sums::StripSums;
 
 /// Eight strips.
@@ -36,7 +36,10 @@ struct Group {
     span: EightVectors,
     width: Eight,
     /// √(πb²Δy) and √(πb⁴Δy/8): roots of apparent mass and inertia in air of unit density.
-    apparent_roots: [Eight; 2],
+    root_mass: Eight,
+    root_inertia: Eight,
+    /// 1/√(πb²Δy).
+    per_root_mass: Eight,
     /// 1/b.
     per_semichord: Eight,
     zero_lift_offset: Eight,
@@ -108,9 +111,10 @@ struct MovingSections<S: Simd> {
     forward: LaneVector<S>,
     span: LaneVector<S>,
     normal: LaneVector<S>,
+    /// m.
+    zero_lift_normal: LaneVector<S>,
     /// R.
     position: LaneVector<S>,
-    zero_lift_offset: Lanes<S>,
     flow: LocalFlow<S>,
     /// The part of dw₃/dt that does not force the inflow, m/s².
     unforced: Lanes<S>,
@@ -172,7 +176,7 @@ impl Strips {
     pub fn settle_inflow(&self, around: &Surroundings, layout: &StateLayout, state: &mut [f64]) {
         for (index, group) in self.groups.iter().enumerate() {
             for place in Place::all(Scalar::new()) {
-                let MovingSections { section, flow, .. } = group.deform(place, around);
+                let MovingSections { section, flow, .. } = group.deform::<Scalar, false>(place, around);
                 let w3 = section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
                 around.inflow.settle(place, w3, &mut layout.group_inflow(index).write(state));
             }
@@ -192,13 +196,21 @@ impl WithSimd for SumLoads<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
+        if self.sums.is_symmetric() { self.sum::<S, true>(simd) } else { self.sum::<S, false>(simd) }
+    }
+}
+
+impl SumLoads<'_> {
+    /// `SYMMETRIC` where apparent mass is.
+    #[inline(always)]
+    fn sum<S: Simd, const SYMMETRIC: bool>(self, simd: S) {
         let SumLoads { strips, around, layout, state, rates, sums, forces, mass } = self;
         sums.clear();
         for (index, group) in strips.groups.iter().enumerate() {
             let inflow = layout.group_inflow(index);
             let (states, mut rates) = (inflow.read(state), inflow.write(rates));
             for place in Place::all(simd) {
-                let mut moving = group.deform(place, around);
+                let mut moving = group.deform::<S, SYMMETRIC>(place, around);
                 let MovingSections { section, flow, unforced, .. } = &mut moving;
                 if flow.chordwise.least() <= 0.0 && sums.reversed.is_none() {
                     sums.reversed = reversed(section, flow).map(|lane| index * LANES + place.lane(lane));
@@ -208,7 +220,7 @@ impl WithSimd for SumLoads<'_> {
                 let passing = flow.chordwise * place.load(&group.per_semichord);
                 let wake = WakeFlow { w3, passing, unforced: *unforced };
                 around.inflow.write_rates(place, &states, &wake, &mut rates);
-                group.distribute(place, index, around, &moving, sums);
+                group.distribute::<S, SYMMETRIC>(place, index, around, &moving, sums);
             }
         }
         let edge_on = strips.edge_on.add_drag(simd, around, sums);
@@ -247,15 +259,15 @@ impl Group {
                 0.0,
             )
         };
+        let root_mass = |strip: &ReducedStrip| strip.semichord * libm::sqrt(PI * strip.width);
         Group {
             position: vectors(&|strip| strip.position),
             forward: vectors(&|strip| strip.forward),
             span: vectors(&|strip| strip.span),
             width: lanes(&|strip| strip.width, 0.0),
-            apparent_roots: [
-                lanes(&|strip| strip.semichord * libm::sqrt(PI * strip.width), 0.0),
-                lanes(&|strip| strip.semichord * strip.semichord * libm::sqrt(PI / 8.0 * strip.width), 0.0),
-            ],
+            root_mass: lanes(&root_mass, 0.0),
+            root_inertia: lanes(&|strip| strip.semichord * root_mass(strip) / libm::sqrt(8.0), 0.0),
+            per_root_mass: lanes(&|strip| 1.0 / root_mass(strip), 0.0),
             per_semichord: lanes(&|strip| 1.0 / strip.semichord, 1.0),
             zero_lift_offset: lanes(&|strip| strip.zero_lift_offset, 0.0),
             section: Section {
@@ -274,7 +286,11 @@ impl Group {
 
     /// Deforms the sections and finds their flow; the induced velocity is left at zero.
     #[inline(always)]
-    fn deform<S: Simd>(&self, place: Place<S>, around: &Surroundings) -> MovingSections<S> {
+    fn deform<S: Simd, const SYMMETRIC: bool>(
+        &self,
+        place: Place<S>,
+        around: &Surroundings,
+    ) -> MovingSections<S> {
         let velocity = place.splat_vector(&around.motion.velocity);
         let rate = place.splat_vector(&around.motion.rate);
         let (wind, wind_rate) = (place.splat_vector(&around.wind), place.splat_vector(&around.wind_rate));
@@ -289,28 +305,26 @@ impl Group {
         let air_velocity = velocity + rate.cross(&position) + elastic_velocity - wind;
         let spin = rate + elastic_rate;
         let zero_lift_offset = place.load(&self.zero_lift_offset);
-        let zero_lift_normal = normal + forward * zero_lift_offset;
+        let zero_lift_normal = if SYMMETRIC { normal } else { normal + forward * zero_lift_offset };
 
         let section = self.section.at(place);
         let (chordwise, across) = (forward.dot(&air_velocity), normal.dot(&air_velocity));
         let transport = rate.cross(&(elastic_velocity + wind)) - wind_rate;
+        // (ω × m)·V = ω·(m × V): how w and Ω change with the spin of the triad.
+        let (by_spin, pitch_by_spin) = (zero_lift_normal.cross(&air_velocity), span.cross(&spin));
         let flow = LocalFlow {
             density: place.splat(around.density),
             chordwise,
             normal: across,
-            upwash: across + chordwise * zero_lift_offset,
+            upwash: if SYMMETRIC { across } else { across + chordwise * zero_lift_offset },
             pitch_rate: span.dot(&spin),
-            upwash_drift: zero_lift_normal.dot(&transport)
-                + elastic_rate.cross(&zero_lift_normal).dot(&air_velocity),
-            pitch_drift: elastic_rate.cross(&span).dot(&spin),
+            upwash_drift: zero_lift_normal.dot(&transport) + elastic_rate.dot(&by_spin),
+            pitch_drift: elastic_rate.dot(&pitch_by_spin),
             induced: place.splat(0.0),
         };
         let excess = turn.excess_spin(&elastic_rate);
-        let unforced = section.three_quarter_chord_upwash(
-            excess.cross(&zero_lift_normal).dot(&air_velocity),
-            excess.cross(&span).dot(&spin),
-        );
-        MovingSections { section, forward, span, normal, position, zero_lift_offset, flow, unforced }
+        let unforced = section.three_quarter_chord_upwash(excess.dot(&by_spin), excess.dot(&pitch_by_spin));
+        MovingSections { section, forward, span, normal, zero_lift_normal, position, flow, unforced }
     }
 
     /// Ψᵘq, Ψᵠq, Ψᵘq̇ and Ψᵠq̇.
@@ -336,7 +350,7 @@ impl Group {
 
     /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
     #[inline(always)]
-    fn distribute<S: Simd>(
+    fn distribute<S: Simd, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         index: usize,
@@ -344,48 +358,66 @@ impl Group {
         moving: &MovingSections<S>,
         sums: &mut StripSums,
     ) {
-        let MovingSections { section, forward, span, normal, position, zero_lift_offset, .. } = moving;
+        let MovingSections { section, forward, span, normal, zero_lift_normal, position, flow, .. } = moving;
+        let sizes = StripSizes {
+            width: place.load(&self.width),
+            elastic_axis_aft_of_midchord: section.elastic_axis_aft_of_midchord,
+            root_mass: place.load(&self.root_mass),
+            root_inertia: place.load(&self.root_inertia),
+        };
+        let loads: StripLoads<S, SYMMETRIC> =
+            StripLoads::new(&section.loads(flow), &sizes, normal, forward, zero_lift_normal);
+        let flaps = if self.gains.is_empty() {
+            None
+        } else {
+            Some(FlapResultants::new(&section.flap_loads(flow), &sizes, place.load(&self.per_root_mass)))
+        };
         let arm = if around.deformed_arms { *position } else { place.load_vector(&self.position) };
-        let [root_mass, root_inertia] = &self.apparent_roots;
-        let roots = [place.load(root_mass), place.load(root_inertia)];
-        let loads = StripLoads::new(section, &moving.flow, place.load(&self.width), roots);
-        let axis = *normal + *forward * *zero_lift_offset;
-        let zero = place.splat_vector(&Vector3::zeros());
-        let translation = Work::on_axes(normal, forward, &zero, &axis);
-        let rotation = Work::on_axes(&arm.cross(normal), &arm.cross(forward), span, &position.cross(&axis));
+        let (heave, force) = (arm.cross(&loads.heave), arm.cross(&loads.force));
+        let acceleration = if SYMMETRIC { heave } else { position.cross(&loads.acceleration) };
         let components = around.freedom.components();
         for (row, &component) in components.iter().enumerate() {
-            let work = if component < 3 { &translation[component] } else { &rotation[component - 3] };
-            self.add_row(place, index, row, (&loads, section, work), sums);
+            let displacement = if component < 3 {
+                Displacement {
+                    heave: loads.heave.component(component),
+                    force: loads.force.component(component),
+                    acceleration: loads.acceleration.component(component),
+                    turn: place.splat(0.0),
+                }
+            } else {
+                Displacement {
+                    heave: heave.component(component - 3),
+                    force: force.component(component - 3),
+                    acceleration: acceleration.component(component - 3),
+                    turn: span.component(component - 3),
+                }
+            };
+            self.add_row(place, [index, row], &displacement, (&loads, &flaps), sums);
         }
         for (mode, shape) in self.shapes.iter().enumerate() {
             let [ux, uy, uz, rx, ry, rz] = [0, 1, 2, 3, 4, 5].map(|row| place.load(&shape[row]));
-            let (translation, rotation) =
-                (LaneVector { x: ux, y: uy, z: uz }, LaneVector { x: rx, y: ry, z: rz });
-            let (down, ahead) = (translation.dot(normal), translation.dot(forward));
-            let work = Work {
-                down,
-                ahead,
-                nose_up: rotation.dot(span),
-                moving_down: down + ahead * *zero_lift_offset,
-            };
-            self.add_row(place, index, components.len() + mode, (&loads, section, &work), sums);
+            let turn = LaneVector { x: rx, y: ry, z: rz }.dot(span);
+            let displacement = loads.displaced(&LaneVector { x: ux, y: uy, z: uz }, turn);
+            self.add_row(place, [index, components.len() + mode], &displacement, (&loads, &flaps), sums);
         }
     }
 
-    /// Adds what the loads contribute to one component of ν.
+    /// Adds what the loads and the flaps contribute to one component of ν.
     #[inline(always)]
-    fn add_row<S: Simd>(
+    fn add_row<S: Simd, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
-        index: usize,
-        row: usize,
-        (loads, section, work): (&StripLoads<S>, &Section<Lanes<S>>, &Work<S>),
+        [index, row]: [usize; 2],
+        displacement: &Displacement<S>,
+        (loads, flaps): (&StripLoads<S, SYMMETRIC>, &Option<FlapResultants<S>>),
         sums: &mut StripSums,
     ) {
-        sums.add(place, index, row, &loads.on(section, work));
-        for (surface, gain) in &self.gains {
-            sums.add_effect(place, *surface, row, loads.of_flaps_on(work) * place.load(gain));
+        sums.add(place, index, row, &loads.on(displacement));
+        if let Some(flaps) = flaps {
+            let effect = flaps.on(displacement);
+            for (surface, gain) in &self.gains {
+                sums.add_effect(place, *surface, row, effect * place.load(gain));
+            }
         }
     }
 }

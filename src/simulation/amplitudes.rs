@@ -7,7 +7,9 @@
 use std::ops::Range;
 
 use nalgebra::DMatrix;
+use pulp::{Arch, Simd, WithSimd};
 
+use crate::columns::Columns;
 use crate::dynamics::{FreeModes, StateLayout};
 
 /// The transformation between coordinates and amplitudes.
@@ -16,63 +18,100 @@ pub struct Amplitudes {
     coordinates: Range<usize>,
     rates: Range<usize>,
     /// `None` where there is nothing to transform.
-    modes: Option<FreeModes>,
-    scratch: [Vec<f64>; 2],
+    modes: Option<Modes>,
+    arch: Arch,
+}
+
+/// What turns [q; q̇] into amplitudes, their imaginary parts first, and back.
+#[derive(Clone, Debug)]
+struct Modes {
+    free: FreeModes,
+    enter: Columns,
+    leave: Columns,
+    scratch: Vec<f64>,
 }
 
 impl Amplitudes {
     /// For states of a layout.
     pub fn new(layout: &StateLayout, modes: Option<FreeModes>) -> Self {
-        let zeros = || vec![0.0; layout.modes()];
-        Amplitudes {
-            coordinates: layout.coordinates(),
-            rates: layout.coordinate_rates(),
-            modes,
-            scratch: [zeros(), zeros()],
-        }
+        let (coordinates, rates) = (layout.coordinates(), layout.coordinate_rates());
+        Amplitudes { coordinates, rates, modes: modes.map(Modes::new), arch: Arch::new() }
+    }
+
+    /// q and q̇, or their amplitudes, in a state.
+    pub fn range(&self) -> Range<usize> {
+        self.coordinates.start..self.rates.end
     }
 
     /// Replaces coordinates and their rates by amplitudes, in a state or in a rate of change of one.
     pub fn enter(&mut self, state: &mut [f64]) {
-        let Some(modes) = &self.modes else { return };
-        let [z, z_dot] = &mut self.scratch;
-        multiply(&modes.inverse, &state[self.coordinates.clone()], z);
-        multiply(&modes.inverse, &state[self.rates.clone()], z_dot);
-        for mode in 0..z.len() {
-            state[self.coordinates.start + mode] = modes.frequency[mode] * z[mode];
-            state[self.rates.start + mode] = z_dot[mode] + modes.decay[mode] * z[mode];
+        let (range, arch) = (self.range(), self.arch);
+        if let Some(Modes { enter, scratch, .. }) = &mut self.modes {
+            arch.dispatch(Transform { matrix: enter, numbers: &mut state[range], scratch });
         }
     }
 
     /// Replaces amplitudes by coordinates and their rates.
     pub fn leave(&mut self, state: &mut [f64]) {
-        let Some(modes) = &self.modes else { return };
-        let [z, z_dot] = &mut self.scratch;
-        for mode in 0..z.len() {
-            z[mode] = state[self.coordinates.start + mode] / modes.frequency[mode];
-            z_dot[mode] = state[self.rates.start + mode] - modes.decay[mode] * z[mode];
+        let (range, arch) = (self.range(), self.arch);
+        if let Some(Modes { leave, scratch, .. }) = &mut self.modes {
+            arch.dispatch(Transform { matrix: leave, numbers: &mut state[range], scratch });
         }
-        multiply(&modes.shapes, z, &mut state[self.coordinates.clone()]);
-        multiply(&modes.shapes, z_dot, &mut state[self.rates.clone()]);
     }
 
     /// Writes λ of every mode into the linear part, a vector of the state's layout.
     pub fn write_linear_part(&self, linear: &mut [f64]) {
         let Some(modes) = &self.modes else { return };
-        linear[self.coordinates.clone()].copy_from_slice(&modes.frequency);
-        for (linear, decay) in linear[self.rates.clone()].iter_mut().zip(&modes.decay) {
+        linear[self.coordinates.clone()].copy_from_slice(&modes.free.frequency);
+        for (linear, decay) in linear[self.rates.clone()].iter_mut().zip(&modes.free.decay) {
             *linear = -decay;
         }
     }
 }
 
-/// product = matrix · vector, column by column.
-fn multiply(matrix: &DMatrix<f64>, vector: &[f64], product: &mut [f64]) {
-    product.fill(0.0);
-    for (column, &factor) in matrix.as_slice().chunks_exact(product.len().max(1)).zip(vector) {
-        for (sum, entry) in product.iter_mut().zip(column) {
-            *sum += entry * factor;
-        }
+impl Modes {
+    fn new(free: FreeModes) -> Self {
+        let n = free.decay.len();
+        let FreeModes { shapes, inverse, decay, frequency } = &free;
+        let blocks = |of_q: [&dyn Fn(usize, usize) -> f64; 2], of_rates: &DMatrix<f64>| {
+            Columns::new(2 * n, 2 * n, |row, column| match (row < n, column < n) {
+                (true, true) => of_q[0](row, column),
+                (true, false) => 0.0,
+                (false, true) => of_q[1](row - n, column),
+                (false, false) => of_rates[(row - n, column - n)],
+            })
+        };
+        // c = ż + ζωz + i ω√(1 − ζ²) z with z = Q⁻¹q.
+        let enter = blocks(
+            [&|mode, q| frequency[mode] * inverse[(mode, q)], &|mode, q| decay[mode] * inverse[(mode, q)]],
+            inverse,
+        );
+        let leave = blocks(
+            [&|q, mode| shapes[(q, mode)] / frequency[mode], &|q, mode| {
+                -shapes[(q, mode)] * decay[mode] / frequency[mode]
+            }],
+            shapes,
+        );
+        let scratch = vec![0.0; enter.room()];
+        Modes { enter, leave, scratch, free }
+    }
+}
+
+/// numbers = matrix · numbers.
+struct Transform<'a> {
+    matrix: &'a Columns,
+    numbers: &'a mut [f64],
+    scratch: &'a mut [f64],
+}
+
+impl WithSimd for Transform<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Transform { matrix, numbers, scratch } = self;
+        matrix.times(simd, numbers, scratch);
+        numbers.copy_from_slice(&scratch[..numbers.len()]);
     }
 }
 

@@ -4,13 +4,13 @@
 //! stage is that of S. M. Cox, P. C. Matthews, J. Comput. Phys. 176 (2002): the linear part L is integrated exactly,
 //! the rest with the weights of a fourth-order Runge–Kutta method; with L = 0 it is the classical one.
 
-use std::ops::Range;
+use std::ops::{Add, Div, Mul, Range, Sub};
 
 use nalgebra::Complex;
 
 use crate::dynamics::StateLayout;
 
-/// Taylor series of φ₁ are used up to this |z|; beyond, the closed form loses less.
+/// The series of the φ are used up to this |z|; beyond, the closed form loses less.
 const SERIES_RADIUS: f64 = 1.0;
 
 /// Terms of the series: |z|²⁰/23! is below rounding.
@@ -38,13 +38,6 @@ impl Spectrum {
                 (layout.inflow_re(), layout.inflow_im()),
             ],
         }
-    }
-
-    /// The place of every state, with that of its imaginary part if it has one.
-    fn places(&self) -> impl Iterator<Item = (usize, Option<usize>)> {
-        let real = self.real.iter().flat_map(Range::clone).map(|place| (place, None));
-        let complex = self.complex.iter().flat_map(|(re, im)| re.clone().zip(im.clone().map(Some)));
-        real.chain(complex)
     }
 
     /// target = base + Σ D · vector.
@@ -179,50 +172,109 @@ impl ExponentialWeights {
     /// Computes the weights of a step of `width` seconds with the linear part L (1/s).
     pub fn compute(&mut self, spectrum: &Spectrum, linear: &[f64], width: f64) {
         self.width = width;
-        let h = width;
-        for (re, im) in spectrum.places() {
-            let l = Complex::new(linear[re], im.map_or(0.0, |im| linear[im]));
-            let ([half1, half2, _], [phi1, phi2, phi3]) = (phi(l * (0.5 * h)), phi(l * h));
-            let weights = [
-                (&mut self.half, half1 * (0.5 * h)),
-                (&mut self.third_first, (half1 * 0.5 - half2) * h),
-                (&mut self.third_second, half2 * h),
-                (&mut self.fourth_first, (phi1 - phi2 * 2.0) * h),
-                (&mut self.fourth_third, phi2 * (2.0 * h)),
-                (&mut self.first, (phi1 - phi2 * 3.0 + phi3 * 4.0) * h),
-                (&mut self.middle, (phi2 * 2.0 - phi3 * 4.0) * h),
-                (&mut self.last, (phi3 * 4.0 - phi2) * h),
-            ];
-            for (diagonal, weight) in weights {
-                diagonal[re] = weight.re;
-                if let Some(im) = im {
-                    diagonal[im] = weight.im;
-                }
+        for place in spectrum.real.iter().flat_map(Range::clone) {
+            for (diagonal, weight) in self.diagonals().into_iter().zip(weights(linear[place], width)) {
+                diagonal[place] = weight;
+            }
+        }
+        for (re, im) in spectrum.complex.iter().flat_map(|(re, im)| re.clone().zip(im.clone())) {
+            let weights = weights(Complex::new(linear[re], linear[im]), width);
+            for (diagonal, weight) in self.diagonals().into_iter().zip(weights) {
+                (diagonal[re], diagonal[im]) = (weight.re, weight.im);
             }
         }
     }
-}
 
-/// φ₁, φ₂, φ₃: φ_k(z) = Σ z^j / (j + k)!.
-fn phi(z: Complex<f64>) -> [Complex<f64>; 3] {
-    if z.norm_sqr() < SERIES_RADIUS * SERIES_RADIUS {
-        // φ₃ by its series, the others by φ_{k−1} = z φ_k + 1/(k−1)!.
-        let series = (1..SERIES_TERMS)
-            .rev()
-            .fold(Complex::new(1.0, 0.0), |tail, term| tail * z / f64::from(term + 3) + 1.0);
-        let phi3 = series / 6.0;
-        let phi2 = z * phi3 + 0.5;
-        return [z * phi2 + 1.0, phi2, phi3];
+    /// In the order of [`weights`].
+    fn diagonals(&mut self) -> [&mut Diagonal; 8] {
+        let ExponentialWeights {
+            half,
+            third_first,
+            third_second,
+            fourth_first,
+            fourth_third,
+            first,
+            middle,
+            last,
+            ..
+        } = self;
+        [half, third_first, third_second, fourth_first, fourth_third, first, middle, last]
     }
-    let phi1 = (exp(z) - 1.0) / z;
-    let phi2 = (phi1 - 1.0) / z;
-    [phi1, phi2, (phi2 - 0.5) / z]
 }
 
-/// e^z with the platform-independent elementary functions.
-fn exp(z: Complex<f64>) -> Complex<f64> {
-    let (sin, cos) = libm::sincos(z.im);
-    Complex::new(cos, sin) * libm::exp(z.re)
+/// The weights of one state with the linear part l, in the order of their fields.
+fn weights<T: ExponentialNumber>(l: T, h: f64) -> [T; 8] {
+    let z = l * h;
+    let (half_exp, close) = if z.is_small() { (T::from(1.0), true) } else { ((z * 0.5).exp(), false) };
+    let [half1, half2, _] = if close { phi_series(z * 0.5) } else { phi(z * 0.5, half_exp) };
+    let [phi1, phi2, phi3] = if close { phi_series(z) } else { phi(z, half_exp * half_exp) };
+    [
+        half1 * (0.5 * h),
+        (half1 * 0.5 - half2) * h,
+        half2 * h,
+        (phi1 - phi2 * 2.0) * h,
+        phi2 * (2.0 * h),
+        (phi1 - phi2 * 3.0 + phi3 * 4.0) * h,
+        (phi2 * 2.0 - phi3 * 4.0) * h,
+        (phi3 * 4.0 - phi2) * h,
+    ]
+}
+
+/// A real or complex number with the platform-independent exponential function.
+trait ExponentialNumber:
+    Copy
+    + From<f64>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<Output = Self>
+{
+    /// e^z.
+    fn exp(self) -> Self;
+
+    /// Whether the series of the φ are to be used.
+    fn is_small(self) -> bool;
+}
+
+impl ExponentialNumber for f64 {
+    fn exp(self) -> Self {
+        libm::exp(self)
+    }
+
+    fn is_small(self) -> bool {
+        self.abs() < SERIES_RADIUS
+    }
+}
+
+impl ExponentialNumber for Complex<f64> {
+    fn exp(self) -> Self {
+        let (sin, cos) = libm::sincos(self.im);
+        Complex::new(cos, sin) * libm::exp(self.re)
+    }
+
+    fn is_small(self) -> bool {
+        self.norm_sqr() < SERIES_RADIUS * SERIES_RADIUS
+    }
+}
+
+/// φ₁, φ₂, φ₃: φ_k(z) = Σ z^j / (j + k)!, from e^z by φ_k = (φ_{k−1} − 1/(k−1)!) / z.
+fn phi<T: ExponentialNumber>(z: T, exp: T) -> [T; 3] {
+    let per_z = T::from(1.0) / z;
+    let phi1 = (exp - T::from(1.0)) * per_z;
+    let phi2 = (phi1 - T::from(1.0)) * per_z;
+    [phi1, phi2, (phi2 - T::from(0.5)) * per_z]
+}
+
+/// The same near zero: φ₃ by its series, the others by φ_{k−1} = z φ_k + 1/(k−1)!.
+fn phi_series<T: ExponentialNumber>(z: T) -> [T; 3] {
+    let mut tail = T::from(1.0);
+    for term in (1..SERIES_TERMS).rev() {
+        tail = tail * z * (1.0 / f64::from(term + 3)) + T::from(1.0);
+    }
+    let phi3 = tail * (1.0 / 6.0);
+    let phi2 = z * phi3 + T::from(0.5);
+    [z * phi2 + T::from(1.0), phi2, phi3]
 }
 
 #[cfg(test)]
@@ -232,10 +284,9 @@ mod tests {
     #[test]
     fn phi_functions_meet_where_series_and_closed_form_meet() {
         for angle in [0.0, 1.0, 2.0, 3.0] {
-            let direction = Complex::new(libm::cos(angle), libm::sin(angle));
-            let (inside, outside) = (phi(direction * 0.999_999_999), phi(direction * 1.000_000_001));
-            for (a, b) in inside.into_iter().zip(outside) {
-                assert!((a - b).norm() < 1e-8);
+            let z = Complex::new(libm::cos(angle), libm::sin(angle));
+            for (a, b) in phi_series(z).into_iter().zip(phi(z, z.exp())) {
+                assert!((a - b).norm() < 4e-15);
             }
         }
     }
@@ -244,13 +295,20 @@ mod tests {
     fn phi_functions_have_their_known_values() {
         // φ₁(1) = e − 1, φ₂(1) = e − 2, φ₃(1) = e − 5/2.
         let e = std::f64::consts::E;
-        for (value, expected) in
-            phi(Complex::new(1.0 - 1e-16, 0.0)).into_iter().zip([e - 1.0, e - 2.0, e - 2.5])
-        {
-            assert!((value.re - expected).abs() < 2e-15 && value.im == 0.0);
+        for (value, expected) in phi_series(1.0).into_iter().zip([e - 1.0, e - 2.0, e - 2.5]) {
+            assert!((value - expected).abs() < 2e-15);
         }
-        for (value, expected) in phi(Complex::new(0.0, 0.0)).into_iter().zip([1.0, 0.5, 1.0 / 6.0]) {
-            assert!((value.re - expected).abs() < 1e-16);
+        for (value, expected) in phi_series(0.0).into_iter().zip([1.0, 0.5, 1.0 / 6.0]) {
+            assert!((value - expected).abs() < 1e-16);
+        }
+    }
+
+    #[test]
+    fn real_and_complex_weights_of_a_real_number_agree() {
+        for l in [-3.0, -150.0, -2000.0] {
+            for (real, complex) in weights(l, 0.01).into_iter().zip(weights(Complex::from(l), 0.01)) {
+                assert!((real - complex.re).abs() < 1e-15 && complex.im == 0.0);
+            }
         }
     }
 

@@ -67,11 +67,18 @@ impl Point {
 
     /// Becomes another point, in the room that it has.
     fn copy_from(&mut self, other: &Point) {
+        self.stand_at(other);
+        self.slope.clone_from(&other.slope);
+        self.slope_is_fresh = other.slope_is_fresh;
+    }
+
+    /// Takes the place of another point; the slope there is not known.
+    fn stand_at(&mut self, other: &Point) {
         self.time = other.time;
         self.state.clone_from(&other.state);
         self.substeps = other.substeps;
-        self.slope.clone_from(&other.slope);
-        self.slope_is_fresh = other.slope_is_fresh;
+        self.slope.resize(other.slope.len(), 0.0);
+        self.slope_is_fresh = false;
     }
 
     /// Takes a state of another length.
@@ -119,6 +126,8 @@ pub struct Simulation {
     /// The whole aircraft at the present, for reading what acts on one side alone before it flies on.
     pub(super) view: View,
     pub(super) outputs: Outputs,
+    /// Whether they are those of the present under the present inputs.
+    outputs_are_fresh: bool,
 }
 
 impl Simulation {
@@ -145,6 +154,7 @@ impl Simulation {
             evaluated_in: None,
             view: View { state: Vec::with_capacity(room), slope: vec![0.0; room], is_fresh: false },
             outputs: Outputs::new(&model),
+            outputs_are_fresh: false,
             airframes,
             model,
         })
@@ -165,7 +175,11 @@ impl Simulation {
         if self.steering.set(inputs, rates, self.present.time) {
             self.present.slope_is_fresh = false;
             self.view.is_fresh = false;
-            self.anchor.copy_from(&self.present);
+            self.outputs_are_fresh = false;
+            if self.anchor.time != self.present.time {
+                self.anchor.stand_at(&self.present);
+            }
+            self.anchor.slope_is_fresh = false;
         }
     }
 
@@ -178,8 +192,9 @@ impl Simulation {
         check_time(end)?;
         let (was_half, reference_airspeed) =
             (self.airframes.is_half(), self.airframes.flying().reference_airspeed);
-        self.before[0].copy_from(&self.anchor);
-        self.before[1].copy_from(&self.present);
+        self.before[0].stand_at(&self.anchor);
+        self.before[1].stand_at(&self.present);
+        self.outputs_are_fresh = false;
         self.view.is_fresh = false;
         if self.must_unfold() {
             self.unfold();
@@ -187,8 +202,8 @@ impl Simulation {
         let flown = self.fly(end);
         if flown.is_err() {
             let [anchor, present] = &self.before;
-            self.anchor.copy_from(anchor);
-            self.present.copy_from(present);
+            self.anchor.stand_at(anchor);
+            self.present.stand_at(present);
             self.forget_evaluation();
             self.airframes.choose(was_half);
             self.airframes.flying_mut().take_reference_airspeed(reference_airspeed);
@@ -198,12 +213,15 @@ impl Simulation {
 
     /// The outputs at the present time under the present inputs, without allocating.
     pub fn outputs(&mut self) -> &Outputs {
-        if self.must_unfold() {
-            self.refresh_view();
-        } else {
-            self.refresh();
+        if !self.outputs_are_fresh {
+            if self.must_unfold() {
+                self.refresh_view();
+            } else {
+                self.refresh();
+            }
+            outputs::write(self);
+            self.outputs_are_fresh = true;
         }
-        outputs::write(self);
         &self.outputs
     }
 
@@ -232,6 +250,7 @@ impl Simulation {
     pub(super) fn forget_evaluation(&mut self) {
         self.evaluated_in = None;
         self.view.is_fresh = false;
+        self.outputs_are_fresh = false;
         self.present.slope_is_fresh = false;
     }
 
@@ -290,7 +309,8 @@ impl Simulation {
         self.refresh();
         if !self.anchor.slope_is_fresh {
             // For the next step that begins here.
-            self.anchor.copy_from(&self.present);
+            self.anchor.slope.clone_from(&self.present.slope);
+            self.anchor.slope_is_fresh = true;
         }
         self.evaluated_in = None;
         let (controls, steering) = (&mut self.controls, &self.steering);

@@ -50,8 +50,8 @@ pub struct Integrator {
     slopes: [Vec<f64>; 4],
     /// The state at the beginning of the step and at its stages, in amplitudes.
     stages: [Vec<f64>; 4],
-    /// A stage in coordinates, and the slope there.
-    flight: [Vec<f64>; 2],
+    /// The amplitudes of a stage while it stands in coordinates.
+    kept: Vec<f64>,
     /// State at the beginning of the cell.
     start: Vec<f64>,
 }
@@ -83,7 +83,7 @@ impl Integrator {
             oldest: 0,
             slopes: [zeros(), zeros(), zeros(), zeros()],
             stages: [zeros(), zeros(), zeros(), zeros()],
-            flight: [zeros(), zeros()],
+            kept: vec![0.0; 2 * layout.modes()],
             start: zeros(),
         };
         integrator.set_inflow_linear_part(|_| {});
@@ -164,21 +164,21 @@ impl Integrator {
         slope: &mut [f64],
         rates: &mut impl FnMut(f64, &[f64], &mut [f64]),
     ) {
-        let Integrator { arch, spectrum, amplitudes, linear, slopes, stages, flight, .. } = self;
+        let Integrator { arch, spectrum, amplitudes, linear, slopes, stages, kept, .. } = self;
         let ([k1, k2, k3, k4], [y, y2, y3, y4]) = (slopes, stages);
         let w = &self.weights[weights];
         let middle = 0.5 * (time + next);
+        let modes = amplitudes.range();
         y.copy_from_slice(state);
         k1.copy_from_slice(slope);
         amplitudes.enter(y);
         amplitudes.enter(k1);
-        let mut evaluate = |time: f64, stage: &[f64], start: &[f64], k: &mut [f64]| {
-            let [place, rate] = &mut *flight;
-            place.copy_from_slice(stage);
-            amplitudes.leave(place);
-            rates(time, place, rate);
-            k.copy_from_slice(rate);
+        let mut evaluate = |time: f64, stage: &mut [f64], start: &[f64], k: &mut [f64]| {
+            kept.copy_from_slice(&stage[modes.clone()]);
+            amplitudes.leave(stage);
+            rates(time, stage, k);
             amplitudes.enter(k);
+            stage[modes.clone()].copy_from_slice(kept);
             arch.dispatch(|| spectrum.take_off(linear, stage, start, k));
         };
         arch.dispatch(|| spectrum.combine(y2, y, [(&w.half, k1)]));
@@ -201,22 +201,28 @@ impl Integrator {
     /// The estimated error of the last step in units of the allowed one; NaN when it is not finite.
     fn error(&mut self, weights: usize, state: &[f64]) -> f64 {
         let Integrator {
+            arch,
             spectrum,
             amplitudes,
-            slopes: [_, _, nothing, k4],
+            slopes: [_, _, _, k4],
             stages: [_, _, end_slope, difference],
             ..
         } = self;
-        for (k4, end) in k4.iter_mut().zip(&*end_slope) {
-            *k4 = end - *k4;
-        }
-        nothing.fill(0.0);
-        spectrum.combine(difference, nothing, [(&self.weights[weights].last, k4)]);
+        let last = &self.weights[weights].last;
+        arch.dispatch(|| {
+            for (k4, end) in k4.iter_mut().zip(&*end_slope) {
+                *k4 = end - *k4;
+            }
+            end_slope.fill(0.0);
+            spectrum.combine(difference, end_slope, [(last, k4)]);
+        });
         amplitudes.leave(difference);
         let mut worst = 0.0;
         for (group, floor) in self.layout.groups().into_iter().zip(self.scale.floors) {
-            let size = largest(&state[group.clone()], floor);
-            worst = nan_max(worst, largest(&difference[group], 0.0) / (self.scale.tolerance * size));
+            let (size, error) = arch.dispatch(|| {
+                (largest(&state[group.clone()], floor), largest(&difference[group.clone()], 0.0))
+            });
+            worst = nan_max(worst, error / (self.scale.tolerance * size));
         }
         worst
     }
@@ -229,9 +235,11 @@ fn normalise(quaternion: &mut [f64]) {
     }
 }
 
-/// Largest magnitude, at least `floor`; NaN when any value is.
+/// Largest magnitude, at least `floor`; NaN when any value is. Without their signs, numbers have the order of their
+/// bits, and not-a-number comes last.
+#[inline(always)]
 fn largest(values: &[f64], floor: f64) -> f64 {
-    values.iter().fold(floor, |largest, value| nan_max(largest, value.abs()))
+    f64::from_bits(values.iter().fold(floor.to_bits(), |largest, value| largest.max(value.abs().to_bits())))
 }
 
 /// The larger of two numbers, NaN when either is.

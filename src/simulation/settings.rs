@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use crate::aerodynamics::PetersInflow;
 use crate::aircraft::{AIRSPEEDS, ALTITUDES, Support};
 use crate::dynamics::{Configuration, EquationsOfMotion, Fidelity, TrimCondition};
-use crate::structure::{ModeFamily, ReducedModel};
+use crate::structure::{ModeFamily, ReducedModel, SymmetricHalf};
 
 use super::SimulationError;
 
@@ -109,6 +109,19 @@ impl Settings {
     pub fn equations(&self, model: &ReducedModel) -> Result<EquationsOfMotion, SimulationError> {
         let reduced = model.select(&self.choose_modes(model)?);
         Ok(EquationsOfMotion::new(&reduced, &self.configuration(&reduced)))
+    }
+
+    /// The equations of symmetric motion for half a model under these settings; `None` when it has no mirror plane.
+    ///
+    /// # Errors
+    /// When a setting is out of range.
+    pub fn symmetric_equations(
+        &self,
+        model: &ReducedModel,
+    ) -> Result<Option<EquationsOfMotion>, SimulationError> {
+        let reduced = model.select(&self.choose_modes(model)?);
+        let half = SymmetricHalf::find(&reduced);
+        Ok(half.map(|half| EquationsOfMotion::of_half(&half, &self.configuration(&reduced))))
     }
 
     /// The flight to be trimmed.

@@ -3,7 +3,7 @@
 
 use flexible_aircraft::dynamics::{Controls, EquationsOfMotion, Workspace};
 use flexible_aircraft::simulation::Settings;
-use flexible_aircraft::structure::ReducedModel;
+use flexible_aircraft::structure::{ModeFamily, ReducedModel, SymmetricHalf};
 
 use super::standard_flight::DURATION;
 use super::{BenchError, least_time};
@@ -15,35 +15,66 @@ const EVALUATIONS: usize = 2000;
 /// s.
 const PLAIN_STEP: f64 = 1e-3;
 
-/// Times of the right-hand side of the standard flight.
+/// Times of a right-hand side about the trim of the standard flight.
 pub struct RightHandSide {
-    pub strips: usize,
     /// s.
     pub time: f64,
     /// One strip at a time, s.
     pub narrow_time: f64,
-    /// The plain method: processor time for a second of flight, s.
-    pub plain_time_per_second: f64,
-    /// Multiplications that the formulas ask for, see [`multiplications`].
+    /// Multiplications that the formulas ask for.
     pub multiplications: usize,
 }
 
-impl RightHandSide {
+/// What was measured of the equations of motion.
+pub struct EquationCosts {
+    /// Of half the aircraft, which flies the standard flight.
+    pub half: RightHandSide,
+    /// Of the whole aircraft, as soon as something acts on one side alone.
+    pub whole: RightHandSide,
+    /// The plain method: processor time for a second of flight, s.
+    pub plain_time_per_second: f64,
+    /// How many multiplications, each with an addition, this machine does in a second at its best.
+    pub most_multiplications: f64,
+}
+
+impl EquationCosts {
     /// Measures about the trim.
     pub fn measure(model: &ReducedModel) -> Result<Self, BenchError> {
         let settings = Settings::default();
-        let equations = settings.equations(model)?;
-        let narrow = equations.clone().one_strip_at_a_time();
-        Ok(RightHandSide {
+        let whole = settings.equations(model)?;
+        let half = settings.symmetric_equations(model)?.ok_or(BenchError::NoMirrorPlane)?;
+        let narrow = whole.clone().one_strip_at_a_time();
+        let reduced = model.select(&settings.choose_modes(model)?);
+        let count = |families: &[ModeFamily]| {
+            let modes = reduced.modes.iter().filter(|mode| families.contains(&mode.family));
+            modes.count()
+        };
+        let (symmetric, antisymmetric) =
+            (count(&[ModeFamily::Symmetric]), count(&[ModeFamily::Antisymmetric]));
+        let edge_on = SymmetricHalf::find(&reduced).map_or(0, |half| half.edge_on.len());
+        let size = |equations: &EquationsOfMotion, edge_on, rigid, antisymmetric| Size {
             strips: equations.strip_count(),
-            time: time_of(&equations, &settings)?,
-            narrow_time: time_of(&narrow, &settings)?,
+            edge_on,
+            rigid,
+            symmetric,
+            antisymmetric,
+            inflow_states: settings.inflow_states,
+        };
+        Ok(EquationCosts {
+            half: RightHandSide::measure(&half, &settings, &size(&half, edge_on, 3, 0))?,
+            whole: RightHandSide::measure(&whole, &settings, &size(&whole, 0, 6, antisymmetric))?,
             plain_time_per_second: least_time(1, || fly_plainly(&narrow, &settings))? / DURATION,
-            multiplications: multiplications(
-                equations.strip_count(),
-                settings.mode_count,
-                settings.inflow_states,
-            ),
+            most_multiplications: most_multiplications()?,
+        })
+    }
+}
+
+impl RightHandSide {
+    fn measure(equations: &EquationsOfMotion, settings: &Settings, size: &Size) -> Result<Self, BenchError> {
+        Ok(RightHandSide {
+            time: time_of(equations, settings)?,
+            narrow_time: time_of(&equations.clone().one_strip_at_a_time(), settings)?,
+            multiplications: multiplications(size),
         })
     }
 }
@@ -93,15 +124,72 @@ fn fly_plainly(equations: &EquationsOfMotion, settings: &Settings) -> Result<Vec
     Ok(y)
 }
 
-/// Multiplications of the formulas for one right-hand side, as they are written in `src/dynamics` and
-/// `src/structure`: of each strip 12 for every mode's displacement and rotation and their rates, 14 for its row of
-/// forces and of apparent mass, 270 for triad, flow and loads, 2 for every inflow state, and 2 for each entry of the upper triangle
-/// of the apparent mass; of the aircraft the strain energy's distinct monomials (each in value and gradient), the
-/// inertia's tensors, and the solution.
-pub fn multiplications(strips: usize, modes: usize, inflow_states: usize) -> usize {
-    let size = 6 + modes;
-    let strip = 12 * modes + 14 * size + 270 + 2 * inflow_states + size * (size + 1);
-    let monomials = modes * (modes + 1) * (modes + 2) * (modes + 7) / 24;
-    let inertia = 15 * modes * modes + 60 * modes;
-    strips * strip + 2 * monomials + inertia + size * size * size / 6 + 2 * size * size
+/// What decides how many multiplications a right-hand side takes.
+pub struct Size {
+    pub strips: usize,
+    pub edge_on: usize,
+    /// Components of v and ω that move.
+    pub rigid: usize,
+    pub symmetric: usize,
+    pub antisymmetric: usize,
+    pub inflow_states: usize,
+}
+
+/// Multiplications of the formulas for one right-hand side, as they are written in `src/dynamics` and `src/structure`,
+/// with zero-lift lines along the chords. Of each strip 12 for every mode's displacement and rotation and their rates,
+/// 12 for its rows of forces and of apparent mass, 3 for those of each rigid component, 190 for triad, flow, loads and
+/// resultants, 4 for every inflow state, and 2 for each entry of the upper triangle of the apparent mass; of each strip
+/// edge-on 5 and 2 for every mode and 55. Of the aircraft: the products of constant matrices with [q; p], where symmetry
+/// leaves half of the entries, and what makes vectors of them; the inertia's tensors about the axes that turn; the
+/// solution.
+pub fn multiplications(size: &Size) -> usize {
+    let Size { strips, edge_on, rigid, symmetric, antisymmetric, inflow_states } = *size;
+    let (modes, axes) = (symmetric + antisymmetric, rigid / 3 * 2 - 1);
+    let unknowns = rigid + modes;
+    let strip = 24 * modes + 3 * rigid + 190 + 4 * inflow_states + unknowns * (unknowns + 1);
+    let pairs = |n: usize| n * (n + 1) / 2;
+    let (even, odd) = (pairs(symmetric) + pairs(antisymmetric), symmetric * antisymmetric);
+    let linear = symmetric * symmetric + antisymmetric * antisymmetric;
+    let elastic =
+        linear + symmetric * even + antisymmetric * odd + even * even + odd * odd + 3 * (even + odd);
+    let inertia = axes * (2 + axes) * modes * modes + 30 * modes;
+    let solution = unknowns * unknowns * unknowns / 6 + unknowns * unknowns;
+    strips * strip + edge_on * (7 * modes + 55) + elastic + inertia + solution
+}
+
+/// Independent chains of multiplications and additions, enough to hide their latency.
+const CHAINS: usize = 12;
+
+/// Multiplications, each with an addition that is not fused with it, that this machine does in a second.
+fn most_multiplications() -> Result<f64, BenchError> {
+    const ROUNDS: usize = 200_000;
+    let arch = pulp::Arch::new();
+    let mut lanes = 0;
+    let time = least_time(20, || {
+        lanes = arch.dispatch(Multiply { rounds: ROUNDS });
+        Ok(())
+    })?;
+    Ok((ROUNDS * CHAINS * lanes) as f64 / time)
+}
+
+/// x ← x·a + b in every chain; returns how many numbers a register holds.
+struct Multiply {
+    rounds: usize,
+}
+
+impl pulp::WithSimd for Multiply {
+    type Output = usize;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, simd: S) -> usize {
+        let (factor, term) = (simd.splat_f64s(std::hint::black_box(0.5)), simd.splat_f64s(1.0));
+        let mut chains = [simd.splat_f64s(1.0); CHAINS];
+        for _ in 0..self.rounds {
+            for chain in &mut chains {
+                *chain = simd.add_f64s(simd.mul_f64s(*chain, factor), term);
+            }
+        }
+        std::hint::black_box(chains);
+        S::F64_LANES
+    }
 }

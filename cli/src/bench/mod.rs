@@ -19,7 +19,7 @@ use flexible_aircraft_packaging::FmuError;
 use flexible_aircraft_packaging::c_abi::Fmu;
 
 use crate::diagnostics;
-use equations::RightHandSide;
+use equations::EquationCosts;
 use report::Report;
 use scaling::Scaling;
 use standard_flight::StandardFlight;
@@ -59,6 +59,9 @@ pub enum BenchError {
     /// The flight through the C interface.
     #[error(transparent)]
     Fmu(#[from] FmuError),
+    /// The aircraft is not its own mirror image.
+    #[error("the standard flight is symmetric, and the aircraft has no mirror plane y = 0")]
+    NoMirrorPlane,
     /// The results.
     #[error("{}: {source}", path.display())]
     Write {
@@ -89,10 +92,10 @@ pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
     eprintln!("the standard flight through the C interface …");
     let flight = StandardFlight::measure(&Fmu::open(&options.fmu)?)?;
     eprintln!("the right-hand side and the plain method …");
-    let right_hand_side = RightHandSide::measure(&model)?;
+    let equations = EquationCosts::measure(&model)?;
     eprintln!("larger and smaller aircraft …");
     let scaling = Scaling::measure(&aircraft, &model)?;
-    let report = Report { model: &model, flight, right_hand_side, scaling };
+    let report = Report { model: &model, flight, equations, scaling };
     println!("{}", report.summary());
     write(&options.plot, &report.chart().to_svg())?;
     write(&options.output, &report.markdown())

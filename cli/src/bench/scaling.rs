@@ -17,6 +17,13 @@ pub struct Point {
     pub label: String,
     /// What varies, as a number.
     pub size: usize,
+    /// Of half and of all of the aircraft.
+    pub half: Costs,
+    pub whole: Costs,
+}
+
+/// What flying by one set of equations costs.
+pub struct Costs {
     /// Of the right-hand side, s.
     pub right_hand_side: f64,
     /// Processor time for a second of flight in steps of 10 ms with a moving elevator, s.
@@ -70,11 +77,30 @@ fn point(
     label: String,
     size: usize,
 ) -> Result<Point, BenchError> {
-    let right_hand_side = time_of(&settings.equations(model)?, settings)?;
-    let engines = model.engines.len();
-    let trimmed = Simulation::new(Arc::clone(model), settings, 0.0)?;
+    let half = settings.symmetric_equations(model)?.ok_or(BenchError::NoMirrorPlane)?;
+    let (trimmed, engines) = (Simulation::new(Arc::clone(model), settings, 0.0)?, model.engines.len());
+    Ok(Point {
+        label,
+        size,
+        half: Costs {
+            right_hand_side: time_of(&half, settings)?,
+            time_per_second: flight_time(&trimmed, engines, 0.0)?,
+        },
+        whole: Costs {
+            right_hand_side: time_of(&settings.equations(model)?, settings)?,
+            time_per_second: flight_time(&trimmed, engines, UNNOTICEABLE)?,
+        },
+    })
+}
+
+/// An aileron angle, rad, that moves nothing but has the whole aircraft fly.
+const UNNOTICEABLE: f64 = 1e-300;
+
+/// Processor time for a second of flight, s.
+fn flight_time(trimmed: &Simulation, engines: usize, aileron: f64) -> Result<f64, BenchError> {
     let time = least_time(3, || {
         let (mut flight, mut inputs) = (trimmed.clone(), Inputs::zero(engines));
+        inputs.aileron = aileron;
         for step in 0..(SECONDS * 100.0) as u32 {
             inputs.elevator = -0.01 * f64::from(step % 2);
             flight.set_inputs(&inputs, &Inputs::zero(engines));
@@ -83,7 +109,7 @@ fn point(
         }
         Ok(())
     })?;
-    Ok(Point { label, size, right_hand_side, time_per_second: time / SECONDS })
+    Ok(time / SECONDS)
 }
 
 /// The same aircraft with every strip cut into strips of a share of its width, at the same place.
