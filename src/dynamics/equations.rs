@@ -13,6 +13,7 @@ use crate::structure::{
     ElasticForces, ElasticScratch, ModalIntegrals, ReducedModel, ReducedStrip, StrainEnergy, SymmetricHalf,
 };
 
+use super::air_loads::SumLoads;
 use super::attitude::{Attitude, quaternion_rate};
 use super::controls::Controls;
 use super::fidelity::{Fidelity, Terms};
@@ -22,7 +23,7 @@ use super::layout::StateLayout;
 use super::linear_solve::Factor;
 use super::propulsion::Engines;
 use super::strip_sums::StripSums;
-use super::strips::{Strips, SumLoads, Surroundings};
+use super::strips::{Strips, Surroundings};
 use super::structural_forces::StructuralForces;
 use super::workspace::Workspace;
 

@@ -1,5 +1,6 @@
 //! The equations of motion of the flexible aircraft at five fidelity levels, and its trim [2; physics.md §2–6].
 
+mod air_loads;
 mod attitude;
 mod controls;
 mod edge_on;

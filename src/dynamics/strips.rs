@@ -11,16 +11,15 @@
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
-use pulp::{Arch, Scalar, Simd, WithSimd};
+use pulp::{Arch, Scalar, Simd};
 
-use crate::aerodynamics::{FlapEffect, LocalFlow, PetersInflow, Section, WakeFlow};
+use crate::aerodynamics::{FlapEffect, LocalFlow, PetersInflow, Section};
 use crate::aircraft::ControlGains;
 use crate::lanes::{Eight, EightVectors, LANES, LaneVector, Lanes, Place};
 use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
 
 use super::controls::SURFACES;
 use super::edge_on::EdgeOnStrips;
-use super::forces::GeneralisedForces;
 use super::freedom::RigidFreedom;
 use super::inertia::RigidMotion;
 use super::layout::StateLayout;
@@ -30,7 +29,7 @@ use super::strip_sums::StripSums;
 
 /// Eight strips.
 #[derive(Clone, Debug)]
-struct Group {
+pub(super) struct Group {
     position: EightVectors,
     forward: EightVectors,
     span: EightVectors,
@@ -41,7 +40,7 @@ struct Group {
     /// 1/√(πb²Δy).
     per_root_mass: Eight,
     /// 1/b.
-    per_semichord: Eight,
+    pub(super) per_semichord: Eight,
     zero_lift_offset: Eight,
     section: Section,
     /// Flap angle per angle of a kind of surfaces, for those kinds that move any flap here.
@@ -54,10 +53,10 @@ struct Group {
 #[derive(Clone, Debug)]
 pub struct Strips {
     /// Number of strips.
-    count: usize,
-    groups: Vec<Group>,
+    pub(super) count: usize,
+    pub(super) groups: Vec<Group>,
     /// Those that only drag.
-    edge_on: EdgeOnStrips,
+    pub(super) edge_on: EdgeOnStrips,
     /// How wide this machine's vectors are.
     pub(super) arch: Arch,
 }
@@ -84,30 +83,9 @@ pub struct Surroundings<'a> {
     pub freedom: RigidFreedom,
 }
 
-/// What the loads of all strips are computed from, and where they go.
-pub struct SumLoads<'a> {
-    /// The strips.
-    pub strips: &'a Strips,
-    /// The state of the aircraft and of the air.
-    pub around: &'a Surroundings<'a>,
-    /// Where the inflow states stand.
-    pub layout: &'a StateLayout,
-    /// All states.
-    pub state: &'a [f64],
-    /// The rates of the inflow states are written here.
-    pub rates: &'a mut [f64],
-    /// Scratch memory.
-    pub sums: &'a mut StripSums,
-    /// The forces are added to these.
-    pub forces: &'a mut GeneralisedForces,
-    /// The apparent mass is added to this mass matrix of the components that move, row-major; of a symmetric one
-    /// only the upper triangle.
-    pub mass: &'a mut [f64],
-}
-
 /// Deformed sections in their flow.
-struct MovingSections<S: Simd> {
-    section: Section<Lanes<S>>,
+pub(super) struct MovingSections<S: Simd> {
+    pub(super) section: Section<Lanes<S>>,
     forward: LaneVector<S>,
     span: LaneVector<S>,
     normal: LaneVector<S>,
@@ -115,9 +93,9 @@ struct MovingSections<S: Simd> {
     zero_lift_normal: LaneVector<S>,
     /// R.
     position: LaneVector<S>,
-    flow: LocalFlow<S>,
+    pub(super) flow: LocalFlow<S>,
     /// The part of dw₃/dt that does not force the inflow, m/s².
-    unforced: Lanes<S>,
+    pub(super) unforced: Lanes<S>,
 }
 
 impl Strips {
@@ -184,58 +162,6 @@ impl Strips {
     }
 }
 
-impl SumLoads<'_> {
-    /// Adds the loads and the apparent mass of all strips, and writes the rates of the inflow states.
-    pub fn run(self) {
-        self.strips.arch.dispatch(self);
-    }
-}
-
-impl WithSimd for SumLoads<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        if self.sums.is_symmetric() { self.sum::<S, true>(simd) } else { self.sum::<S, false>(simd) }
-    }
-}
-
-impl SumLoads<'_> {
-    /// `SYMMETRIC` where apparent mass is.
-    #[inline(always)]
-    fn sum<S: Simd, const SYMMETRIC: bool>(self, simd: S) {
-        let SumLoads { strips, around, layout, state, rates, sums, forces, mass } = self;
-        sums.clear();
-        for (index, group) in strips.groups.iter().enumerate() {
-            let inflow = layout.group_inflow(index);
-            let (states, mut rates) = (inflow.read(state), inflow.write(rates));
-            for place in Place::all(simd) {
-                let mut moving = group.deform::<S, SYMMETRIC>(place, around);
-                let MovingSections { section, flow, unforced, .. } = &mut moving;
-                if flow.chordwise.least() <= 0.0 && sums.reversed.is_none() {
-                    sums.reversed = reversed(section, flow).map(|lane| index * LANES + place.lane(lane));
-                }
-                let w3 = section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
-                flow.induced = around.inflow.induced_velocity(place, &states, w3);
-                let passing = flow.chordwise * place.load(&group.per_semichord);
-                let wake = WakeFlow { w3, passing, unforced: *unforced };
-                around.inflow.write_rates(place, &states, &wake, &mut rates);
-                group.distribute::<S, SYMMETRIC>(place, index, around, &moving, sums);
-            }
-        }
-        let edge_on = strips.edge_on.add_drag(simd, around, sums);
-        sums.reversed = sums.reversed.or(edge_on.map(|strip| strips.count + strip));
-        sums.add_to(simd, around.density, forces, mass);
-    }
-}
-
-/// The first lane whose lifting strip meets the air from behind.
-#[cold]
-fn reversed<S: Simd>(section: &Section<Lanes<S>>, flow: &LocalFlow<S>) -> Option<usize> {
-    let mut strips = flow.chordwise.numbers().iter().zip(section.lift_slope.numbers());
-    strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
-}
-
 impl Group {
     /// Up to eight strips of a model with `modes` modes.
     fn new(strips: &[ReducedStrip], modes: usize) -> Self {
@@ -286,7 +212,7 @@ impl Group {
 
     /// Deforms the sections and finds their flow; the induced velocity is left at zero.
     #[inline(always)]
-    fn deform<S: Simd, const SYMMETRIC: bool>(
+    pub(super) fn deform<S: Simd, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         around: &Surroundings,
@@ -350,7 +276,7 @@ impl Group {
 
     /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
     #[inline(always)]
-    fn distribute<S: Simd, const SYMMETRIC: bool>(
+    pub(super) fn distribute<S: Simd, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         index: usize,

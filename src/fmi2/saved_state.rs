@@ -7,12 +7,12 @@
 
 use super::instance::{Experiment, Instance, Refusal, TIME_SLACK, is_time};
 use super::life_cycle::State;
-use crate::simulation::{Inputs, Settings};
+use crate::simulation::{Inputs, Settings, Simulation};
 use crate::structure::fnv1a;
 use crate::variables::{Slot, Type, Value};
 
 /// What `fmi2FMUstate` points to.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct SavedState {
     bytes: Vec<u8>,
 }
@@ -28,9 +28,10 @@ impl SavedState {
 }
 
 impl Instance {
-    /// `fmi2GetFMUstate`.
-    pub fn save(&self) -> SavedState {
-        let mut bytes = Vec::new();
+    /// `fmi2GetFMUstate`: replaces a saved state, without allocating where one of the same aircraft was.
+    pub fn save_into(&self, saved: &mut SavedState) {
+        let bytes = &mut saved.bytes;
+        bytes.clear();
         bytes.extend(MAGIC);
         bytes.extend(0u64.to_le_bytes());
         bytes.extend(self.identity.to_le_bytes());
@@ -56,12 +57,13 @@ impl Instance {
         }
         bytes.push(u8::from(self.flight.is_some()));
         if let Some(flight) = &self.flight {
-            flight.snapshot(&mut bytes);
+            // Room for the largest, so that it never has to grow.
+            bytes.reserve(flight.largest_snapshot_size() + CHECKSUM_LENGTH);
+            flight.snapshot(bytes);
         }
         let length = (bytes.len() + CHECKSUM_LENGTH) as u64;
         bytes[MAGIC.len()..MAGIC.len() + 8].copy_from_slice(&length.to_le_bytes());
-        bytes.extend(fnv1a(&bytes).to_le_bytes());
-        SavedState { bytes }
+        bytes.extend(fnv1a(bytes).to_le_bytes());
     }
 
     /// `fmi2DeSerializeFMUstate`: checks that the bytes are whole, undamaged and of this FMU.
@@ -102,13 +104,11 @@ impl Instance {
                 let refuse = |error| Refusal::error(format!("the saved flight: {error}"));
                 match self.flight.as_mut().filter(|_| same) {
                     Some(flight) => {
-                        let mut before = Vec::new();
-                        flight.snapshot(&mut before);
-                        flight.restore(snapshot).map_err(refuse)?;
-                        if !restored.is_now(flight.time()) {
-                            flight.restore(&before).map_err(refuse)?;
+                        let time = Simulation::time_of_snapshot(snapshot);
+                        if time.is_some_and(|time| !restored.is_now(time)) {
                             return Err(Refusal::error(FLIGHT_ELSEWHEN));
                         }
+                        flight.restore(snapshot).map_err(refuse)?;
                     }
                     None => {
                         let mut flight = self.trimmed(&restored.settings, &restored.experiment)?;

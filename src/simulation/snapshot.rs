@@ -50,6 +50,17 @@ impl Simulation {
         self.size_with(self.present.state.len())
     }
 
+    /// Length of a snapshot in bytes when the whole aircraft flies.
+    pub fn largest_snapshot_size(&self) -> usize {
+        self.size_with(self.airframes.whole().equations.layout().len())
+    }
+
+    /// The time, s, at which a snapshot was taken, if it is one; what else it says is not checked.
+    pub fn time_of_snapshot(bytes: &[u8]) -> Option<f64> {
+        let time = bytes.get(HEADER + 8..)?.first_chunk()?;
+        Some(f64::from_le_bytes(*time))
+    }
+
     /// Whether a snapshot of some length is of half or of all of the aircraft, and the length of its states.
     fn airframe_of(&self, size: usize) -> Option<(bool, usize)> {
         let airframes = [(false, Some(self.airframes.whole())), (true, self.airframes.half())];

@@ -13,25 +13,29 @@ use crate::fmi2::types::{Component, FmuState, Status};
 pub unsafe extern "C" fn fmi2GetFMUstate(component: Component, state: *mut FmuState) -> Status {
     let body = |instance: &mut Instance| {
         // SAFETY: `state` is NULL or a place that holds NULL or a state, as the module says of states.
-        unsafe { store(state, instance.save()) }
+        unsafe { store(state, |saved| instance.save_into(saved)) }
     };
     // SAFETY: components as the module says.
     unsafe { on(component, Function::GetFMUstate, body) }
 }
 
-/// Puts a saved state behind a handle, into the present one when there is one.
+/// Has a state written behind a handle, into the present one when there is one.
 ///
 /// # Safety
 /// `place` is NULL or holds NULL or a state, as the module says of states.
-unsafe fn store(place: *mut FmuState, saved: SavedState) -> Outcome {
+unsafe fn store(place: *mut FmuState, write: impl FnOnce(&mut SavedState)) -> Outcome {
     // SAFETY: by the caller.
     let Some(handle) = (unsafe { place.as_mut() }) else {
         return Err(Refusal::error("FMUstate: found NULL, expected a place for the result"));
     };
     // SAFETY: by the caller, what is not NULL is a leaked `Box<SavedState>`.
     match unsafe { handle.cast::<SavedState>().as_mut() } {
-        Some(present) => *present = saved,
-        None => *handle = Box::into_raw(Box::new(saved)).cast(),
+        Some(present) => write(present),
+        None => {
+            let mut saved = Box::<SavedState>::default();
+            write(&mut saved);
+            *handle = Box::into_raw(saved).cast();
+        }
     }
     Ok(())
 }
@@ -118,7 +122,7 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
         // SAFETY: arrays as the module says.
         let saved = instance.deserialise(unsafe { array(bytes, size, "serializedState") }?)?;
         // SAFETY: `state` is NULL or a place that holds NULL or a state.
-        unsafe { store(state, saved) }
+        unsafe { store(state, |present| *present = saved) }
     };
     // SAFETY: components as the module says.
     unsafe { on(component, Function::DeSerializeFMUstate, body) }

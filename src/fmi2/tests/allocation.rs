@@ -74,3 +74,28 @@ fn setting_stepping_and_getting_allocate_nothing() {
     assert_eq!(values[3], 0.049);
     assert!(Fmu::new().component.is_aligned() && ALLOCATIONS.get() > before, "the count does not count");
 }
+
+/// What a master does that may have to take a step back.
+#[test]
+fn saving_into_a_state_that_is_there_allocates_nothing() {
+    let fmu = Fmu::flying();
+    let inputs = ["elevator", "aileron"].map(reference);
+    let mut state = null_mut();
+    // SAFETY: the component is alive, the handle is NULL and later that of a state.
+    let mut save = || assert_eq!(unsafe { fmi2GetFMUstate(fmu.component, &raw mut state) }, Status::Ok);
+    save();
+    let before = ALLOCATIONS.get();
+    for i in 0..50 {
+        // The whole aircraft, whose state is longer, takes over halfway.
+        let aileron = if i < 25 { 0.0 } else { 1e-3 };
+        let set = fmu.set_references(&inputs, &[1e-4 * f64::from(i), aileron]);
+        // SAFETY: the component is alive.
+        let stepped = unsafe { fmi2DoStep(fmu.component, 0.01 * f64::from(i), 0.01, 0) };
+        assert_eq!([set, stepped], [Status::Ok; 2]);
+        save();
+    }
+    let allocated = ALLOCATIONS.get() - before;
+    // SAFETY: the component is alive, the handle is that of a state.
+    assert_eq!(unsafe { fmi2FreeFMUstate(fmu.component, &raw mut state) }, Status::Ok);
+    assert_eq!(allocated, 0);
+}

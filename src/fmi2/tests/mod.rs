@@ -271,3 +271,10 @@ impl Drop for Fmu {
 fn reference(name: &str) -> u32 {
     VariableTable::new(jet()).reference(name).unwrap_or_else(|| panic!("no variable `{name}`"))
 }
+
+/// The state of an instance.
+fn saved(instance: &super::instance::Instance) -> super::saved_state::SavedState {
+    let mut saved = super::saved_state::SavedState::default();
+    instance.save_into(&mut saved);
+    saved
+}

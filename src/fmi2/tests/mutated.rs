@@ -230,7 +230,7 @@ fn a_mutated_state_is_refused_and_changes_nothing_or_goes_on() {
     mutate(&whole, 8000, |mut bytes| {
         assert!(bytes == whole || Saved::from_bytes(&fmu, &bytes).is_err(), "a wrong checksum was accepted");
         fit_checksums(&mut bytes);
-        let before = instance(fmu.component).save();
+        let before = saved(instance(fmu.component));
         match Saved::from_bytes(&fmu, &bytes).map(|saved| saved.restore()) {
             Ok(Status::Ok) => {
                 accepted.set(accepted.get() + 1);
@@ -252,7 +252,7 @@ fn a_mutated_state_is_refused_and_changes_nothing_or_goes_on() {
             Ok(status) => assert_eq!(status, Status::Error),
             Err(status) => assert_eq!(status, Status::Error),
         }
-        assert!(instance(fmu.component).save() == before);
+        assert!(saved(instance(fmu.component)) == before);
         fmu.log.borrow_mut().clear();
     });
     assert!(accepted.get() > 500, "{accepted:?}");

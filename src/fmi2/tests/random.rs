@@ -106,7 +106,7 @@ impl World<'_> {
             let fmu = world.fmus.get(call.component).and_then(Option::as_ref);
             fmu.map_or(0, |fmu| fmu.log.borrow().len())
         };
-        let before = (!component.is_null()).then(|| (instance(component).save(), messages(self)));
+        let before = (!component.is_null()).then(|| (saved(instance(component)), messages(self)));
         let began = Instant::now();
         let status = self.call(call, function, component);
         assert!(began.elapsed() < Duration::from_secs(20), "{function:?} hangs: {call:?}");
@@ -120,7 +120,7 @@ impl World<'_> {
             return;
         }
         let instance = instance(component);
-        assert!(instance.save() == before, "{function:?} was refused and changed something: {call:?}");
+        assert!(saved(instance) == before, "{function:?} was refused and changed something: {call:?}");
         if instance.logger.wants(status) {
             let fmu = self.fmus[call.component].as_ref().expect("it has a component");
             let message = fmu.last_message();

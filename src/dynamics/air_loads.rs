@@ -1,0 +1,84 @@
+//! The loads and the apparent mass of all strips, and how their wakes change [4.1; physics.md §4].
+
+use pulp::{Simd, WithSimd};
+
+use crate::aerodynamics::{LocalFlow, Section, WakeFlow};
+use crate::lanes::{LANES, Lanes, Place};
+
+use super::forces::GeneralisedForces;
+use super::layout::StateLayout;
+use super::strip_sums::StripSums;
+use super::strips::{MovingSections, Strips, Surroundings};
+
+/// What the loads of all strips are computed from, and where they go.
+pub struct SumLoads<'a> {
+    /// The strips.
+    pub strips: &'a Strips,
+    /// The state of the aircraft and of the air.
+    pub around: &'a Surroundings<'a>,
+    /// Where the inflow states stand.
+    pub layout: &'a StateLayout,
+    /// All states.
+    pub state: &'a [f64],
+    /// The rates of the inflow states are written here.
+    pub rates: &'a mut [f64],
+    /// Scratch memory.
+    pub sums: &'a mut StripSums,
+    /// The forces are added to these.
+    pub forces: &'a mut GeneralisedForces,
+    /// The apparent mass is added to this mass matrix of the components that move, row-major; of a symmetric one
+    /// only the upper triangle.
+    pub mass: &'a mut [f64],
+}
+
+impl SumLoads<'_> {
+    /// Adds the loads and the apparent mass of all strips, and writes the rates of the inflow states.
+    pub fn run(self) {
+        self.strips.arch.dispatch(self);
+    }
+}
+
+impl WithSimd for SumLoads<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        if self.sums.is_symmetric() { self.sum::<S, true>(simd) } else { self.sum::<S, false>(simd) }
+    }
+}
+
+impl SumLoads<'_> {
+    /// `SYMMETRIC` where apparent mass is.
+    #[inline(always)]
+    fn sum<S: Simd, const SYMMETRIC: bool>(self, simd: S) {
+        let SumLoads { strips, around, layout, state, rates, sums, forces, mass } = self;
+        sums.clear();
+        for (index, group) in strips.groups.iter().enumerate() {
+            let inflow = layout.group_inflow(index);
+            let (states, mut rates) = (inflow.read(state), inflow.write(rates));
+            for place in Place::all(simd) {
+                let mut moving = group.deform::<S, SYMMETRIC>(place, around);
+                let MovingSections { section, flow, unforced, .. } = &mut moving;
+                if flow.chordwise.least() <= 0.0 && sums.reversed.is_none() {
+                    sums.reversed = reversed(section, flow).map(|lane| index * LANES + place.lane(lane));
+                }
+                let w3 = section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
+                flow.induced = around.inflow.induced_velocity(place, &states, w3);
+                let passing = flow.chordwise * place.load(&group.per_semichord);
+                let wake = WakeFlow { w3, passing, unforced: *unforced };
+                around.inflow.write_rates(place, &states, &wake, &mut rates);
+                group.distribute::<S, SYMMETRIC>(place, index, around, &moving, sums);
+            }
+        }
+        let edge_on = strips.edge_on.add_drag(simd, around, sums);
+        sums.reversed = sums.reversed.or(edge_on.map(|strip| strips.count + strip));
+        sums.add_to(simd, around.density, forces, mass);
+    }
+}
+
+/// The first lane whose lifting strip meets the air from behind.
+#[cold]
+fn reversed<S: Simd>(section: &Section<Lanes<S>>, flow: &LocalFlow<S>) -> Option<usize> {
+    let mut strips = flow.chordwise.numbers().iter().zip(section.lift_slope.numbers());
+    strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
+}
