@@ -20,7 +20,7 @@ const CLAIMS: &[Claim] = &[
     ("Modal integrals", "modal_integrals", &["modal-integrals", "mass-matrix"]),
     ("Equations of motion", "equations_of_motion", &["equations-of-motion"]),
     ("Strain energy", "strain_energy", &["strain-energy", "string"]),
-    ("Geometric stiffening", "spin_up", &["spin-up", "spinning"]),
+    ("Geometric stiffening", "spin_up", &["spin-up", "spin-up-taut", "spinning"]),
     ("Unsteady aerodynamics", "inflow", &["theodorsen", "wagner", "garrick", "flap"]),
     ("Clamped frequencies and mass of the jet", "frequencies", &["frequencies"]),
     ("Trim", "trim", &["trim"]),
