@@ -20,18 +20,18 @@ impl Course {
     }
 
     /// North, east, down from forward, right, down.
-    pub fn to_north(self, vector: &Vector3<f64>) -> Vector3<f64> {
+    pub fn north_east_down(self, vector: &Vector3<f64>) -> Vector3<f64> {
         let Course { sin, cos } = self;
         Vector3::new(cos * vector.x - sin * vector.y, sin * vector.x + cos * vector.y, vector.z)
     }
 
     /// Forward, right, down from north, east, down.
-    pub fn from_north(self, vector: &Vector3<f64>) -> Vector3<f64> {
+    pub fn along(self, vector: &Vector3<f64>) -> Vector3<f64> {
         let Course { sin, cos } = self;
         Vector3::new(cos * vector.x + sin * vector.y, cos * vector.y - sin * vector.x, vector.z)
     }
 
-    /// The matrix of [`from_north`](Self::from_north).
+    /// The matrix of [`along`](Self::along).
     pub fn matrix(self) -> Matrix3<f64> {
         let Course { sin, cos } = self;
         Matrix3::new(cos, sin, 0.0, -sin, cos, 0.0, 0.0, 0.0, 1.0)
@@ -45,17 +45,17 @@ mod tests {
     #[test]
     fn a_course_to_the_east_has_east_ahead_and_south_to_the_right() {
         let course = Course::new(std::f64::consts::FRAC_PI_2);
-        assert!((course.to_north(&Vector3::x()) - Vector3::y()).norm() < 1e-15);
-        assert!((course.to_north(&Vector3::y()) + Vector3::x()).norm() < 1e-15);
+        assert!((course.north_east_down(&Vector3::x()) - Vector3::y()).norm() < 1e-15);
+        assert!((course.north_east_down(&Vector3::y()) + Vector3::x()).norm() < 1e-15);
         let arrow = Vector3::new(0.3, -2.0, 0.7);
-        assert!((course.from_north(&course.to_north(&arrow)) - arrow).norm() < 1e-15);
-        assert!((course.matrix() * arrow - course.from_north(&arrow)).norm() < 1e-15);
+        assert!((course.along(&course.north_east_down(&arrow)) - arrow).norm() < 1e-15);
+        assert!((course.matrix() * arrow - course.along(&arrow)).norm() < 1e-15);
     }
 
     #[test]
     fn a_course_to_the_north_changes_no_bit() {
         let arrow = Vector3::new(0.1, -2.3, 0.7);
         let course = Course::new(0.0);
-        assert_eq!((course.to_north(&arrow), course.from_north(&arrow)), (arrow, arrow));
+        assert_eq!((course.north_east_down(&arrow), course.along(&arrow)), (arrow, arrow));
     }
 }

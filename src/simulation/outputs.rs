@@ -108,7 +108,7 @@ pub(super) fn write(simulation: &mut Simulation) {
     let motion = equations.motion(state);
     let acceleration = Vector3::from_column_slice(&workspace.accelerations()[0..3]);
 
-    outputs.position = course.to_north(&Vector3::from_column_slice(&state[layout.position()]));
+    outputs.position = course.north_east_down(&Vector3::from_column_slice(&state[layout.position()]));
     outputs.attitude = Attitude { body_from_inertial: to_body * course.matrix() }.euler_angles();
     outputs.velocity = motion.velocity;
     outputs.rate = motion.rate;

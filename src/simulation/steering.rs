@@ -46,7 +46,7 @@ impl Steering {
             let mut engines = images.iter().enumerate();
             inputs.aileron == 0.0
                 && inputs.rudder == 0.0
-                && self.course.from_north(&inputs.wind).y == 0.0
+                && self.course.along(&inputs.wind).y == 0.0
                 && engines.all(|(engine, &image)| inputs.thrust[engine] == inputs.thrust[image])
         })
     }
@@ -66,7 +66,7 @@ impl Steering {
         for ((acting, input), rate) in controls.thrust.iter_mut().zip(&inputs.thrust).zip(&rates.thrust) {
             *acting = thrust + input + elapsed * rate;
         }
-        controls.wind = course.from_north(&(inputs.wind + rates.wind * elapsed));
-        controls.wind_rate = course.from_north(&rates.wind);
+        controls.wind = course.along(&(inputs.wind + rates.wind * elapsed));
+        controls.wind_rate = course.along(&rates.wind);
     }
 }

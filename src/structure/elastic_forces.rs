@@ -88,9 +88,9 @@ impl ElasticForces {
         let mut add = |row: usize, column: usize, coefficient: f64| {
             entries[row * width + column] += scale * coefficient;
         };
-        for a in 0..n {
+        for (a, &row) in mode_rows.iter().enumerate() {
             for b in (0..n).filter(|&b| is_odd(&[a]) == is_odd(&[b])) {
-                add(mode_rows[a], b, energy.linear_stiffness[a * n + b]);
+                add(row, b, energy.linear_stiffness[a * n + b]);
             }
         }
         for ([a, b, c], coefficient) in energy.cubic_terms().filter(|(modes, _)| cubic && !is_odd(modes)) {
