@@ -1,6 +1,10 @@
 //! Symmetric motion: half the aircraft flies for the whole until something acts on one side alone.
 
+use std::sync::Arc;
+
+use flexible_aircraft::aircraft::Support;
 use flexible_aircraft::simulation::{Fidelity, Inputs, Outputs, Settings, Simulation};
+use flexible_aircraft::structure::ReducedModel;
 
 use super::record::Record;
 use crate::support::{fly, jet, two_three_one_one, up};
@@ -147,4 +151,22 @@ fn a_snapshot_of_the_half_brings_it_back_when_the_whole_aircraft_flies() {
     flight.restore(&bytes).unwrap();
     assert!(flight.is_symmetric());
     assert_eq!(go_on(&mut flight), straight);
+}
+
+#[test]
+fn half_of_a_clamped_aircraft_swings_as_the_whole_one_does() {
+    let model = Arc::new(ReducedModel { support: Support::Clamped, ..(*jet()).clone() });
+    let settings = Settings { airspeed: 60.0, heading: 2.0, tolerance: 1e-8, ..Settings::default() };
+    let swing = |aileron: f64| {
+        let mut flight = Simulation::new(Arc::clone(&model), &settings, 0.0).unwrap();
+        set(&mut flight, |inputs| (inputs.wind.z, inputs.aileron) = (-3.0, aileron));
+        flight.advance_to(1.0).unwrap();
+        assert_eq!(flight.is_symmetric(), aileron == 0.0);
+        flight.outputs().clone()
+    };
+    let (half, whole) = (swing(0.0), swing(NOTHING));
+    for tip in ["wing_tip_left", "htail_tip_right"] {
+        assert!((up(&half, tip) - up(&whole, tip)).abs() < 1e-8 && up(&half, tip).abs() > 1e-3, "{tip}");
+    }
+    assert!((half.attitude - whole.attitude).norm() < 1e-15 && (half.attitude.z - 2.0).abs() < 1e-15);
 }
