@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::dynamics::{Controls, Workspace};
+use flexible_aircraft::dynamics::Workspace;
 use flexible_aircraft::simulation::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 
@@ -19,16 +19,17 @@ fn jet() -> Arc<ReducedModel> {
 
 fn right_hand_side(criterion: &mut Criterion) {
     let settings = Settings::default();
-    let equations = settings.equations(&jet()).expect("the default settings");
-    let trim = equations.trim(&settings.trim_condition()).expect("the jet flies");
-    let mut controls = Controls::neutral(equations.engine_count());
-    controls.elevator = trim.elevator;
-    controls.thrust.fill(trim.thrust);
-    for (name, equations) in
-        [("wide", equations.clone()), ("one strip at a time", equations.one_strip_at_a_time())]
-    {
+    let whole = settings.equations(&jet()).expect("the default settings");
+    let half = settings.symmetric_equations(&jet()).expect("the default settings").expect("a mirror plane");
+    for (name, equations) in [
+        ("half the aircraft", half),
+        ("the whole aircraft", whole.clone()),
+        ("the whole aircraft, one strip at a time", whole.one_strip_at_a_time()),
+    ] {
+        let trim = equations.trim(&settings.trim_condition()).expect("the jet flies");
+        let controls = trim.controls(equations.engine_count());
         let (mut rates, mut workspace) = (vec![0.0; trim.state.len()], Workspace::new(&equations));
-        criterion.bench_function(&format!("right-hand side, {name}"), |bencher| {
+        criterion.bench_function(&format!("right-hand side of {name}"), |bencher| {
             bencher.iter(|| equations.rates(black_box(&trim.state), &controls, &mut rates, &mut workspace));
         });
     }
@@ -36,15 +37,22 @@ fn right_hand_side(criterion: &mut Criterion) {
 
 fn steps(criterion: &mut Criterion) {
     let model = jet();
-    for (name, step) in [("10 ms", 0.01), ("1 ms", 0.001)] {
+    for (name, step, aileron) in [
+        ("10 ms, elevator moving", 0.01, 0.0),
+        ("1 ms, elevator moving", 0.001, 0.0),
+        ("10 ms, elevator moving, ailerons set", 0.01, 1e-3),
+    ] {
         let mut flight =
             Simulation::new(Arc::clone(&model), &Settings::default(), 0.0).expect("the jet flies");
         let (mut inputs, still) = (Inputs::zero(2), Inputs::zero(2));
+        inputs.aileron = aileron;
         let mut count = 0_u32;
-        criterion.bench_function(&format!("step of {name}, elevator moving"), |bencher| {
+        criterion.bench_function(&format!("step of {name}"), |bencher| {
             bencher.iter(|| {
                 count += 1;
                 inputs.elevator = 1e-3 * f64::from(count % 2);
+                // Ailerons to and fro, or the jet would roll over in the course of so many steps.
+                inputs.aileron = if count % 200 < 100 { aileron } else { -aileron };
                 flight.set_inputs(&inputs, &still);
                 flight.advance_to(f64::from(count) * step).expect("the jet goes on flying");
                 black_box(flight.outputs());
