@@ -66,9 +66,10 @@ impl EdgeOnStrips {
 
 impl Group {
     fn new(strips: &[ReducedStrip], modes: usize) -> Self {
-        let lanes = |value: &dyn Fn(&ReducedStrip) -> f64| {
-            Eight(std::array::from_fn(|lane| strips.get(lane).map_or(0.0, value)))
+        let lanes_or = |value: &dyn Fn(&ReducedStrip) -> f64, empty: f64| {
+            Eight(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
         };
+        let lanes = |value: &dyn Fn(&ReducedStrip) -> f64| lanes_or(value, 0.0);
         let shape = |mode: usize| {
             [
                 lanes(&|strip| strip.shapes.translation[mode]),
@@ -78,7 +79,8 @@ impl Group {
         };
         Group {
             position: [lanes(&|strip| strip.position.x), lanes(&|strip| strip.position.z)],
-            forward: [lanes(&|strip| strip.forward.x), lanes(&|strip| strip.forward.z)],
+            // Forward, so that strips of no size do not meet the air from behind.
+            forward: [lanes_or(&|strip| strip.forward.x, 1.0), lanes(&|strip| strip.forward.z)],
             drag_area: lanes(&|strip| strip.profile_drag * strip.semichord * strip.width),
             shapes: (0..modes).map(shape).collect(),
         }

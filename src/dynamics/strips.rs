@@ -168,8 +168,8 @@ impl Group {
         let lanes = |value: &dyn Fn(&ReducedStrip) -> f64, empty: f64| {
             Eight(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
         };
-        let vectors = |value: &dyn Fn(&ReducedStrip) -> Vector3<f64>| {
-            EightVectors::new(std::array::from_fn(|lane| strips.get(lane).map_or(Vector3::zeros(), value)))
+        let vectors = |value: &dyn Fn(&ReducedStrip) -> Vector3<f64>, empty: Vector3<f64>| {
+            EightVectors::new(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
         };
         let flap = |value: &dyn Fn(&FlapEffect) -> f64| {
             lanes(&|strip| strip.flap.as_ref().map_or(0.0, |flap| value(&FlapEffect::new(flap))), 0.0)
@@ -187,9 +187,10 @@ impl Group {
         };
         let root_mass = |strip: &ReducedStrip| strip.semichord * libm::sqrt(PI * strip.width);
         Group {
-            position: vectors(&|strip| strip.position),
-            forward: vectors(&|strip| strip.forward),
-            span: vectors(&|strip| strip.span),
+            position: vectors(&|strip| strip.position, Vector3::zeros()),
+            // Forward, so that strips of no size do not meet the air from behind.
+            forward: vectors(&|strip| strip.forward, Vector3::x()),
+            span: vectors(&|strip| strip.span, Vector3::zeros()),
             width: lanes(&|strip| strip.width, 0.0),
             root_mass: lanes(&root_mass, 0.0),
             root_inertia: lanes(&|strip| strip.semichord * root_mass(strip) / libm::sqrt(8.0), 0.0),
