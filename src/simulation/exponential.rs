@@ -205,9 +205,12 @@ impl ExponentialWeights {
 /// The weights of one state with the linear part l, in the order of their fields.
 fn weights<T: ExponentialNumber>(l: T, h: f64) -> [T; 8] {
     let z = l * h;
-    let (half_exp, close) = if z.is_small() { (T::from(1.0), true) } else { ((z * 0.5).exp(), false) };
-    let [half1, half2, _] = if close { phi_series(z * 0.5) } else { phi(z * 0.5, half_exp) };
-    let [phi1, phi2, phi3] = if close { phi_series(z) } else { phi(z, half_exp * half_exp) };
+    let [[half1, half2, _], [phi1, phi2, phi3]] = if z.is_small() {
+        [phi_series(z * 0.5), phi_series(z)]
+    } else {
+        let half_exp = (z * 0.5).exp();
+        [phi(z * 0.5, half_exp), phi(z, half_exp * half_exp)]
+    };
     [
         half1 * (0.5 * h),
         (half1 * 0.5 - half2) * h,
