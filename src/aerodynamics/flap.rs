@@ -1,6 +1,6 @@
 //! Trailing-edge flap by thin-aerofoil theory [4.1 with corrections 2 and 3 of physics.md §9].
 
-use crate::aircraft::{ControlGains, Flap};
+use crate::aircraft::Flap;
 
 /// What a flap does to its section, per radian.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,8 +9,6 @@ pub struct FlapEffect {
     pub lift: f64,
     /// CLδ c4: nose-up moment about the elastic axis is ρ b² U² times this, besides the arm of the lift.
     pub moment: f64,
-    /// Flap angle per input.
-    pub gains: ControlGains,
 }
 
 impl FlapEffect {
@@ -23,7 +21,6 @@ impl FlapEffect {
         FlapEffect {
             lift: flap.lift_slope * (hinge + sin_hinge) / pi,
             moment: -flap.lift_slope * sin_hinge * (1.0 + cos_hinge) / (2.0 * pi),
-            gains: flap.gains,
         }
     }
 }
@@ -31,6 +28,7 @@ impl FlapEffect {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::aircraft::ControlGains;
 
     #[test]
     fn a_flap_hinged_at_the_leading_edge_is_an_angle_of_attack() {

@@ -43,6 +43,8 @@ pub struct LocalFlow<S: Simd> {
     pub upwash: Lanes<S>,
     /// Ω, rad/s.
     pub pitch_rate: Lanes<S>,
+    /// w₃: the upwash at three-quarter chord, m/s.
+    pub w3: Lanes<S>,
     /// The part of ẇ that no acceleration makes, m/s².
     pub upwash_drift: Lanes<S>,
     /// The part of Ω̇ that no acceleration makes, rad/s².
@@ -85,23 +87,29 @@ impl Section {
             flap_moment: place.load(&self.flap_moment),
         }
     }
+
+    /// w₃ = w + (b/2 − d) Ω: the upwash at three-quarter chord, m/s.
+    #[inline(always)]
+    pub fn three_quarter_chord_upwash<S: Simd>(
+        &self,
+        place: Place<S>,
+        upwash: Lanes<S>,
+        pitch_rate: Lanes<S>,
+    ) -> Lanes<S> {
+        let (b, d) = (place.load(&self.semichord), place.load(&self.elastic_axis_aft_of_midchord));
+        upwash + (half(b) - d) * pitch_rate
+    }
 }
 
 impl<S: Simd> Section<Lanes<S>> {
-    /// w₃ = w + (b/2 − d) Ω: the upwash at three-quarter chord, m/s.
-    #[inline(always)]
-    pub fn three_quarter_chord_upwash(&self, upwash: Lanes<S>, pitch_rate: Lanes<S>) -> Lanes<S> {
-        upwash + (half(self.semichord) - self.elastic_axis_aft_of_midchord) * pitch_rate
-    }
-
     /// The loads with the flaps neutral, without the apparent-mass terms in the accelerations.
     #[inline(always)]
     pub fn loads(&self, flow: &LocalFlow<S>) -> SectionLoads<S> {
         let (b, d) = (self.semichord, self.elastic_axis_aft_of_midchord);
-        let LocalFlow { density, chordwise, normal, upwash, pitch_rate, induced, .. } = *flow;
+        let LocalFlow { density, chordwise, normal, upwash, w3, pitch_rate, induced, .. } = *flow;
         let rho_b = density * b;
 
-        let effective_upwash = self.three_quarter_chord_upwash(upwash, pitch_rate) - induced;
+        let effective_upwash = w3 - induced;
         let lift_by_upwash = self.lift_slope * rho_b;
         let lift = lift_by_upwash * chordwise * effective_upwash;
 

@@ -2,7 +2,7 @@
 
 use pulp::{Simd, WithSimd};
 
-use crate::aerodynamics::{LocalFlow, Section, WakeFlow};
+use crate::aerodynamics::WakeFlow;
 use crate::lanes::{LANES, Lanes, Place};
 
 use super::forces::GeneralisedForces;
@@ -58,14 +58,17 @@ impl SumLoads<'_> {
             let (states, mut rates) = (inflow.read(state), inflow.write(rates));
             for place in Place::all(simd) {
                 let mut moving = group.deform::<S, SYMMETRIC>(place, around);
-                let MovingSections { section, flow, unforced, .. } = &mut moving;
+                let MovingSections { flow, unforced, .. } = &mut moving;
                 if flow.chordwise.least() <= 0.0 && sums.reversed.is_none() {
-                    sums.reversed = reversed(section, flow).map(|lane| index * LANES + place.lane(lane));
+                    let lane = reversed(flow.chordwise, place.load(&group.section.lift_slope));
+                    sums.reversed = lane.map(|lane| index * LANES + place.lane(lane));
                 }
-                let w3 = section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
-                flow.induced = around.inflow.induced_velocity(place, &states, w3);
-                let passing = flow.chordwise * place.load(&group.per_semichord);
-                let wake = WakeFlow { w3, passing, unforced: *unforced };
+                let wake = WakeFlow {
+                    w3: flow.w3,
+                    passing: flow.chordwise * place.load(&group.per_semichord),
+                    unforced: *unforced,
+                };
+                flow.induced = around.inflow.induced_velocity(place, &states, flow.w3);
                 around.inflow.write_rates(place, &states, &wake, &mut rates);
                 group.distribute::<S, SYMMETRIC>(place, index, around, &moving, sums);
             }
@@ -78,7 +81,7 @@ impl SumLoads<'_> {
 
 /// The first lane whose lifting strip meets the air from behind.
 #[cold]
-fn reversed<S: Simd>(section: &Section<Lanes<S>>, flow: &LocalFlow<S>) -> Option<usize> {
-    let mut strips = flow.chordwise.numbers().iter().zip(section.lift_slope.numbers());
+fn reversed<S: Simd>(chordwise: Lanes<S>, lift_slope: Lanes<S>) -> Option<usize> {
+    let mut strips = chordwise.numbers().iter().zip(lift_slope.numbers());
     strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
 }

@@ -2,8 +2,15 @@
 
 use nalgebra::Vector3;
 
+use crate::aircraft::ControlGains;
+
 /// Kinds of surfaces: elevator, aileron, both ailerons together, rudder.
 pub(super) const SURFACES: usize = 4;
+
+/// How far the surfaces of each kind turn a flap.
+pub(super) fn gains_of_kinds(gains: &ControlGains) -> [f64; SURFACES] {
+    [gains.elevator, gains.aileron, gains.aileron_symmetric, gains.rudder]
+}
 
 /// Absolute control positions and the motion of the air.
 #[derive(Clone, Debug, PartialEq)]

@@ -105,7 +105,7 @@ impl Group {
         let undeformed =
             LaneVector { x: place.load(&self.forward[0]), y: zero, z: place.load(&self.forward[1]) };
         let forward = Rotation::new(LaneVector { x: zero, y: turn, z: zero }).apply(&undeformed);
-        let (velocity, pitch_rate) = (around.motion.velocity - around.wind, around.motion.rate.y);
+        let (velocity, pitch_rate) = (around.airspeed, around.rate.y);
         let velocity_x = moving_x + z * pitch_rate + place.splat(velocity.x);
         let velocity_z = moving_z - x * pitch_rate + place.splat(velocity.z);
         let chordwise = forward.x * velocity_x + forward.z * velocity_z;
@@ -113,16 +113,15 @@ impl Group {
         let (force_x, force_z) = (-(drag * forward.x), -(drag * forward.z));
 
         let [arm_x, arm_z] = if around.deformed_arms { [x, z] } else { [at_rest_x, at_rest_z] };
-        let mut row = 0;
+        let mut rows = sums.rows();
         if around.freedom == RigidFreedom::InPlane {
-            sums.add_force(place, 0, force_x);
-            sums.add_force(place, 1, force_z);
-            sums.add_force(place, 2, arm_z * force_x - arm_x * force_z);
-            row = 3;
+            let forces = [force_x, force_z, arm_z * force_x - arm_x * force_z];
+            for (force, mut row) in forces.into_iter().zip(&mut rows) {
+                row.add_force(place, force);
+            }
         }
-        for shape in &self.shapes {
-            sums.add_force(place, row, place.load(&shape[0]) * force_x + place.load(&shape[1]) * force_z);
-            row += 1;
+        for (shape, mut row) in self.shapes.iter().zip(rows) {
+            row.add_force(place, place.load(&shape[0]) * force_x + place.load(&shape[1]) * force_z);
         }
         chordwise
     }

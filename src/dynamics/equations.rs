@@ -356,12 +356,14 @@ impl EquationsOfMotion {
         attitude: &Attitude,
         controls: &Controls,
     ) -> Surroundings<'a> {
+        let RigidMotion { velocity, rate } = self.motion(state);
+        let wind = attitude.body_from_inertial * self.air_motion(controls);
         Surroundings {
-            motion: self.motion(state),
+            airspeed: velocity - wind,
+            rate,
+            air_transport: rate.cross(&wind) - attitude.body_from_inertial * controls.wind_rate,
             q,
             q_dot,
-            wind: attitude.body_from_inertial * self.air_motion(controls),
-            wind_rate: attitude.body_from_inertial * controls.wind_rate,
             density: Air::at(self.altitude(state)).density,
             inflow: &self.inflow,
             deformed_arms: self.terms.deformed_forcing,

@@ -74,11 +74,13 @@ impl StateLayout {
     }
 
     /// q.
+    #[inline(always)]
     pub fn coordinates(&self) -> Range<usize> {
         13..13 + self.modes
     }
 
     /// q̇.
+    #[inline(always)]
     pub fn coordinate_rates(&self) -> Range<usize> {
         13 + self.modes..13 + 2 * self.modes
     }
@@ -89,24 +91,28 @@ impl StateLayout {
     }
 
     /// The real states of all strips.
+    #[inline(always)]
     pub fn inflow_real(&self) -> Range<usize> {
         let start = 13 + 2 * self.modes;
         start..start + self.strip_groups * self.real_lags * LANES
     }
 
     /// The real parts of the complex states of all strips.
+    #[inline(always)]
     pub fn inflow_re(&self) -> Range<usize> {
         let start = self.inflow_real().end;
         start..start + self.strip_groups * self.lag_pairs * LANES
     }
 
     /// The imaginary parts of the complex states of all strips.
+    #[inline(always)]
     pub fn inflow_im(&self) -> Range<usize> {
         let start = self.inflow_re().end;
         start..start + self.strip_groups * self.lag_pairs * LANES
     }
 
     /// η̃ of one group of strips.
+    #[inline(always)]
     pub fn group_inflow(&self, group: usize) -> GroupInflow {
         let part = |range: Range<usize>, states: usize| {
             let start = range.start + group * states * LANES;
@@ -143,6 +149,7 @@ impl StateLayout {
 
 impl GroupInflow {
     /// The group's part of a state.
+    #[inline(always)]
     pub fn read<'a>(&self, state: &'a [f64]) -> InflowStates<&'a [f64]> {
         InflowStates {
             real: &state[self.real.clone()],
@@ -152,6 +159,7 @@ impl GroupInflow {
     }
 
     /// The group's part of a vector of the state's layout, to be written.
+    #[inline(always)]
     pub fn write<'a>(&self, state: &'a mut [f64]) -> InflowStates<&'a mut [f64]> {
         let (before_im, im) = state.split_at_mut(self.im.start);
         let (before_re, re) = before_im.split_at_mut(self.re.start);

@@ -60,14 +60,14 @@ impl<S: Simd> Rotation<S> {
             sine_deficit,
         };
         if square.largest() >= SERIES_LIMIT {
-            rotation.take_closed_forms(&square);
+            rotation = rotation.with_closed_forms(square);
         }
         rotation
     }
 
     /// Replaces the series where the angle is too large for them.
     #[cold]
-    fn take_closed_forms(&mut self, square: &Lanes<S>) {
+    fn with_closed_forms(mut self, square: Lanes<S>) -> Self {
         for (lane, &square) in
             square.numbers().iter().enumerate().filter(|(_, square)| **square >= SERIES_LIMIT)
         {
@@ -77,6 +77,7 @@ impl<S: Simd> Rotation<S> {
             self.versine.numbers_mut()[lane] = (1.0 - cos) / square;
             self.sine_deficit.numbers_mut()[lane] = (1.0 - sin / angle) / square;
         }
+        self
     }
 
     /// The turned vectors.

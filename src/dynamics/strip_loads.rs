@@ -18,21 +18,27 @@ use super::strip_sums::RowEntry;
 
 /// Resultants on whole strips; `SYMMETRIC` where accelerations are distributed as loads are.
 pub struct StripLoads<S: Simd, const SYMMETRIC: bool> {
-    /// F, N.
-    pub force: LaneVector<S>,
+    /// What translations meet.
+    pub resultants: Resultants<S, SYMMETRIC>,
     /// M, N·m.
-    pub moment: Lanes<S>,
-    /// √(πb²Δy) n.
-    pub heave: LaneVector<S>,
-    /// √(πb²Δy) m.
-    pub acceleration: LaneVector<S>,
+    moment: Lanes<S>,
     /// −d √(πb²Δy).
     heave_by_turn: Lanes<S>,
     /// √(πb⁴Δy/8).
     pitch_by_turn: Lanes<S>,
 }
 
-/// Resultants of the flaps per radian, the force in parts of `StripLoads::heave`.
+/// Vectors whose products with a translation are its entries.
+pub struct Resultants<S: Simd, const SYMMETRIC: bool> {
+    /// √(πb²Δy) n.
+    heave: LaneVector<S>,
+    /// F, N.
+    force: LaneVector<S>,
+    /// √(πb²Δy) m.
+    acceleration: LaneVector<S>,
+}
+
+/// Resultants of the flaps per radian, the force in parts of the heave of [`Resultants`].
 pub struct FlapResultants<S: Simd> {
     /// N per √kg.
     force: Lanes<S>,
@@ -54,14 +60,14 @@ pub struct StripSizes<S: Simd> {
 
 /// How a component of ν moves strips.
 pub struct Displacement<S: Simd> {
-    /// `StripLoads::heave`·δu.
-    pub heave: Lanes<S>,
+    /// √(πb²Δy) n·δu.
+    heave: Lanes<S>,
     /// F·δu.
-    pub force: Lanes<S>,
-    /// `StripLoads::acceleration`·δu.
-    pub acceleration: Lanes<S>,
+    force: Lanes<S>,
+    /// √(πb²Δy) m·δu.
+    acceleration: Lanes<S>,
     /// δθ.
-    pub turn: Lanes<S>,
+    turn: Lanes<S>,
 }
 
 impl<S: Simd, const SYMMETRIC: bool> StripLoads<S, SYMMETRIC> {
@@ -76,24 +82,14 @@ impl<S: Simd, const SYMMETRIC: bool> StripLoads<S, SYMMETRIC> {
     ) -> Self {
         let heave = *normal * sizes.root_mass;
         StripLoads {
-            force: *normal * (loads.down * sizes.width) + *forward * (loads.forward * sizes.width),
+            resultants: Resultants {
+                heave,
+                force: *normal * (loads.down * sizes.width) + *forward * (loads.forward * sizes.width),
+                acceleration: if SYMMETRIC { heave } else { *zero_lift_normal * sizes.root_mass },
+            },
             moment: loads.pitching * sizes.width,
-            heave,
-            acceleration: if SYMMETRIC { heave } else { *zero_lift_normal * sizes.root_mass },
             heave_by_turn: -(sizes.elastic_axis_aft_of_midchord * sizes.root_mass),
             pitch_by_turn: sizes.root_inertia,
-        }
-    }
-
-    /// Of a component of ν that moves the attachment along a vector and turns the strip.
-    #[inline(always)]
-    pub fn displaced(&self, translation: &LaneVector<S>, turn: Lanes<S>) -> Displacement<S> {
-        let heave = self.heave.dot(translation);
-        Displacement {
-            heave,
-            force: self.force.dot(translation),
-            acceleration: if SYMMETRIC { heave } else { self.acceleration.dot(translation) },
-            turn,
         }
     }
 
@@ -108,6 +104,42 @@ impl<S: Simd, const SYMMETRIC: bool> StripLoads<S, SYMMETRIC> {
             pitch: turn * self.pitch_by_turn,
             acceleration: if SYMMETRIC { heave } else { acceleration + by_turn },
             force: force + turn * self.moment,
+        }
+    }
+}
+
+impl<S: Simd, const SYMMETRIC: bool> Resultants<S, SYMMETRIC> {
+    /// Those that rotations about O meet: of forces at `arm`, of accelerations at `position`.
+    #[inline(always)]
+    pub fn about(&self, arm: &LaneVector<S>, position: &LaneVector<S>) -> Self {
+        let heave = arm.cross(&self.heave);
+        Resultants {
+            heave,
+            force: arm.cross(&self.force),
+            acceleration: if SYMMETRIC { heave } else { position.cross(&self.acceleration) },
+        }
+    }
+
+    /// Of a unit of motion along or about an axis, which turns the strips by `turn`.
+    #[inline(always)]
+    pub fn component(&self, axis: usize, turn: Lanes<S>) -> Displacement<S> {
+        Displacement {
+            heave: self.heave.component(axis),
+            force: self.force.component(axis),
+            acceleration: self.acceleration.component(axis),
+            turn,
+        }
+    }
+
+    /// Of a component of ν that moves the attachment along a vector and turns the strips.
+    #[inline(always)]
+    pub fn displaced(&self, translation: &LaneVector<S>, turn: Lanes<S>) -> Displacement<S> {
+        let heave = self.heave.dot(translation);
+        Displacement {
+            heave,
+            force: self.force.dot(translation),
+            acceleration: if SYMMETRIC { heave } else { self.acceleration.dot(translation) },
+            turn,
         }
     }
 }

@@ -14,18 +14,17 @@ use nalgebra::Vector3;
 use pulp::{Arch, Scalar, Simd};
 
 use crate::aerodynamics::{FlapEffect, LocalFlow, PetersInflow, Section};
-use crate::aircraft::ControlGains;
+use crate::aircraft::Flap;
 use crate::lanes::{Eight, EightVectors, LANES, LaneVector, Lanes, Place};
 use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
 
-use super::controls::SURFACES;
+use super::controls::{SURFACES, gains_of_kinds};
 use super::edge_on::EdgeOnStrips;
 use super::freedom::RigidFreedom;
-use super::inertia::RigidMotion;
 use super::layout::StateLayout;
 use super::rotation::Rotation;
 use super::strip_loads::{Displacement, FlapResultants, StripLoads, StripSizes};
-use super::strip_sums::StripSums;
+use super::strip_sums::{Row, StripSums};
 
 /// Eight strips.
 #[derive(Clone, Debug)]
@@ -42,8 +41,9 @@ pub(super) struct Group {
     /// 1/b.
     pub(super) per_semichord: Eight,
     zero_lift_offset: Eight,
-    section: Section,
-    /// Flap angle per angle of a kind of surfaces, for those kinds that move any flap here.
+    pub(super) section: Section,
+    /// Flap angle per angle of a kind of surfaces, for those kinds that move any flap here, counted among those that
+    /// move any.
     gains: Vec<(usize, Eight)>,
     /// Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z of each mode.
     shapes: Vec<[Eight; 6]>,
@@ -55,6 +55,8 @@ pub struct Strips {
     /// Number of strips.
     pub(super) count: usize,
     pub(super) groups: Vec<Group>,
+    /// Kinds of surfaces that move any flap.
+    pub(super) surfaces: Vec<usize>,
     /// Those that only drag.
     pub(super) edge_on: EdgeOnStrips,
     /// How wide this machine's vectors are.
@@ -63,16 +65,16 @@ pub struct Strips {
 
 /// The state of the aircraft and of the air that all strips share.
 pub struct Surroundings<'a> {
-    /// v and ω.
-    pub motion: RigidMotion,
+    /// Velocity of O relative to the air, body axes, m/s.
+    pub airspeed: Vector3<f64>,
+    /// ω, body axes, rad/s.
+    pub rate: Vector3<f64>,
+    /// ω × W − C_bI Ẇ of the velocity W of the air, m/s².
+    pub air_transport: Vector3<f64>,
     /// q.
     pub q: &'a [f64],
     /// q̇.
     pub q_dot: &'a [f64],
-    /// Velocity of the air, body axes, m/s.
-    pub wind: Vector3<f64>,
-    /// C_bI Ẇ, m/s².
-    pub wind_rate: Vector3<f64>,
     /// ρ, kg/m³.
     pub density: f64,
     /// The inflow model of every strip.
@@ -85,7 +87,6 @@ pub struct Surroundings<'a> {
 
 /// Deformed sections in their flow.
 pub(super) struct MovingSections<S: Simd> {
-    pub(super) section: Section<Lanes<S>>,
     forward: LaneVector<S>,
     span: LaneVector<S>,
     normal: LaneVector<S>,
@@ -102,9 +103,16 @@ impl Strips {
     /// The strips of a model, and others with the same modes that flow in the mirror plane meets edge-on.
     pub fn new(model: &ReducedModel, edge_on: &[ReducedStrip]) -> Self {
         let modes = model.modes.len();
+        let moves = |surface: usize| {
+            let mut flaps = model.strips.iter().filter_map(|strip| strip.flap.as_ref());
+            flaps.any(|flap| gains_of_kinds(&flap.gains)[surface] != 0.0)
+        };
+        let surfaces: Vec<usize> = (0..SURFACES).filter(|&surface| moves(surface)).collect();
+        let groups = model.strips.chunks(LANES).map(|strips| Group::new(strips, &surfaces, modes));
         Strips {
             count: model.strips.len(),
-            groups: model.strips.chunks(LANES).map(|strips| Group::new(strips, modes)).collect(),
+            groups: groups.collect(),
+            surfaces,
             edge_on: EdgeOnStrips::new(edge_on, modes),
             arch: Arch::new(),
         }
@@ -124,11 +132,6 @@ impl Strips {
     /// Number of groups of strips.
     pub fn groups(&self) -> usize {
         self.groups.len()
-    }
-
-    /// Whether a kind of surfaces moves any flap.
-    pub fn has_surface(&self, surface: usize) -> bool {
-        self.groups.iter().any(|group| group.gains.iter().any(|(moved, _)| *moved == surface))
     }
 
     /// Whether ẇ and the loads are linear in the same rows, so that apparent mass is symmetric.
@@ -154,8 +157,7 @@ impl Strips {
     pub fn settle_inflow(&self, around: &Surroundings, layout: &StateLayout, state: &mut [f64]) {
         for (index, group) in self.groups.iter().enumerate() {
             for place in Place::all(Scalar::new()) {
-                let MovingSections { section, flow, .. } = group.deform::<Scalar, false>(place, around);
-                let w3 = section.three_quarter_chord_upwash(flow.upwash, flow.pitch_rate);
+                let w3 = group.deform::<Scalar, false>(place, around).flow.w3;
                 around.inflow.settle(place, w3, &mut layout.group_inflow(index).write(state));
             }
         }
@@ -164,7 +166,7 @@ impl Strips {
 
 impl Group {
     /// Up to eight strips of a model with `modes` modes.
-    fn new(strips: &[ReducedStrip], modes: usize) -> Self {
+    fn new(strips: &[ReducedStrip], surfaces: &[usize], modes: usize) -> Self {
         let lanes = |value: &dyn Fn(&ReducedStrip) -> f64, empty: f64| {
             Eight(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
         };
@@ -174,9 +176,11 @@ impl Group {
         let flap = |value: &dyn Fn(&FlapEffect) -> f64| {
             lanes(&|strip| strip.flap.as_ref().map_or(0.0, |flap| value(&FlapEffect::new(flap))), 0.0)
         };
-        let gain = |value: fn(&ControlGains) -> f64| flap(&|effect| value(&effect.gains));
-        let gains: [_; SURFACES] =
-            [gain(|g| g.elevator), gain(|g| g.aileron), gain(|g| g.aileron_symmetric), gain(|g| g.rudder)];
+        let gain = |surface: usize| {
+            let gain = |flap: &Flap| gains_of_kinds(&flap.gains)[surface];
+            lanes(&|strip| strip.flap.as_ref().map_or(0.0, gain), 0.0)
+        };
+        let gains = surfaces.iter().enumerate().map(|(kind, &surface)| (kind, gain(surface)));
         let shape = |mode: usize, row: usize| {
             lanes(
                 &|ReducedStrip { shapes: ModeShapes { translation, rotation }, .. }| {
@@ -206,7 +210,7 @@ impl Group {
                 flap_lift: flap(&|effect| effect.lift),
                 flap_moment: flap(&|effect| effect.moment),
             },
-            gains: gains.into_iter().enumerate().filter(|(_, gain)| *gain != Eight::ZERO).collect(),
+            gains: gains.filter(|(_, gain)| *gain != Eight::ZERO).collect(),
             shapes: (0..modes).map(|mode| std::array::from_fn(|row| shape(mode, row))).collect(),
         }
     }
@@ -218,9 +222,6 @@ impl Group {
         place: Place<S>,
         around: &Surroundings,
     ) -> MovingSections<S> {
-        let velocity = place.splat_vector(&around.motion.velocity);
-        let rate = place.splat_vector(&around.motion.rate);
-        let (wind, wind_rate) = (place.splat_vector(&around.wind), place.splat_vector(&around.wind_rate));
         let [displacement, rotation, elastic_velocity, elastic_rate] =
             self.combine(place, around.q, around.q_dot);
 
@@ -229,29 +230,33 @@ impl Group {
         let span = turn.apply(&place.load_vector(&self.span));
         let normal = forward.cross(&span);
         let position = place.load_vector(&self.position) + displacement;
-        let air_velocity = velocity + rate.cross(&position) + elastic_velocity - wind;
+        let rate = place.splat_vector(&around.rate);
+        let air_velocity = place.splat_vector(&around.airspeed) + rate.cross(&position) + elastic_velocity;
+        let transport = place.splat_vector(&around.air_transport) + rate.cross(&elastic_velocity);
         let spin = rate + elastic_rate;
         let zero_lift_offset = place.load(&self.zero_lift_offset);
         let zero_lift_normal = if SYMMETRIC { normal } else { normal + forward * zero_lift_offset };
 
-        let section = self.section.at(place);
         let (chordwise, across) = (forward.dot(&air_velocity), normal.dot(&air_velocity));
-        let transport = rate.cross(&(elastic_velocity + wind)) - wind_rate;
         // (ω × m)·V = ω·(m × V): how w and Ω change with the spin of the triad.
         let (by_spin, pitch_by_spin) = (zero_lift_normal.cross(&air_velocity), span.cross(&spin));
+        let upwash = if SYMMETRIC { across } else { across + chordwise * zero_lift_offset };
+        let pitch_rate = span.dot(&spin);
         let flow = LocalFlow {
             density: place.splat(around.density),
             chordwise,
             normal: across,
-            upwash: if SYMMETRIC { across } else { across + chordwise * zero_lift_offset },
-            pitch_rate: span.dot(&spin),
+            upwash,
+            pitch_rate,
+            w3: self.section.three_quarter_chord_upwash(place, upwash, pitch_rate),
             upwash_drift: zero_lift_normal.dot(&transport) + elastic_rate.dot(&by_spin),
             pitch_drift: elastic_rate.dot(&pitch_by_spin),
             induced: place.splat(0.0),
         };
         let excess = turn.excess_spin(&elastic_rate);
-        let unforced = section.three_quarter_chord_upwash(excess.dot(&by_spin), excess.dot(&pitch_by_spin));
-        MovingSections { section, forward, span, normal, zero_lift_normal, position, flow, unforced }
+        let unforced =
+            self.section.three_quarter_chord_upwash(place, excess.dot(&by_spin), excess.dot(&pitch_by_spin));
+        MovingSections { forward, span, normal, zero_lift_normal, position, flow, unforced }
     }
 
     /// Ψᵘq, Ψᵠq, Ψᵘq̇ and Ψᵠq̇.
@@ -285,7 +290,8 @@ impl Group {
         moving: &MovingSections<S>,
         sums: &mut StripSums,
     ) {
-        let MovingSections { section, forward, span, normal, zero_lift_normal, position, flow, .. } = moving;
+        let MovingSections { forward, span, normal, zero_lift_normal, position, flow, .. } = moving;
+        let section = self.section.at(place);
         let sizes = StripSizes {
             width: place.load(&self.width),
             elastic_axis_aft_of_midchord: section.elastic_axis_aft_of_midchord,
@@ -299,33 +305,43 @@ impl Group {
         } else {
             Some(FlapResultants::new(&section.flap_loads(flow), &sizes, place.load(&self.per_root_mass)))
         };
+        let loads = (&loads, &flaps);
         let arm = if around.deformed_arms { *position } else { place.load_vector(&self.position) };
-        let (heave, force) = (arm.cross(&loads.heave), arm.cross(&loads.force));
-        let acceleration = if SYMMETRIC { heave } else { position.cross(&loads.acceleration) };
-        let components = around.freedom.components();
-        for (row, &component) in components.iter().enumerate() {
-            let displacement = if component < 3 {
-                Displacement {
-                    heave: loads.heave.component(component),
-                    force: loads.force.component(component),
-                    acceleration: loads.acceleration.component(component),
-                    turn: place.splat(0.0),
-                }
-            } else {
-                Displacement {
-                    heave: heave.component(component - 3),
-                    force: force.component(component - 3),
-                    acceleration: acceleration.component(component - 3),
-                    turn: span.component(component - 3),
-                }
-            };
-            self.add_row(place, [index, row], &displacement, (&loads, &flaps), sums);
+        let rigid = RigidRows { index, arms: [&arm, position], span };
+        let mut rows = sums.rows();
+        // Axes written out, so that nothing is computed about or along others.
+        match around.freedom {
+            RigidFreedom::All => self.add_rigid_rows(place, &rigid, [&[0, 1, 2]; 2], loads, &mut rows),
+            RigidFreedom::InPlane => self.add_rigid_rows(place, &rigid, [&[0, 2], &[1]], loads, &mut rows),
+            RigidFreedom::Held => {}
         }
-        for (mode, shape) in self.shapes.iter().enumerate() {
+        for (shape, mut row) in self.shapes.iter().zip(rows) {
             let [ux, uy, uz, rx, ry, rz] = [0, 1, 2, 3, 4, 5].map(|row| place.load(&shape[row]));
             let turn = LaneVector { x: rx, y: ry, z: rz }.dot(span);
-            let displacement = loads.displaced(&LaneVector { x: ux, y: uy, z: uz }, turn);
-            self.add_row(place, [index, components.len() + mode], &displacement, (&loads, &flaps), sums);
+            let displacement = loads.0.resultants.displaced(&LaneVector { x: ux, y: uy, z: uz }, turn);
+            self.add_row(place, index, &displacement, loads, &mut row);
+        }
+    }
+
+    /// Adds the rows of translations along axes and of rotations about axes.
+    #[inline(always)]
+    fn add_rigid_rows<'a, S: Simd, const SYMMETRIC: bool>(
+        &self,
+        place: Place<S>,
+        RigidRows { index, arms: [arm, position], span }: &RigidRows<S>,
+        [along, about]: [&[usize]; 2],
+        loads: (&StripLoads<S, SYMMETRIC>, &Option<FlapResultants<S>>),
+        rows: &mut impl Iterator<Item = Row<'a>>,
+    ) {
+        let resultants = &loads.0.resultants;
+        for (&axis, mut row) in along.iter().zip(&mut *rows) {
+            let displacement = resultants.component(axis, place.splat(0.0));
+            self.add_row(place, *index, &displacement, loads, &mut row);
+        }
+        let moments = resultants.about(arm, position);
+        for (&axis, mut row) in about.iter().zip(rows) {
+            let displacement = moments.component(axis, span.component(axis));
+            self.add_row(place, *index, &displacement, loads, &mut row);
         }
     }
 
@@ -334,17 +350,27 @@ impl Group {
     fn add_row<S: Simd, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
-        [index, row]: [usize; 2],
+        index: usize,
         displacement: &Displacement<S>,
         (loads, flaps): (&StripLoads<S, SYMMETRIC>, &Option<FlapResultants<S>>),
-        sums: &mut StripSums,
+        row: &mut Row,
     ) {
-        sums.add(place, index, row, &loads.on(displacement));
+        row.add::<S, SYMMETRIC>(place, index, &loads.on(displacement));
         if let Some(flaps) = flaps {
             let effect = flaps.on(displacement);
-            for (surface, gain) in &self.gains {
-                sums.add_effect(place, *surface, row, effect * place.load(gain));
+            for (kind, gain) in &self.gains {
+                row.add_effect(place, *kind, effect * place.load(gain));
             }
         }
     }
+}
+
+/// What the rows of the rigid motion of a group of strips need.
+struct RigidRows<'a, S: Simd> {
+    /// The group.
+    index: usize,
+    /// At which loads act, and at which accelerations.
+    arms: [&'a LaneVector<S>; 2],
+    /// s.
+    span: &'a LaneVector<S>,
 }
