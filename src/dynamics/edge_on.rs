@@ -116,11 +116,11 @@ impl Group {
         let mut rows = sums.rows();
         if around.freedom == RigidFreedom::InPlane {
             let forces = [force_x, force_z, arm_z * force_x - arm_x * force_z];
-            for (force, mut row) in forces.into_iter().zip(&mut rows) {
+            for (force, row) in forces.into_iter().zip(&mut rows) {
                 row.add_force(place, force);
             }
         }
-        for (shape, mut row) in self.shapes.iter().zip(rows) {
+        for (shape, row) in self.shapes.iter().zip(rows) {
             row.add_force(place, place.load(&shape[0]) * force_x + place.load(&shape[1]) * force_z);
         }
         chordwise

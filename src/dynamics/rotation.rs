@@ -52,32 +52,13 @@ impl<S: Simd> Rotation<S> {
     #[inline(always)]
     pub fn new(vector: LaneVector<S>) -> Self {
         let square = vector.dot(&vector);
-        let sine_deficit = polynomial(square, &SINE_DEFICIT);
-        let mut rotation = Rotation {
-            vector,
-            sine: square.splat(1.0) - square * sine_deficit,
-            versine: polynomial(square, &VERSINE),
-            sine_deficit,
-        };
+        let (mut versine, mut sine_deficit) =
+            (polynomial(square, &VERSINE), polynomial(square, &SINE_DEFICIT));
+        let mut sine = square.splat(1.0) - square * sine_deficit;
         if square.largest() >= SERIES_LIMIT {
-            rotation = rotation.with_closed_forms(square);
+            [sine, versine, sine_deficit] = closed_forms([square, sine, versine, sine_deficit]);
         }
-        rotation
-    }
-
-    /// Replaces the series where the angle is too large for them.
-    #[cold]
-    fn with_closed_forms(mut self, square: Lanes<S>) -> Self {
-        for (lane, &square) in
-            square.numbers().iter().enumerate().filter(|(_, square)| **square >= SERIES_LIMIT)
-        {
-            let angle = libm::sqrt(square);
-            let (sin, cos) = libm::sincos(angle);
-            self.sine.numbers_mut()[lane] = sin / angle;
-            self.versine.numbers_mut()[lane] = (1.0 - cos) / square;
-            self.sine_deficit.numbers_mut()[lane] = (1.0 - sin / angle) / square;
-        }
-        self
+        Rotation { vector, sine, versine, sine_deficit }
     }
 
     /// The turned vectors.
@@ -104,6 +85,21 @@ impl<S: Simd> Rotation<S> {
         let twice = self.vector.cross(&once);
         once * self.versine + twice * self.sine_deficit
     }
+}
+
+/// The square of an angle and the series of sine, versine and sine deficit; returns these three, replaced where the
+/// angle is too large for them.
+#[cold]
+fn closed_forms<S: Simd>([square, mut sine, mut versine, mut sine_deficit]: [Lanes<S>; 4]) -> [Lanes<S>; 3] {
+    for (lane, &square) in square.numbers().iter().enumerate().filter(|(_, square)| **square >= SERIES_LIMIT)
+    {
+        let angle = libm::sqrt(square);
+        let (sin, cos) = libm::sincos(angle);
+        sine.numbers_mut()[lane] = sin / angle;
+        versine.numbers_mut()[lane] = (1.0 - cos) / square;
+        sine_deficit.numbers_mut()[lane] = (1.0 - sin / angle) / square;
+    }
+    [sine, versine, sine_deficit]
 }
 
 /// A single vector turned by a single rotation vector.

@@ -8,6 +8,7 @@ use pulp::Simd;
 
 use crate::lanes::{Eight, Lanes, Place};
 
+use super::controls::SURFACES;
 use super::forces::GeneralisedForces;
 use super::freedom::RigidFreedom;
 use super::strips::Strips;
@@ -25,30 +26,29 @@ pub struct StripSums {
     translations: usize,
     /// Kinds of surfaces that move any flap.
     surfaces: Vec<usize>,
-    places: RowPlaces,
-    /// Row by row, padded to whole blocks.
-    rows: Vec<Eight>,
+    /// Whether X and Y are the same.
+    symmetric: bool,
+    /// Padded to whole blocks.
+    rows: Vec<Row>,
     /// XᵀY, row-major, padded to whole blocks; of a symmetric one only the upper triangle.
     product: Vec<f64>,
     /// The first lifting strip in reverse flow, if any; those edge-on count after all others.
     pub reversed: Option<usize>,
 }
 
-/// What a row consists of: the generalised force with the flaps neutral, that per radian of each kind of surfaces
-/// that moves any, then X (heave of every group, pitch of every group) and, where it differs, heave of every group
-/// in Y.
-#[derive(Clone, Copy, Debug)]
-struct RowPlaces {
-    surfaces: usize,
-    groups: usize,
-    /// Whether X and Y are the same.
-    symmetric: bool,
-}
-
-/// One row.
-pub struct Row<'a> {
-    numbers: &'a mut [Eight],
-    places: RowPlaces,
+/// What belongs to one component of ν.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Generalised force with the flaps neutral, per lane.
+    force: Eight,
+    /// Generalised force per radian of each kind of surfaces, per lane.
+    effects: [Eight; SURFACES],
+    /// Of X and Y, of every group.
+    pitch: Vec<Eight>,
+    /// Of X, of every group.
+    heave: Vec<Eight>,
+    /// Heave of Y, of every group; empty where it does not differ.
+    acceleration: Vec<Eight>,
 }
 
 /// One component of ν of the rows of some strips, and the force along it.
@@ -69,14 +69,13 @@ impl StripSums {
     pub fn new(strips: &Strips, freedom: RigidFreedom, modes: usize, symmetric: bool) -> Self {
         let moving = freedom.moving(modes);
         let width = moving.len().next_multiple_of(BLOCK);
-        let surfaces = strips.surfaces.clone();
-        let places = RowPlaces { surfaces: surfaces.len(), groups: strips.groups(), symmetric };
+        let row = Row::new(strips.groups(), symmetric);
         StripSums {
             moving,
             translations: freedom.translations(),
-            surfaces,
-            places,
-            rows: vec![Eight::ZERO; width * places.length()],
+            surfaces: strips.surfaces.clone(),
+            symmetric,
+            rows: vec![row; width],
             product: vec![0.0; width * width],
             reversed: None,
         }
@@ -89,25 +88,25 @@ impl StripSums {
 
     /// Whether accelerations are distributed as loads are.
     pub fn is_symmetric(&self) -> bool {
-        self.places.symmetric
+        self.symmetric
     }
 
     /// Forgets the forces of the last evaluation; X and Y are overwritten.
     #[inline(always)]
     pub fn clear(&mut self) {
-        let forces = 1 + self.places.surfaces;
-        for row in self.rows.chunks_exact_mut(self.places.length()) {
-            row[..forces].fill(Eight::ZERO);
+        for row in &mut self.rows {
+            row.force = Eight::ZERO;
+            for &surface in &self.surfaces {
+                row.effects[surface] = Eight::ZERO;
+            }
         }
         self.reversed = None;
     }
 
     /// One row after the other.
     #[inline(always)]
-    pub fn rows(&mut self) -> impl Iterator<Item = Row<'_>> {
-        let places = self.places;
-        let rows = self.rows.chunks_exact_mut(places.length()).take(self.moving.len());
-        rows.map(move |numbers| Row { numbers, places })
+    pub fn rows(&mut self) -> impl Iterator<Item = &mut Row> {
+        self.rows[..self.moving.len()].iter_mut()
     }
 
     /// Adds the forces to those on ν and to those per radian of each kind of surfaces, and ρXᵀY to the row-major mass
@@ -120,16 +119,19 @@ impl StripSums {
         forces: &mut GeneralisedForces,
         mass: &mut [f64],
     ) {
-        for (&component, row) in self.moving.iter().zip(self.rows.chunks_exact(self.places.length())) {
-            forces.passive[component] += row[0].sum();
-            for (&surface, effect) in self.surfaces.iter().zip(&row[1..]) {
-                forces.effects[surface][component] += effect.sum();
+        for (&component, row) in self.moving.iter().zip(&self.rows) {
+            forces.passive[component] += row.force.sum();
+            for &surface in &self.surfaces {
+                forces.effects[surface][component] += row.effects[surface].sum();
             }
         }
         let size = self.moving.len();
         for row in (0..size).step_by(BLOCK) {
-            for column in (if self.places.symmetric { row } else { 0 }..size).step_by(BLOCK) {
-                self.multiply(simd, row, column);
+            if self.symmetric {
+                self.multiply::<S, true>(simd, row, row);
+            }
+            for column in (if self.symmetric { row + BLOCK } else { 0 }..size).step_by(BLOCK) {
+                self.multiply::<S, false>(simd, row, column);
             }
         }
         let padded = self.product.chunks_exact(size.next_multiple_of(BLOCK).max(1));
@@ -140,28 +142,28 @@ impl StripSums {
         }
     }
 
-    /// Writes the block of XᵀY that begins at a row and a column.
+    /// Writes the block of XᵀY that begins at a row and a column; of one on the diagonal of a symmetric product, only
+    /// the upper triangle counts.
     #[inline(always)]
-    fn multiply<S: Simd>(&mut self, simd: S, row: usize, column: usize) {
-        let (places, length) = (self.places, self.places.length());
-        let [x, y] = [row, column].map(|first| -> [&[Eight]; BLOCK] {
-            std::array::from_fn(|i| &self.rows[(first + i) * length..][..length])
-        });
-        let heave = x.map(|row| &row[places.heave(0)..][..places.groups]);
-        let acceleration = y.map(|row| &row[places.acceleration(0)..][..places.groups]);
-        let [pitch, turn] = [x, y].map(|rows| rows.map(|row| &row[places.pitch(0)..][..places.groups]));
-        let on_diagonal = places.symmetric && row == column;
+    fn multiply<S: Simd, const ON_DIAGONAL: bool>(&mut self, simd: S, row: usize, column: usize) {
+        let (x, y) = (&self.rows[row..row + BLOCK], &self.rows[column..column + BLOCK]);
         // Translations turn nothing: their pitch is zero.
-        let [turning_rows, turning_columns] =
-            [row, column].map(|first| BLOCK - self.translations.saturating_sub(first).min(BLOCK));
+        let translations = |first: usize| self.translations.saturating_sub(first);
+        let turning = if translations(column) >= BLOCK { 0 } else { BLOCK.saturating_sub(translations(row)) };
         let mut block = [[Eight::ZERO; BLOCK]; BLOCK];
         for place in Place::all(simd) {
             let mut sums = [[place.splat(0.0); BLOCK]; BLOCK];
-            add_products::<S, BLOCK>(place, on_diagonal, heave, acceleration, &mut sums);
-            match turning_rows.min(if turning_columns == 0 { 0 } else { BLOCK }) {
+            let [heave, acceleration, pitch] = [
+                [&x[0].heave, &x[1].heave, &x[2].heave],
+                [y[0].acceleration(), y[1].acceleration(), y[2].acceleration()],
+                [&x[0].pitch, &x[1].pitch, &x[2].pitch],
+            ];
+            add_products::<S, BLOCK, ON_DIAGONAL>(place, heave, acceleration, &mut sums);
+            let turn = [&y[0].pitch, &y[1].pitch, &y[2].pitch];
+            match turning {
                 0 => {}
-                1 => add_products::<S, 1>(place, on_diagonal, pitch, turn, &mut sums),
-                _ => add_products::<S, BLOCK>(place, on_diagonal, pitch, turn, &mut sums),
+                1 => add_products::<S, 1, ON_DIAGONAL>(place, pitch, turn, &mut sums),
+                _ => add_products::<S, BLOCK, ON_DIAGONAL>(place, pitch, turn, &mut sums),
             }
             for i in 0..BLOCK {
                 for j in 0..BLOCK {
@@ -169,7 +171,7 @@ impl StripSums {
                 }
             }
         }
-        let width = self.moving.len().next_multiple_of(BLOCK);
+        let width = self.rows.len();
         for (i, sums) in block.iter().enumerate() {
             let product = &mut self.product[(row + i) * width + column..][..BLOCK];
             for (product, lanes) in product.iter_mut().zip(sums) {
@@ -179,33 +181,13 @@ impl StripSums {
     }
 }
 
-impl RowPlaces {
-    fn length(self) -> usize {
-        self.pitch(self.groups) + if self.symmetric { 0 } else { self.groups }
-    }
-
-    fn heave(self, group: usize) -> usize {
-        1 + self.surfaces + group
-    }
-
-    fn pitch(self, group: usize) -> usize {
-        self.heave(self.groups) + group
-    }
-
-    /// Of the heave in Y.
-    fn acceleration(self, group: usize) -> usize {
-        if self.symmetric { self.heave(group) } else { self.pitch(self.groups) + group }
-    }
-}
-
 /// Adds the products of the last `ROWS` rows of a block of X with a block of Y, summed over the groups; on the diagonal
 /// only the upper triangle.
 #[inline(always)]
-fn add_products<S: Simd, const ROWS: usize>(
+fn add_products<S: Simd, const ROWS: usize, const ON_DIAGONAL: bool>(
     place: Place<S>,
-    on_diagonal: bool,
-    [x0, x1, x2]: [&[Eight]; BLOCK],
-    [y0, y1, y2]: [&[Eight]; BLOCK],
+    [x0, x1, x2]: [&Vec<Eight>; BLOCK],
+    [y0, y1, y2]: [&Vec<Eight>; BLOCK],
     sums: &mut [[Lanes<S>; BLOCK]; BLOCK],
 ) {
     let pairs = x0.iter().zip(x1).zip(x2).zip(y0.iter().zip(y1).zip(y2));
@@ -213,16 +195,32 @@ fn add_products<S: Simd, const ROWS: usize>(
         let x = [place.load(x0), place.load(x1), place.load(x2)];
         let y = [place.load(y0), place.load(y1), place.load(y2)];
         for i in BLOCK - ROWS..BLOCK {
-            for j in 0..BLOCK {
-                if j >= i || !on_diagonal {
-                    sums[i][j] += x[i] * y[j];
-                }
+            for j in if ON_DIAGONAL { i } else { 0 }..BLOCK {
+                sums[i][j] += x[i] * y[j];
             }
         }
     }
 }
 
-impl Row<'_> {
+impl Row {
+    /// Of so many groups; `symmetric` where accelerations are distributed as loads are.
+    fn new(groups: usize, symmetric: bool) -> Self {
+        let zeros = vec![Eight::ZERO; groups];
+        Row {
+            force: Eight::ZERO,
+            effects: [Eight::ZERO; SURFACES],
+            pitch: zeros.clone(),
+            heave: zeros.clone(),
+            acceleration: if symmetric { Vec::new() } else { zeros },
+        }
+    }
+
+    /// Heave of Y.
+    #[inline(always)]
+    fn acceleration(&self) -> &Vec<Eight> {
+        if self.acceleration.is_empty() { &self.heave } else { &self.acceleration }
+    }
+
     /// Sets what a group's strips have in this row of X and Y, and adds their force.
     #[inline(always)]
     pub fn add<S: Simd, const SYMMETRIC: bool>(
@@ -231,25 +229,24 @@ impl Row<'_> {
         group: usize,
         entry: &RowEntry<S>,
     ) {
-        let places = self.places;
         self.add_force(place, entry.force);
-        place.store(&mut self.numbers[places.heave(group)], entry.heave);
-        place.store(&mut self.numbers[places.pitch(group)], entry.pitch);
+        place.store(&mut self.heave[group], entry.heave);
+        place.store(&mut self.pitch[group], entry.pitch);
         if !SYMMETRIC {
-            place.store(&mut self.numbers[places.acceleration(group)], entry.acceleration);
+            place.store(&mut self.acceleration[group], entry.acceleration);
         }
     }
 
     /// Adds a generalised force.
     #[inline(always)]
     pub fn add_force<S: Simd>(&mut self, place: Place<S>, force: Lanes<S>) {
-        add_to(place, &mut self.numbers[0], force);
+        add_to(place, &mut self.force, force);
     }
 
-    /// Adds the generalised force per radian of surfaces, the kind counted among those that move any flap.
+    /// Adds the generalised force per radian of a kind of surfaces.
     #[inline(always)]
-    pub fn add_effect<S: Simd>(&mut self, place: Place<S>, kind: usize, effect: Lanes<S>) {
-        add_to(place, &mut self.numbers[1 + kind], effect);
+    pub fn add_effect<S: Simd>(&mut self, place: Place<S>, surface: usize, effect: Lanes<S>) {
+        add_to(place, &mut self.effects[surface], effect);
     }
 }
 

@@ -42,8 +42,7 @@ pub(super) struct Group {
     pub(super) per_semichord: Eight,
     zero_lift_offset: Eight,
     pub(super) section: Section,
-    /// Flap angle per angle of a kind of surfaces, for those kinds that move any flap here, counted among those that
-    /// move any.
+    /// Flap angle per angle of a kind of surfaces, for those kinds that move any flap here.
     gains: Vec<(usize, Eight)>,
     /// Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z of each mode.
     shapes: Vec<[Eight; 6]>,
@@ -180,7 +179,7 @@ impl Group {
             let gain = |flap: &Flap| gains_of_kinds(&flap.gains)[surface];
             lanes(&|strip| strip.flap.as_ref().map_or(0.0, gain), 0.0)
         };
-        let gains = surfaces.iter().enumerate().map(|(kind, &surface)| (kind, gain(surface)));
+        let gains = surfaces.iter().map(|&surface| (surface, gain(surface)));
         let shape = |mode: usize, row: usize| {
             lanes(
                 &|ReducedStrip { shapes: ModeShapes { translation, rotation }, .. }| {
@@ -315,11 +314,11 @@ impl Group {
             RigidFreedom::InPlane => self.add_rigid_rows(place, &rigid, [&[0, 2], &[1]], loads, &mut rows),
             RigidFreedom::Held => {}
         }
-        for (shape, mut row) in self.shapes.iter().zip(rows) {
+        for (shape, row) in self.shapes.iter().zip(rows) {
             let [ux, uy, uz, rx, ry, rz] = [0, 1, 2, 3, 4, 5].map(|row| place.load(&shape[row]));
             let turn = LaneVector { x: rx, y: ry, z: rz }.dot(span);
             let displacement = loads.0.resultants.displaced(&LaneVector { x: ux, y: uy, z: uz }, turn);
-            self.add_row(place, index, &displacement, loads, &mut row);
+            self.add_row(place, index, &displacement, loads, row);
         }
     }
 
@@ -331,17 +330,17 @@ impl Group {
         RigidRows { index, arms: [arm, position], span }: &RigidRows<S>,
         [along, about]: [&[usize]; 2],
         loads: (&StripLoads<S, SYMMETRIC>, &Option<FlapResultants<S>>),
-        rows: &mut impl Iterator<Item = Row<'a>>,
+        rows: &mut impl Iterator<Item = &'a mut Row>,
     ) {
         let resultants = &loads.0.resultants;
-        for (&axis, mut row) in along.iter().zip(&mut *rows) {
+        for (&axis, row) in along.iter().zip(&mut *rows) {
             let displacement = resultants.component(axis, place.splat(0.0));
-            self.add_row(place, *index, &displacement, loads, &mut row);
+            self.add_row(place, *index, &displacement, loads, row);
         }
         let moments = resultants.about(arm, position);
-        for (&axis, mut row) in about.iter().zip(rows) {
+        for (&axis, row) in about.iter().zip(rows) {
             let displacement = moments.component(axis, span.component(axis));
-            self.add_row(place, *index, &displacement, loads, &mut row);
+            self.add_row(place, *index, &displacement, loads, row);
         }
     }
 
@@ -358,8 +357,8 @@ impl Group {
         row.add::<S, SYMMETRIC>(place, index, &loads.on(displacement));
         if let Some(flaps) = flaps {
             let effect = flaps.on(displacement);
-            for (kind, gain) in &self.gains {
-                row.add_effect(place, *kind, effect * place.load(gain));
+            for (surface, gain) in &self.gains {
+                row.add_effect(place, *surface, effect * place.load(gain));
             }
         }
     }
