@@ -7,6 +7,7 @@ use crate::lanes::{LANES, Lanes, Place};
 
 use super::forces::GeneralisedForces;
 use super::layout::StateLayout;
+use super::square_matrix::SquareMatrix;
 use super::strip_sums::StripSums;
 use super::strips::{MovingSections, Strips, Surroundings};
 
@@ -26,9 +27,9 @@ pub struct SumLoads<'a> {
     pub sums: &'a mut StripSums,
     /// The forces are added to these.
     pub forces: &'a mut GeneralisedForces,
-    /// The apparent mass is added to this mass matrix of the components that move, row-major; of a symmetric one
-    /// only the upper triangle.
-    pub mass: &'a mut [f64],
+    /// The apparent mass is added to this mass matrix of the components that move; of a symmetric one only the upper
+    /// triangle.
+    pub mass: &'a mut SquareMatrix,
 }
 
 impl SumLoads<'_> {

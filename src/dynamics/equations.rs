@@ -20,7 +20,7 @@ use super::fidelity::{Fidelity, Terms};
 use super::freedom::RigidFreedom;
 use super::inertia::{DeformedInertia, RigidMotion, add};
 use super::layout::StateLayout;
-use super::linear_solve::Factor;
+use super::linear_solve::LinearSystem;
 use super::propulsion::Engines;
 use super::strip_sums::StripSums;
 use super::strips::{Strips, Surroundings};
@@ -185,7 +185,9 @@ impl EquationsOfMotion {
         let layout = &self.layout;
         let attitude = Attitude::from_quaternion(&state[layout.attitude()]);
         self.assemble(state, &attitude, controls, rates, workspace);
-        workspace.regular = workspace.factor.factorise(self.arch, &workspace.mass);
+        workspace.collect_forces(controls);
+        workspace.regular = workspace.system.solve(self.arch, &mut workspace.solution);
+        self.write_accelerations(rates, workspace);
 
         let motion = self.motion(state);
         let velocity = attitude.body_from_inertial.tr_mul(&motion.velocity);
@@ -193,25 +195,23 @@ impl EquationsOfMotion {
         let quaternion = quaternion_rate(&state[layout.attitude()], &motion.rate);
         rates[layout.attitude()].copy_from_slice(&quaternion);
         rates[layout.coordinates()].copy_from_slice(&state[layout.coordinate_rates()]);
-        self.steer(controls, rates, workspace);
     }
 
     /// Writes the accelerations under given surface angles and thrusts at the state and in the wind of the last
     /// evaluation into its rates: the same bits as a new evaluation, for next to nothing.
     pub fn steer(&self, controls: &Controls, rates: &mut [f64], workspace: &mut Workspace) {
-        let Workspace { forces, factor, regular, solution, strip_sums, accelerations, .. } = workspace;
-        forces.sum(controls);
-        let moving = strip_sums.moving();
-        for (force, &component) in solution.iter_mut().zip(moving) {
-            *force = forces.total[component];
+        workspace.collect_forces(controls);
+        if workspace.regular {
+            workspace.system.solve_again(&mut workspace.solution);
         }
-        if *regular {
-            factor.solve(solution);
-        } else {
-            solution.fill(f64::NAN);
-        }
-        for (&component, &acceleration) in moving.iter().zip(&*solution) {
-            accelerations[component] = acceleration;
+        self.write_accelerations(rates, workspace);
+    }
+
+    /// Writes what was solved for into the accelerations and the rates.
+    fn write_accelerations(&self, rates: &mut [f64], workspace: &mut Workspace) {
+        let Workspace { regular, solution, strip_sums, accelerations, .. } = workspace;
+        for (&component, &acceleration) in strip_sums.moving().iter().zip(&*solution) {
+            accelerations[component] = if *regular { acceleration } else { f64::NAN };
         }
         let layout = &self.layout;
         rates[layout.velocity()].copy_from_slice(&accelerations[0..3]);
@@ -276,7 +276,8 @@ impl EquationsOfMotion {
         let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
         self.assemble(state, &attitude, controls, &mut vec![0.0; state.len()], workspace);
         let (rigid, size) = (self.freedom.components().len(), self.moving().len());
-        let mut mass = DMatrix::from_row_slice(size, size, &workspace.mass);
+        let matrix = &workspace.system.matrix;
+        let mut mass = DMatrix::from_fn(size, size, |row, column| matrix[(row, column)]);
         if self.symmetric {
             mass.fill_lower_triangle_with_upper_triangle();
         }
@@ -290,9 +291,9 @@ impl EquationsOfMotion {
         self.freedom.moving(self.layout.modes())
     }
 
-    /// Room for the factor of the mass matrix.
-    pub(super) fn factor(&self) -> Factor {
-        Factor::new(self.symmetric, self.moving().len())
+    /// Room for the mass matrix.
+    pub(super) fn linear_system(&self) -> LinearSystem {
+        LinearSystem::new(self.symmetric, self.moving().len())
     }
 
     /// Room for evaluating the elastic forces.
@@ -329,8 +330,8 @@ impl EquationsOfMotion {
         let motion = self.motion(state);
         workspace.forces.clear();
         self.arch.dispatch(StructuralForces { equations: self, motion: &motion, q, q_dot, workspace });
-        let Workspace { inertia, forces, elastic_force, mass, strip_sums, .. } = workspace;
-        let force = &mut forces.passive;
+        let Workspace { inertia, forces, elastic_force, system, strip_sums, .. } = workspace;
+        let force = forces.passive_mut();
         for (mode, force) in force[6..].iter_mut().enumerate() {
             *force -= elastic_force[mode] + self.damping[mode] * q_dot[mode];
         }
@@ -342,10 +343,11 @@ impl EquationsOfMotion {
         for (force, momentum) in force[6..].iter_mut().zip(&self.integrals.momentum) {
             *force += momentum.dot(&gravity);
         }
-        self.engines.write_effects(q, self.terms.deformed_forcing, forces.of_thrust());
+        self.engines.write_effects(q, self.terms.deformed_forcing, forces.of_thrust_mut());
 
         let around = self.surroundings(state, (q, q_dot), attitude, controls);
         let (strips, layout) = (&self.strips, &self.layout);
+        let mass = &mut system.matrix;
         SumLoads { strips, around: &around, layout, state, rates, sums: strip_sums, forces, mass }.run();
     }
 

@@ -21,6 +21,15 @@ impl RigidFreedom {
         }
     }
 
+    /// Axes along which it translates, and axes about which it turns.
+    pub fn motions(self) -> [&'static [usize]; 2] {
+        match self {
+            RigidFreedom::All => [&[0, 1, 2], &[0, 1, 2]],
+            RigidFreedom::InPlane => [&[0, 2], &[1]],
+            RigidFreedom::Held => [&[], &[]],
+        }
+    }
+
     /// The axes about which there can be any rate: of a held aircraft it may be prescribed.
     pub fn axes(self) -> &'static [usize] {
         match self {

@@ -3,7 +3,7 @@
 //! Γ̂_α and ĥ_α are linear in q, and both are needed along the axes about which the aircraft spins. They are kept
 //! component by component, each for all modes, and come from one product of a constant matrix with q.
 
-use nalgebra::{Matrix3, Matrix6, Vector3};
+use nalgebra::{Matrix3, Vector3};
 use pulp::Simd;
 
 use crate::columns::Columns;
@@ -11,6 +11,7 @@ use crate::lanes::LANES;
 use crate::structure::ModalIntegrals;
 
 use super::freedom::RigidFreedom;
+use super::square_matrix::SquareMatrix;
 
 /// The deformation-dependent integrals ĉ, Ĵ, Γ̂, ĥ at one q.
 #[derive(Clone, Debug)]
@@ -24,6 +25,8 @@ pub struct DeformedInertia {
     deformed: Vec<f64>,
     /// The same undeformed.
     undeformed: Vec<f64>,
+    /// The mass matrix of the undeformed aircraft, of the components of ν that move.
+    undeformed_mass_matrix: SquareMatrix,
     /// Their derivatives υ and Π by q.
     slopes: Columns,
     /// υ alone.
@@ -55,16 +58,21 @@ impl DeformedInertia {
         let slope = |row: usize, b: usize| {
             number(row, &|a, i| integrals.upsilon[a * n + b][i], &|a, [i, j]| integrals.pi[a * n + b][(i, j)])
         };
-        DeformedInertia {
+        let mut inertia = DeformedInertia {
             first_moment: integrals.first_moment,
             inertia: integrals.inertia,
+            undeformed_mass_matrix: constant_mass_matrix(integrals, freedom),
             freedom,
             deformed: undeformed.clone(),
             slopes: Columns::new(rows, n, slope),
             upsilon: Columns::new(vectors * block, n, slope),
             coriolis: vec![0.0; vectors * block],
             undeformed,
-        }
+        };
+        let mut matrix = inertia.undeformed_mass_matrix.clone();
+        inertia.write_deformed_entries(&mut matrix);
+        inertia.undeformed_mass_matrix = matrix;
+        inertia
     }
 
     /// Evaluates all integrals at q.
@@ -89,16 +97,37 @@ impl DeformedInertia {
         }
     }
 
-    /// Writes the mass matrix of the present deformation, row-major on the components of ν = [v; ω; q̇] that move.
-    pub fn write_mass_matrix(&self, integrals: &ModalIntegrals, matrix: &mut [f64]) {
-        let rigid = rigid_mass_matrix(integrals.mass, &self.first_moment, &self.inertia);
-        write_mass_matrix(integrals, self.freedom, &rigid, &self.deformed, matrix);
+    /// Writes the mass matrix [[m1, −c×, p], [c×, J, h], [pᵀ, hᵀ, M]] of the present deformation, or of the undeformed
+    /// aircraft, without the rows and columns that do not move.
+    #[inline(always)]
+    pub fn write_mass_matrix(&self, deformed: bool, matrix: &mut SquareMatrix) {
+        matrix.copy_from(&self.undeformed_mass_matrix);
+        if deformed {
+            self.write_deformed_entries(matrix);
+        }
     }
 
-    /// Writes the mass matrix of the undeformed aircraft, row-major on the components of ν that move.
-    pub fn write_undeformed_mass_matrix(&self, integrals: &ModalIntegrals, matrix: &mut [f64]) {
-        let rigid = rigid_mass_matrix(integrals.mass, &integrals.first_moment, &integrals.inertia);
-        write_mass_matrix(integrals, self.freedom, &rigid, &self.undeformed, matrix);
+    /// Writes those blocks of the mass matrix that depend on q.
+    #[inline(always)]
+    fn write_deformed_entries(&self, matrix: &mut SquareMatrix) {
+        let [along, about] = self.freedom.motions();
+        let first = along.len() + about.len();
+        for (column, &axis) in (along.len()..first).zip(about) {
+            let unit = Vector3::ith(axis, 1.0);
+            let momentum = unit.cross(&self.first_moment);
+            for (row, &along) in along.iter().enumerate() {
+                matrix[(row, column)] = momentum[along];
+                matrix[(column, row)] = momentum[along];
+            }
+            for (row, &other) in (along.len()..first).zip(about) {
+                matrix[(row, column)] = self.inertia[(other, axis)];
+            }
+            let h = &self.deformed[self.freedom.place(axis) * block_length(matrix.size() - first)..];
+            for (row, &h) in (first..matrix.size()).zip(h) {
+                matrix[(row, column)] = h;
+                matrix[(column, row)] = h;
+            }
+        }
     }
 
     /// Adds the inertial forcing of the rigid motion: −mω×v + ω×cω… without the δ terms in q̇.
@@ -188,41 +217,20 @@ pub fn add(target: &mut [f64], vector: &Vector3<f64>) {
     }
 }
 
-/// [[m1, −c×], [c×, J]].
-fn rigid_mass_matrix(mass: f64, first_moment: &Vector3<f64>, inertia: &Matrix3<f64>) -> Matrix6<f64> {
-    let cross = first_moment.cross_matrix();
-    let mut matrix = Matrix6::zeros();
-    matrix.fixed_view_mut::<3, 3>(0, 0).fill_diagonal(mass);
-    matrix.fixed_view_mut::<3, 3>(0, 3).copy_from(&-cross);
-    matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&cross);
-    matrix.fixed_view_mut::<3, 3>(3, 3).copy_from(inertia);
+/// The blocks m1, p and M of the mass matrix, which do not depend on q, without the rows and columns that do not move.
+fn constant_mass_matrix(integrals: &ModalIntegrals, freedom: RigidFreedom) -> SquareMatrix {
+    let n = integrals.modes();
+    let first = freedom.components().len();
+    let mut matrix = SquareMatrix::new(first + n);
+    for (row, &axis) in freedom.motions()[0].iter().enumerate() {
+        matrix[(row, row)] = integrals.mass;
+        for (column, momentum) in (first..).zip(&integrals.momentum) {
+            matrix[(row, column)] = momentum[axis];
+            matrix[(column, row)] = momentum[axis];
+        }
+    }
+    for (a, b) in (0..n).flat_map(|a| (0..n).map(move |b| (a, b))) {
+        matrix[(first + a, first + b)] = integrals.mass_matrix[a * n + b];
+    }
     matrix
-}
-
-/// [[rigid, (p; h)], [(p; h)ᵀ, M]] without the rows and columns that do not move; `numbers` begin with those of h.
-fn write_mass_matrix(
-    integrals: &ModalIntegrals,
-    freedom: RigidFreedom,
-    rigid: &Matrix6<f64>,
-    numbers: &[f64],
-    matrix: &mut [f64],
-) {
-    let (components, n) = (freedom.components(), integrals.modes());
-    let first = components.len();
-    let size = first + n;
-    for (row, &i) in components.iter().enumerate() {
-        for (column, &j) in components.iter().enumerate() {
-            matrix[row * size + column] = rigid[(i, j)];
-        }
-        for a in 0..n {
-            let h = |axis: usize| numbers[freedom.place(axis) * block_length(n) + a];
-            let coupling = if i < 3 { integrals.momentum[a][i] } else { h(i - 3) };
-            matrix[row * size + first + a] = coupling;
-            matrix[(first + a) * size + row] = coupling;
-        }
-    }
-    for a in 0..n {
-        let row = (first + a) * size + first;
-        matrix[row..row + n].copy_from_slice(&integrals.mass_matrix[a * n..(a + 1) * n]);
-    }
 }

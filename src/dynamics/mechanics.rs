@@ -7,6 +7,7 @@ use super::attitude::Attitude;
 use super::equations::EquationsOfMotion;
 use super::freedom::RigidFreedom;
 use super::inertia::DeformedInertia;
+use super::square_matrix::SquareMatrix;
 
 /// Energy and momentum at one state, with exact inertia whatever the fidelity level.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,17 +30,16 @@ impl Mechanics {
         let mut inertia = DeformedInertia::undeformed(equations.integrals(), RigidFreedom::All);
         inertia.deform(Scalar::new(), equations.integrals(), q);
         let size = layout.velocities();
-        let mut mass = vec![0.0; size * size];
-        inertia.write_mass_matrix(equations.integrals(), &mut mass);
+        let mut mass = SquareMatrix::new(size);
+        inertia.write_mass_matrix(true, &mut mass);
 
         let velocities: Vec<f64> = [layout.velocity(), layout.rate(), layout.coordinate_rates()]
             .into_iter()
             .flat_map(|range| state[range].iter().copied())
             .collect();
-        let momenta: Vec<f64> = mass
-            .chunks_exact(size)
-            .map(|row| row.iter().zip(&velocities).map(|(mass, velocity)| mass * velocity).sum())
-            .collect();
+        let along =
+            |row: &[f64]| row.iter().zip(&velocities).map(|(mass, velocity)| mass * velocity).sum::<f64>();
+        let momenta: Vec<f64> = (0..size).map(|row| along(mass.row(row))).collect();
         let to_inertial = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial.transpose();
         let linear_momentum = to_inertial * Vector3::from_column_slice(&momenta[0..3]);
         let about_origin = to_inertial * Vector3::from_column_slice(&momenta[3..6]);

@@ -17,6 +17,7 @@ mod mechanics;
 mod propulsion;
 mod rotation;
 mod sensors;
+mod square_matrix;
 mod strip_loads;
 mod strip_sums;
 mod strips;

@@ -25,7 +25,12 @@ impl Engines {
 
     /// Writes the generalised forces of a newton of each engine's thrust at q; with `deformed_arms` it acts at the
     /// deformed place.
-    pub fn write_effects(&self, q: &[f64], deformed_arms: bool, effects: &mut [Vec<f64>]) {
+    pub fn write_effects<'a>(
+        &self,
+        q: &[f64],
+        deformed_arms: bool,
+        effects: impl Iterator<Item = &'a mut [f64]>,
+    ) {
         for (engine, effect) in self.engines.iter().zip(effects) {
             let ModeShapes { translation, rotation } = &engine.shapes;
             let axis = turned(&combine(rotation, q), &engine.direction);

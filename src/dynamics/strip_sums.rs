@@ -11,10 +11,11 @@ use crate::lanes::{Eight, Lanes, Place};
 use super::controls::SURFACES;
 use super::forces::GeneralisedForces;
 use super::freedom::RigidFreedom;
+use super::square_matrix::{SPARE, SquareMatrix};
 use super::strips::Strips;
 
 /// Rows and columns of the product that are summed together.
-const BLOCK: usize = 3;
+const BLOCK: usize = 1 + SPARE;
 
 /// Generalised forces and apparent mass of the strips, as they are being summed; rows are the components of ν that
 /// move.
@@ -30,8 +31,8 @@ pub struct StripSums {
     symmetric: bool,
     /// Padded to whole blocks.
     rows: Vec<Row>,
-    /// XᵀY, row-major, padded to whole blocks; of a symmetric one only the upper triangle.
-    product: Vec<f64>,
+    /// XᵀY, of a symmetric one only the upper triangle.
+    product: SquareMatrix,
     /// The first lifting strip in reverse flow, if any; those edge-on count after all others.
     pub reversed: Option<usize>,
 }
@@ -68,15 +69,14 @@ impl StripSums {
     /// Room for the sums of some strips; of the generalised forces and masses those of the components of ν that move.
     pub fn new(strips: &Strips, freedom: RigidFreedom, modes: usize, symmetric: bool) -> Self {
         let moving = freedom.moving(modes);
-        let width = moving.len().next_multiple_of(BLOCK);
         let row = Row::new(strips.groups(), symmetric);
         StripSums {
+            rows: vec![row; moving.len().next_multiple_of(BLOCK)],
+            product: SquareMatrix::new(moving.len()),
             moving,
             translations: freedom.translations(),
             surfaces: strips.surfaces.clone(),
             symmetric,
-            rows: vec![row; width],
-            product: vec![0.0; width * width],
             reversed: None,
         }
     }
@@ -109,20 +109,25 @@ impl StripSums {
         self.rows[..self.moving.len()].iter_mut()
     }
 
-    /// Adds the forces to those on ν and to those per radian of each kind of surfaces, and ρXᵀY to the row-major mass
-    /// matrix of the components that move; of a symmetric one only the upper triangle.
+    /// Adds the forces to those on ν and to those per radian of each kind of surfaces, and ρXᵀY to the mass matrix of the
+    /// components that move; of a symmetric one only the upper triangle.
     #[inline(always)]
     pub fn add_to<S: Simd>(
         &mut self,
         simd: S,
         density: f64,
         forces: &mut GeneralisedForces,
-        mass: &mut [f64],
+        mass: &mut SquareMatrix,
     ) {
-        for (&component, row) in self.moving.iter().zip(&self.rows) {
-            forces.passive[component] += row.force.sum();
-            for &surface in &self.surfaces {
-                forces.effects[surface][component] += row.effects[surface].sum();
+        let rows = || self.moving.iter().zip(&self.rows);
+        let passive = forces.passive_mut();
+        for (&component, row) in rows() {
+            passive[component] += row.force.sum();
+        }
+        for &surface in &self.surfaces {
+            let effect = forces.of_surface_mut(surface);
+            for (&component, row) in rows() {
+                effect[component] += row.effects[surface].sum();
             }
         }
         let size = self.moving.len();
@@ -134,12 +139,7 @@ impl StripSums {
                 self.multiply::<S, false>(simd, row, column);
             }
         }
-        let padded = self.product.chunks_exact(size.next_multiple_of(BLOCK).max(1));
-        for (mass, product) in mass.chunks_exact_mut(size.max(1)).zip(padded) {
-            for (mass, product) in mass.iter_mut().zip(product) {
-                *mass += density * product;
-            }
-        }
+        mass.add_scaled(simd, density, &self.product);
     }
 
     /// Writes the block of XᵀY that begins at a row and a column; of one on the diagonal of a symmetric product, only
@@ -171,9 +171,8 @@ impl StripSums {
                 }
             }
         }
-        let width = self.rows.len();
         for (i, sums) in block.iter().enumerate() {
-            let product = &mut self.product[(row + i) * width + column..][..BLOCK];
+            let product = &mut self.product.row_mut(row + i)[column..][..BLOCK];
             for (product, lanes) in product.iter_mut().zip(sums) {
                 *product = lanes.sum();
             }

@@ -27,17 +27,13 @@ impl WithSimd for StructuralForces<'_> {
     fn with_simd<S: Simd>(self, simd: S) {
         let StructuralForces { equations, motion, q, q_dot, workspace } = self;
         let EquationsOfMotion { terms, integrals, elastic_forces, .. } = equations;
-        let Workspace { inertia, forces, elastic_force, elastic_scratch, mass, .. } = workspace;
+        let Workspace { inertia, forces, elastic_force, elastic_scratch, system, .. } = workspace;
         // The workspace starts undeformed and stays so for the levels that never deform it.
         if terms.deformed_mass || terms.deformed_forcing {
             inertia.deform(simd, integrals, q);
         }
-        if terms.deformed_mass {
-            inertia.write_mass_matrix(integrals, mass);
-        } else {
-            inertia.write_undeformed_mass_matrix(integrals, mass);
-        }
-        let force = &mut forces.passive;
+        inertia.write_mass_matrix(terms.deformed_mass, &mut system.matrix);
+        let force = forces.passive_mut();
         inertia.add_forcing(integrals.mass, &integrals.momentum, motion, force);
         if terms.deformed_forcing {
             inertia.add_coriolis(simd, integrals, &motion.rate, q_dot, force);

@@ -1,9 +1,10 @@
 //! Scratch memory of the equations of motion, allocated once.
 
+use super::controls::Controls;
 use super::equations::EquationsOfMotion;
 use super::forces::GeneralisedForces;
 use super::inertia::DeformedInertia;
-use super::linear_solve::Factor;
+use super::linear_solve::LinearSystem;
 use super::strip_sums::StripSums;
 use crate::structure::ElasticScratch;
 
@@ -18,10 +19,8 @@ pub struct Workspace {
     pub(super) elastic_force: Vec<f64>,
     /// For evaluating it.
     pub(super) elastic_scratch: ElasticScratch,
-    /// Mass matrix with apparent mass of the components of ν that move, row-major.
-    pub(super) mass: Vec<f64>,
-    /// Its factor.
-    pub(super) factor: Factor,
+    /// Of the components of ν that move: mass matrix with apparent mass, then its factor.
+    pub(super) system: LinearSystem,
     /// Whether it has one.
     pub(super) regular: bool,
     /// Their accelerations.
@@ -41,12 +40,19 @@ impl Workspace {
             forces: GeneralisedForces::new(components, equations.engine_count()),
             elastic_force: vec![0.0; components - 6],
             elastic_scratch: equations.elastic_scratch(),
-            mass: vec![0.0; moving * moving],
-            factor: equations.factor(),
+            system: equations.linear_system(),
             regular: false,
             solution: vec![0.0; moving],
             strip_sums: equations.strip_sums(),
             accelerations: vec![0.0; components],
+        }
+    }
+
+    /// Sums the forces under given controls on the components of ν that move.
+    pub(super) fn collect_forces(&mut self, controls: &Controls) {
+        self.forces.sum(controls);
+        for (force, &component) in self.solution.iter_mut().zip(self.strip_sums.moving()) {
+            *force = self.forces.total()[component];
         }
     }
 
@@ -57,7 +63,7 @@ impl Workspace {
 
     /// Generalised forces on ν of the last evaluation; those of the air on components that cannot move are left out.
     pub fn forces(&self) -> &[f64] {
-        &self.forces.total
+        self.forces.total()
     }
 
     /// The first lifting strip that met the air backwards at the last evaluation.
