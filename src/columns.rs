@@ -1,10 +1,14 @@
 //! Constant matrices that are multiplied with many vectors, eight rows at a time.
 //!
-//! Each sum runs over the columns in their order: the same bits at any width of the machine's vectors.
+//! Each sum is [`CHAINS`] sums, each of every fourth column, added in the end: additions need not wait for each other,
+//! and the bits are the same at any width of the machine's vectors.
 
 use pulp::Simd;
 
 use crate::lanes::{Eight, LANES, Place};
+
+/// How many sums run side by side.
+const CHAINS: usize = 4;
 
 /// A constant matrix: rows in groups of eight, and of each group the columns that are not all zero there.
 #[derive(Clone, Debug)]
@@ -53,11 +57,19 @@ impl Columns {
         for (product, &end) in product.chunks_exact_mut(LANES).zip(&self.ends) {
             let (columns, entries) = (&self.columns[begin..end], &self.entries[begin..end]);
             for place in Place::all(simd) {
-                let mut sum = place.splat(0.0);
-                for (&column, entries) in columns.iter().zip(entries) {
-                    sum += place.load(entries) * vector[column];
+                let mut sums = [place.splat(0.0); CHAINS];
+                let (columns, last_columns) = columns.as_chunks::<CHAINS>();
+                let (entries, last_entries) = entries.as_chunks::<CHAINS>();
+                for (columns, entries) in columns.iter().zip(entries) {
+                    for chain in 0..CHAINS {
+                        sums[chain] += place.load(&entries[chain]) * vector[columns[chain]];
+                    }
                 }
-                place.store_slice(product, sum);
+                let [mut first, second, third, fourth] = sums;
+                for (&column, entries) in last_columns.iter().zip(last_entries) {
+                    first += place.load(entries) * vector[column];
+                }
+                place.store_slice(product, (first + second) + (third + fourth));
             }
             begin = end;
         }

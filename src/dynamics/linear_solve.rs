@@ -76,42 +76,65 @@ impl WithSimd for CholeskySolution<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> bool {
         let CholeskySolution { matrix, b } = self;
-        let (n, width) = (matrix.size(), matrix.width());
         // b is eliminated with the matrix, as one more column.
+        let n = b.len();
         for (row, &b) in b.iter().enumerate() {
             matrix[(row, n)] = b;
         }
-        for j in 0..n {
-            let (row, below) = matrix.split_below(j);
-            if row[j].is_nan() || row[j] <= 0.0 {
-                return false;
-            }
-            let reciprocal = 1.0 / row[j];
-            for (i, target) in (j + 1..n).zip(below.chunks_exact_mut(width)) {
-                let begin = i - i % LANES;
-                subtract(simd, &mut target[begin..], row[i] * reciprocal, &row[begin..]);
-            }
-            scale(simd, &mut row[j - j % LANES..], reciprocal);
-            row[j] = reciprocal;
-        }
+        // Small widths written out, so that their loops are unrolled.
+        let rows = matrix.rows_mut();
+        let regular = match rows.len() / n.max(1) / LANES {
+            1 => factorise(simd, rows, LANES),
+            2 => factorise(simd, rows, 2 * LANES),
+            3 => factorise(simd, rows, 3 * LANES),
+            eights => factorise(simd, rows, eights * LANES),
+        };
         for (row, b) in b.iter_mut().enumerate() {
             *b = matrix[(row, n)];
         }
-        substitute_back(matrix, b);
-        true
+        if regular {
+            substitute_back(matrix, b);
+        }
+        regular
     }
+}
+
+/// Factorises a symmetric matrix with rows of a given width, and eliminates all that stands right of it; `false` when it
+/// is not positive definite.
+#[inline(always)]
+fn factorise<S: Simd>(simd: S, rows: &mut [f64], width: usize) -> bool {
+    let Some(&(mut pivot)) = rows.first() else { return true };
+    for j in 0..rows.len() / width {
+        if pivot.is_nan() || pivot <= 0.0 {
+            return false;
+        }
+        let reciprocal = 1.0 / pivot;
+        let (row, below) = rows[j * width..].split_at_mut(width);
+        // The next pivot ahead of its row: all that follows waits for it.
+        if let Some(next) = below.get(j + 1) {
+            pivot = next - row[j + 1] * reciprocal * row[j + 1];
+        }
+        for (i, target) in (j + 1..).zip(below.chunks_exact_mut(width)) {
+            subtract(simd, target, row[i] * reciprocal, row);
+        }
+        for row in row.chunks_exact_mut(LANES) {
+            for place in Place::all(simd) {
+                place.store_slice(row, place.load_slice(row) * reciprocal);
+            }
+        }
+        row[j] = reciprocal;
+    }
+    true
 }
 
 /// Turns D⁻¹L⁻¹b into x.
 #[inline(always)]
 fn substitute_back(matrix: &SquareMatrix, b: &mut [f64]) {
-    let n = b.len();
-    for i in (0..n).rev() {
-        let mut unknown = b[i];
-        for (l, x) in matrix.row(i)[i + 1..n].iter().zip(&b[i + 1..]).rev() {
-            unknown -= l * x;
+    for i in (0..b.len()).rev() {
+        let (unknown, solved) = b.split_at_mut(i);
+        for (k, b) in unknown.iter_mut().enumerate() {
+            *b -= matrix[(k, i)] * solved[0];
         }
-        b[i] = unknown;
     }
 }
 
@@ -121,16 +144,6 @@ fn subtract<S: Simd>(simd: S, target: &mut [f64], factor: f64, row: &[f64]) {
     for (target, row) in target.chunks_exact_mut(LANES).zip(row.chunks_exact(LANES)) {
         for place in Place::all(simd) {
             place.store_slice(target, place.load_slice(target) - place.load_slice(row) * factor);
-        }
-    }
-}
-
-/// row ·= factor.
-#[inline(always)]
-fn scale<S: Simd>(simd: S, row: &mut [f64], factor: f64) {
-    for row in row.chunks_exact_mut(LANES) {
-        for place in Place::all(simd) {
-            place.store_slice(row, place.load_slice(row) * factor);
         }
     }
 }

@@ -63,6 +63,12 @@ impl SquareMatrix {
         self.numbers[begin..end].split_at_mut(self.width)
     }
 
+    /// The numbers of all rows, one row after the other.
+    #[inline(always)]
+    pub fn rows_mut(&mut self) -> &mut [f64] {
+        &mut self.numbers[..self.size * self.width]
+    }
+
     /// Exchanges two rows.
     pub fn swap_rows(&mut self, row: usize, other: usize) {
         for column in 0..self.width {

@@ -25,8 +25,8 @@ pub struct ElasticForces {
     pairs: Vec<[usize; 2]>,
     /// Row of each mode.
     mode_rows: Vec<usize>,
-    /// Row of S for each product; empty without U₄.
-    pair_rows: Vec<usize>,
+    /// Row of S_ab for each a and b; empty without U₄.
+    stiffness_rows: Vec<usize>,
     /// [K₀ D; 0 F].
     matrix: Columns,
 }
@@ -75,8 +75,6 @@ impl ElasticForces {
         // PROOF: every mode, and with U₄ every pair, is in one of the two parities.
         let place = |row: Row| rows.iter().position(|&other| other == row).expect("a row for each");
         let mode_rows: Vec<usize> = (0..n).map(|mode| place(Row::Mode(mode))).collect();
-        let pair_rows: Vec<usize> =
-            (0..if quartic { pairs.len() } else { 0 }).map(|pair| place(Row::Pair(pair))).collect();
 
         let width = n + pairs.len();
         let mut entries = vec![0.0; rows.len() * width];
@@ -85,6 +83,8 @@ impl ElasticForces {
             let (a, b) = (a.min(b), a.max(b));
             a * (2 * n + 1 - a) / 2 + b - a
         };
+        let pair_rows: Vec<usize> =
+            (0..if quartic { pairs.len() } else { 0 }).map(|pair| place(Row::Pair(pair))).collect();
         let mut add = |row: usize, column: usize, coefficient: f64| {
             entries[row * width + column] += scale * coefficient;
         };
@@ -107,7 +107,9 @@ impl ElasticForces {
             }
         }
         let matrix = Columns::new(rows.len(), width, |row, column| entries[row * width + column]);
-        ElasticForces { pairs, mode_rows, pair_rows, matrix }
+        let stiffnesses = if quartic { n * n } else { 0 };
+        let stiffness_rows = (0..stiffnesses).map(|entry| pair_rows[pair_of(entry / n, entry % n)]).collect();
+        ElasticForces { pairs, mode_rows, stiffness_rows, matrix }
     }
 
     /// Scratch memory for the evaluation.
@@ -131,12 +133,8 @@ impl ElasticForces {
         for (gradient, &row) in gradient.iter_mut().zip(&self.mode_rows) {
             *gradient = product[row];
         }
-        for (&[a, b], &row) in self.pairs.iter().zip(&self.pair_rows) {
-            let stiffness = product[row];
-            gradient[a] += stiffness * q[b];
-            if a != b {
-                gradient[b] += stiffness * q[a];
-            }
+        for (gradient, rows) in gradient.iter_mut().zip(self.stiffness_rows.chunks_exact(q.len().max(1))) {
+            *gradient += rows.iter().zip(q).map(|(&row, q)| product[row] * q).sum::<f64>();
         }
     }
 }
