@@ -8,7 +8,6 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-use nalgebra::Vector3;
 use pulp::bytemuck::{cast_slice, cast_slice_mut};
 use pulp::{Scalar, Simd};
 
@@ -31,30 +30,18 @@ impl Eight {
     }
 }
 
-/// One vector for each strip of a group.
-#[derive(Clone, Copy, Debug)]
-pub struct EightVectors {
-    /// x components.
-    pub x: Eight,
-    /// y components.
-    pub y: Eight,
-    /// z components.
-    pub z: Eight,
-}
-
-impl EightVectors {
-    /// A vector for each strip.
-    pub fn new(vectors: [Vector3<f64>; LANES]) -> Self {
-        let component = |axis: usize| Eight(vectors.map(|vector| vector[axis]));
-        EightVectors { x: component(0), y: component(1), z: component(2) }
-    }
-}
-
 /// The strips of a group that one register holds.
 #[derive(Clone, Copy, Debug)]
 pub struct Place<S: Simd> {
     simd: S,
     index: usize,
+}
+
+impl Place<Scalar> {
+    /// The place of a single number.
+    pub fn single() -> Self {
+        Place { simd: Scalar::new(), index: 0 }
+    }
 }
 
 impl<S: Simd> Place<S> {
@@ -70,12 +57,6 @@ impl<S: Simd> Place<S> {
         Lanes { value: self.simd.splat_f64s(value), simd: self.simd }
     }
 
-    /// The same vector in every lane.
-    #[inline(always)]
-    pub fn splat_vector(self, vector: &Vector3<f64>) -> LaneVector<S> {
-        LaneVector { x: self.splat(vector.x), y: self.splat(vector.y), z: self.splat(vector.z) }
-    }
-
     /// The numbers here.
     #[inline(always)]
     pub fn load(self, numbers: &Eight) -> Lanes<S> {
@@ -86,12 +67,6 @@ impl<S: Simd> Place<S> {
     #[inline(always)]
     pub fn load_slice(self, eight: &[f64]) -> Lanes<S> {
         Lanes { value: S::as_simd_f64s(eight).0[self.index], simd: self.simd }
-    }
-
-    /// The vectors here.
-    #[inline(always)]
-    pub fn load_vector(self, vectors: &EightVectors) -> LaneVector<S> {
-        LaneVector { x: self.load(&vectors.x), y: self.load(&vectors.y), z: self.load(&vectors.z) }
     }
 
     /// Writes the numbers here.
@@ -221,83 +196,5 @@ impl<S: Simd> Neg for Lanes<S> {
     #[inline(always)]
     fn neg(self) -> Self {
         Lanes { value: self.simd.neg_f64s(self.value), ..self }
-    }
-}
-
-/// One vector for each strip in a register.
-#[derive(Clone, Copy, Debug)]
-pub struct LaneVector<S: Simd> {
-    /// x components.
-    pub x: Lanes<S>,
-    /// y components.
-    pub y: Lanes<S>,
-    /// z components.
-    pub z: Lanes<S>,
-}
-
-impl LaneVector<Scalar> {
-    /// A single vector.
-    pub fn single(vector: &Vector3<f64>) -> Self {
-        Place { simd: Scalar::new(), index: 0 }.splat_vector(vector)
-    }
-
-    /// The single vector.
-    pub fn vector(&self) -> Vector3<f64> {
-        Vector3::new(self.x.value, self.y.value, self.z.value)
-    }
-}
-
-impl<S: Simd> LaneVector<S> {
-    /// Along axis 0 (x), 1 (y) or 2 (z).
-    #[inline(always)]
-    pub fn component(&self, axis: usize) -> Lanes<S> {
-        match axis {
-            0 => self.x,
-            1 => self.y,
-            _ => self.z,
-        }
-    }
-
-    /// Scalar products.
-    #[inline(always)]
-    pub fn dot(&self, other: &Self) -> Lanes<S> {
-        self.x * other.x + self.y * other.y + self.z * other.z
-    }
-
-    /// Vector products.
-    #[inline(always)]
-    pub fn cross(&self, other: &Self) -> Self {
-        LaneVector {
-            x: self.y * other.z - self.z * other.y,
-            y: self.z * other.x - self.x * other.z,
-            z: self.x * other.y - self.y * other.x,
-        }
-    }
-}
-
-impl<S: Simd> Add for LaneVector<S> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        LaneVector { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
-    }
-}
-
-impl<S: Simd> Sub for LaneVector<S> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        LaneVector { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
-    }
-}
-
-impl<S: Simd> Mul<Lanes<S>> for LaneVector<S> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, factor: Lanes<S>) -> Self {
-        LaneVector { x: self.x * factor, y: self.y * factor, z: self.z * factor }
     }
 }

@@ -24,6 +24,7 @@ mod columns;
 pub mod dynamics;
 #[cfg(feature = "fmi")]
 pub mod fmi2;
+mod lane_vectors;
 mod lanes;
 pub mod simulation;
 pub mod stability;

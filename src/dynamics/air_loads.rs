@@ -2,14 +2,14 @@
 
 use pulp::{Simd, WithSimd};
 
-use crate::aerodynamics::WakeFlow;
+use crate::aerodynamics::{InflowStates, WakeFlow};
 use crate::lanes::{LANES, Lanes, Place};
 
 use super::forces::GeneralisedForces;
 use super::layout::StateLayout;
 use super::square_matrix::SquareMatrix;
 use super::strip_sums::StripSums;
-use super::strips::{MovingSections, Strips, Surroundings};
+use super::strips::{Group, MovingSections, Strips, Surroundings};
 
 /// What the loads of all strips are computed from, and where they go.
 pub struct SumLoads<'a> {
@@ -58,26 +58,41 @@ impl SumLoads<'_> {
             let inflow = layout.group_inflow(index);
             let (states, mut rates) = (inflow.read(state), inflow.write(rates));
             for place in Place::all(simd) {
-                let mut moving = group.deform::<S, SYMMETRIC>(place, around);
-                let MovingSections { flow, unforced, .. } = &mut moving;
-                if flow.chordwise.least() <= 0.0 && sums.reversed.is_none() {
-                    let lane = reversed(flow.chordwise, place.load(&group.section.lift_slope));
-                    sums.reversed = lane.map(|lane| index * LANES + place.lane(lane));
+                if group.in_plane {
+                    let mut moving = group.deform_in_plane::<S, SYMMETRIC>(place, around);
+                    follow_wake(place, (index, group), around, &mut moving, (&states, &mut rates), sums);
+                    group.distribute_in_plane::<S, SYMMETRIC>(place, index, around, &moving, sums);
+                } else {
+                    let mut moving = group.deform::<S, SYMMETRIC>(place, around);
+                    follow_wake(place, (index, group), around, &mut moving, (&states, &mut rates), sums);
+                    group.distribute::<S, SYMMETRIC>(place, index, around, &moving, sums);
                 }
-                let wake = WakeFlow {
-                    w3: flow.w3,
-                    passing: flow.chordwise * place.load(&group.per_semichord),
-                    unforced: *unforced,
-                };
-                flow.induced = around.inflow.induced_velocity(place, &states, flow.w3);
-                around.inflow.write_rates(place, &states, &wake, &mut rates);
-                group.distribute::<S, SYMMETRIC>(place, index, around, &moving, sums);
             }
         }
         let edge_on = strips.edge_on.add_drag(simd, around, sums);
         sums.reversed = sums.reversed.or(edge_on.map(|strip| strips.count + strip));
         sums.add_to(simd, around.density, forces, mass);
     }
+}
+
+/// Finds the induced velocity of strips and writes the rates of their inflow states; notes reverse flow.
+#[inline(always)]
+fn follow_wake<S: Simd, Motion>(
+    place: Place<S>,
+    (index, group): (usize, &Group),
+    around: &Surroundings,
+    MovingSections { flow, unforced, .. }: &mut MovingSections<S, Motion>,
+    (states, rates): (&InflowStates<&[f64]>, &mut InflowStates<&mut [f64]>),
+    sums: &mut StripSums,
+) {
+    if flow.chordwise.least() <= 0.0 && sums.reversed.is_none() {
+        let lane = reversed(flow.chordwise, place.load(&group.section.lift_slope));
+        sums.reversed = lane.map(|lane| index * LANES + place.lane(lane));
+    }
+    let passing = flow.chordwise * place.load(&group.per_semichord);
+    let wake = WakeFlow { w3: flow.w3, passing, unforced: *unforced };
+    flow.induced = around.inflow.induced_velocity(place, states, flow.w3);
+    around.inflow.write_rates(place, states, &wake, rates);
 }
 
 /// The first lane whose lifting strip meets the air from behind.

@@ -5,11 +5,12 @@
 
 use pulp::Simd;
 
-use crate::lanes::{Eight, LANES, LaneVector, Lanes, Place};
+use crate::lane_vectors::{Arrow, PlaneVector};
+use crate::lanes::{Eight, LANES, Lanes, Place};
 use crate::structure::ReducedStrip;
 
 use super::freedom::RigidFreedom;
-use super::rotation::Rotation;
+use super::in_plane::PlaneMotion;
 use super::strip_sums::StripSums;
 use super::strips::Surroundings;
 
@@ -89,39 +90,24 @@ impl Group {
     /// Adds the drag of the strips at a place; returns U.
     #[inline(always)]
     fn add_drag<S: Simd>(&self, place: Place<S>, around: &Surroundings, sums: &mut StripSums) -> Lanes<S> {
-        let zero = place.splat(0.0);
-        let [mut x, mut z] = [place.load(&self.position[0]), place.load(&self.position[1])];
-        let [at_rest_x, at_rest_z] = [x, z];
-        let (mut turn, mut moving_x, mut moving_z) = (zero, zero, zero);
-        for (shape, (&q, &q_dot)) in self.shapes.iter().zip(around.q.iter().zip(around.q_dot)) {
-            let [along_x, along_z, about_y] =
-                [place.load(&shape[0]), place.load(&shape[1]), place.load(&shape[2])];
-            x += along_x * q;
-            z += along_z * q;
-            turn += about_y * q;
-            moving_x += along_x * q_dot;
-            moving_z += along_z * q_dot;
-        }
-        let undeformed =
-            LaneVector { x: place.load(&self.forward[0]), y: zero, z: place.load(&self.forward[1]) };
-        let forward = Rotation::new(LaneVector { x: zero, y: turn, z: zero }).apply(&undeformed);
-        let (velocity, pitch_rate) = (around.airspeed, around.rate.y);
-        let velocity_x = moving_x + z * pitch_rate + place.splat(velocity.x);
-        let velocity_z = moving_z - x * pitch_rate + place.splat(velocity.z);
-        let chordwise = forward.x * velocity_x + forward.z * velocity_z;
+        let at_rest = PlaneVector::load(place, self.position.each_ref());
+        let undeformed = PlaneVector::load(place, self.forward.each_ref());
+        let shapes = self.shapes.iter().map(|shape| shape.each_ref());
+        let PlaneMotion { position, forward, velocity, .. } =
+            PlaneMotion::new(place, [at_rest, undeformed], shapes, around);
+        let chordwise = forward.dot(&velocity);
         let drag = place.load(&self.drag_area) * around.density * chordwise.abs() * chordwise;
-        let (force_x, force_z) = (-(drag * forward.x), -(drag * forward.z));
+        let force = forward * -drag;
 
-        let [arm_x, arm_z] = if around.deformed_arms { [x, z] } else { [at_rest_x, at_rest_z] };
         let mut rows = sums.rows();
         if around.freedom == RigidFreedom::InPlane {
-            let forces = [force_x, force_z, arm_z * force_x - arm_x * force_z];
-            for (force, row) in forces.into_iter().zip(&mut rows) {
+            let arm = if around.deformed_arms { position } else { at_rest };
+            for (force, row) in [force.x, force.z, arm.cross(&force)].into_iter().zip(&mut rows) {
                 row.add_force(place, force);
             }
         }
-        for (shape, row) in self.shapes.iter().zip(rows) {
-            row.add_force(place, place.load(&shape[0]) * force_x + place.load(&shape[1]) * force_z);
+        for ([x, z, _], row) in self.shapes.iter().zip(rows) {
+            row.add_force(place, PlaneVector::load(place, [x, z]).dot(&force));
         }
         chordwise
     }

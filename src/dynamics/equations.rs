@@ -88,7 +88,7 @@ impl EquationsOfMotion {
         if configuration.fidelity == Fidelity::Rigid && !model.modes.is_empty() {
             return EquationsOfMotion::with_freedom(&model.select(&[]), edge_on, configuration, free);
         }
-        let strips = Strips::new(model, edge_on);
+        let strips = Strips::new(model, edge_on, free);
         let inflow = PetersInflow::new(configuration.inflow_states);
         let scale = libm::sqrt(configuration.stiffness_scale);
         let damping = |frequency: f64| 2.0 * configuration.structural_damping * scale * frequency;

@@ -9,6 +9,8 @@ mod fidelity;
 mod forces;
 mod free_modes;
 mod freedom;
+mod in_plane;
+mod in_space;
 mod inertia;
 mod layout;
 mod linear_solve;

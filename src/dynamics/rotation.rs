@@ -4,7 +4,8 @@ use nalgebra::Vector3;
 
 use pulp::{Scalar, Simd};
 
-use crate::lanes::{LaneVector, Lanes};
+use crate::lane_vectors::{Arrow, LaneVector, PlaneVector};
+use crate::lanes::Lanes;
 
 /// Below this φ² the series are exact to rounding, and cheaper than a sine.
 const SERIES_LIMIT: f64 = 0.25;
@@ -51,13 +52,7 @@ impl<S: Simd> Rotation<S> {
     /// By the vectors φ, rad.
     #[inline(always)]
     pub fn new(vector: LaneVector<S>) -> Self {
-        let square = vector.dot(&vector);
-        let (mut versine, mut sine_deficit) =
-            (polynomial(square, &VERSINE), polynomial(square, &SINE_DEFICIT));
-        let mut sine = square.splat(1.0) - square * sine_deficit;
-        if square.largest() >= SERIES_LIMIT {
-            [sine, versine, sine_deficit] = closed_forms([square, sine, versine, sine_deficit]);
-        }
+        let [sine, versine, sine_deficit] = functions(vector.dot(&vector));
         Rotation { vector, sine, versine, sine_deficit }
     }
 
@@ -87,8 +82,26 @@ impl<S: Simd> Rotation<S> {
     }
 }
 
-/// The square of an angle and the series of sine, versine and sine deficit; returns these three, replaced where the
-/// angle is too large for them.
+/// Vectors in the mirror plane turned by angles about y, rad.
+#[inline(always)]
+pub fn turned_about_y<S: Simd>(angle: Lanes<S>, vectors: PlaneVector<S>) -> PlaneVector<S> {
+    let square = angle * angle;
+    let [sine, versine, _] = functions(square);
+    vectors * (square.splat(1.0) - square * versine) + vectors.turned_by(angle * sine)
+}
+
+/// sin φ/φ, (1 − cos φ)/φ² and (1 − sin φ/φ)/φ² of φ².
+#[inline(always)]
+fn functions<S: Simd>(square: Lanes<S>) -> [Lanes<S>; 3] {
+    let (mut versine, mut sine_deficit) = (polynomial(square, &VERSINE), polynomial(square, &SINE_DEFICIT));
+    let mut sine = square.splat(1.0) - square * sine_deficit;
+    if square.largest() >= SERIES_LIMIT {
+        [sine, versine, sine_deficit] = closed_forms([square, sine, versine, sine_deficit]);
+    }
+    [sine, versine, sine_deficit]
+}
+
+/// φ² and the series of the [`functions`]; returns these, replaced where the angle is too large for the series.
 #[cold]
 fn closed_forms<S: Simd>([square, mut sine, mut versine, mut sine_deficit]: [Lanes<S>; 4]) -> [Lanes<S>; 3] {
     for (lane, &square) in square.numbers().iter().enumerate().filter(|(_, square)| **square >= SERIES_LIMIT)
@@ -119,7 +132,8 @@ fn polynomial<S: Simd>(x: Lanes<S>, [c0, c1, c2, c3, c4, c5, c6]: &[f64; TERMS])
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::{Eight, EightVectors, LANES, Place};
+    use crate::lane_vectors::EightVectors;
+    use crate::lanes::{Eight, LANES, Place};
 
     #[test]
     fn the_exponential_is_a_rotation_about_the_vector_on_both_sides_of_the_series_limit() {
@@ -128,6 +142,18 @@ mod tests {
             let vector = Vector3::new(0.6, -0.48, 0.64) * length;
             let reference = nalgebra::Rotation3::new(vector) * arm;
             assert!((turned(&vector, &arm) - reference).norm() < 1e-15 * 4.0, "{length}");
+        }
+    }
+
+    #[test]
+    fn in_the_plane_the_rotation_is_the_same() {
+        let arm = Vector3::new(0.3, 0.0, 0.7);
+        for angle in [0.0, -0.2, 0.499_999, 0.500_001, 2.0] {
+            let turned = turned(&Vector3::new(0.0, angle, 0.0), &arm);
+            let place = Place::single();
+            let in_plane = turned_about_y(place.splat(angle), PlaneVector::splat(place, &arm));
+            let [x, z] = [in_plane.x, in_plane.z].map(|lanes| lanes.numbers()[0]);
+            assert!((Vector3::new(x, 0.0, z) - turned).norm() < 1e-15, "{angle}");
         }
     }
 
@@ -154,7 +180,8 @@ mod tests {
         let mixed = EightVectors::new(mixed);
         let mut turned_x = Eight::ZERO;
         for place in Place::all(Scalar::new()) {
-            let turned = Rotation::new(place.load_vector(&mixed)).apply(&place.splat_vector(&Vector3::y()));
+            let turned = Rotation::new(LaneVector::load(place, &mixed))
+                .apply(&LaneVector::splat(place, &Vector3::y()));
             place.store(&mut turned_x, turned.x);
         }
         assert_eq!(turned_x.0[3], turned(&small, &Vector3::y()).x);

@@ -6,7 +6,7 @@
 use nalgebra::Vector3;
 use pulp::Scalar;
 
-use crate::lanes::LaneVector;
+use crate::lane_vectors::LaneVector;
 use crate::structure::ReducedStation;
 
 use super::inertia::RigidMotion;

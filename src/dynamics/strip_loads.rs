@@ -12,14 +12,15 @@
 use pulp::Simd;
 
 use crate::aerodynamics::{FlapLoads, SectionLoads};
-use crate::lanes::{LaneVector, Lanes};
+use crate::lane_vectors::{Arrow, LaneVector, PlaneVector};
+use crate::lanes::Lanes;
 
 use super::strip_sums::RowEntry;
 
-/// Resultants on whole strips; `SYMMETRIC` where accelerations are distributed as loads are.
-pub struct StripLoads<S: Simd, const SYMMETRIC: bool> {
+/// Resultants on whole strips, vectors of kind `V`; `SYMMETRIC` where accelerations are distributed as loads are.
+pub struct StripLoads<S: Simd, V, const SYMMETRIC: bool> {
     /// What translations meet.
-    pub resultants: Resultants<S, SYMMETRIC>,
+    pub resultants: Resultants<V, SYMMETRIC>,
     /// M, N·m.
     moment: Lanes<S>,
     /// −d √(πb²Δy).
@@ -29,13 +30,13 @@ pub struct StripLoads<S: Simd, const SYMMETRIC: bool> {
 }
 
 /// Vectors whose products with a translation are its entries.
-pub struct Resultants<S: Simd, const SYMMETRIC: bool> {
+pub struct Resultants<V, const SYMMETRIC: bool> {
     /// √(πb²Δy) n.
-    heave: LaneVector<S>,
+    heave: V,
     /// F, N.
-    force: LaneVector<S>,
+    force: V,
     /// √(πb²Δy) m.
-    acceleration: LaneVector<S>,
+    acceleration: V,
 }
 
 /// Resultants of the flaps per radian, the force in parts of the heave of [`Resultants`].
@@ -70,15 +71,13 @@ pub struct Displacement<S: Simd> {
     turn: Lanes<S>,
 }
 
-impl<S: Simd, const SYMMETRIC: bool> StripLoads<S, SYMMETRIC> {
+impl<S: Simd, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETRIC> {
     /// Of strips with their axes n, f and m.
     #[inline(always)]
     pub fn new(
         loads: &SectionLoads<S>,
         sizes: &StripSizes<S>,
-        normal: &LaneVector<S>,
-        forward: &LaneVector<S>,
-        zero_lift_normal: &LaneVector<S>,
+        [normal, forward, zero_lift_normal]: [&V; 3],
     ) -> Self {
         let heave = *normal * sizes.root_mass;
         StripLoads {
@@ -108,10 +107,27 @@ impl<S: Simd, const SYMMETRIC: bool> StripLoads<S, SYMMETRIC> {
     }
 }
 
-impl<S: Simd, const SYMMETRIC: bool> Resultants<S, SYMMETRIC> {
+impl<V, const SYMMETRIC: bool> Resultants<V, SYMMETRIC> {
+    /// Of a component of ν that moves the attachment along a vector and turns the strips.
+    #[inline(always)]
+    pub fn displaced<S: Simd>(&self, translation: &V, turn: Lanes<S>) -> Displacement<S>
+    where
+        V: Arrow<S>,
+    {
+        let heave = self.heave.dot(translation);
+        Displacement {
+            heave,
+            force: self.force.dot(translation),
+            acceleration: if SYMMETRIC { heave } else { self.acceleration.dot(translation) },
+            turn,
+        }
+    }
+}
+
+impl<S: Simd, const SYMMETRIC: bool> Resultants<LaneVector<S>, SYMMETRIC> {
     /// Those that rotations about O meet: of forces at `arm`, of accelerations at `position`.
     #[inline(always)]
-    pub fn about(&self, arm: &LaneVector<S>, position: &LaneVector<S>) -> Self {
+    pub fn about(&self, [arm, position]: [&LaneVector<S>; 2]) -> Self {
         let heave = arm.cross(&self.heave);
         Resultants {
             heave,
@@ -130,17 +146,26 @@ impl<S: Simd, const SYMMETRIC: bool> Resultants<S, SYMMETRIC> {
             turn,
         }
     }
+}
 
-    /// Of a component of ν that moves the attachment along a vector and turns the strips.
+impl<S: Simd, const SYMMETRIC: bool> Resultants<PlaneVector<S>, SYMMETRIC> {
+    /// Of units of motion in the mirror plane: along x, along z, and about y through O, which turns the strips by
+    /// `turn`; loads act at `arm`, accelerations at `position`.
     #[inline(always)]
-    pub fn displaced(&self, translation: &LaneVector<S>, turn: Lanes<S>) -> Displacement<S> {
-        let heave = self.heave.dot(translation);
-        Displacement {
-            heave,
-            force: self.force.dot(translation),
-            acceleration: if SYMMETRIC { heave } else { self.acceleration.dot(translation) },
-            turn,
-        }
+    pub fn in_plane(&self, [arm, position]: [&PlaneVector<S>; 2], turn: Lanes<S>) -> [Displacement<S>; 3] {
+        let Resultants { heave, force, acceleration } = self;
+        let still = turn.splat(0.0);
+        let heave_about = arm.cross(heave);
+        [
+            Displacement { heave: heave.x, force: force.x, acceleration: acceleration.x, turn: still },
+            Displacement { heave: heave.z, force: force.z, acceleration: acceleration.z, turn: still },
+            Displacement {
+                heave: heave_about,
+                force: arm.cross(force),
+                acceleration: if SYMMETRIC { heave_about } else { position.cross(acceleration) },
+                turn,
+            },
+        ]
     }
 }
 

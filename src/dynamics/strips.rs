@@ -1,12 +1,6 @@
-//! How strips move with the deformed aircraft and where their loads go [4.1; physics.md §4].
+//! The strips of an aircraft, side by side in groups of eight [4.1; physics.md §4].
 //!
-//! Symbols: f, s, n the deformed triad, R = r + Ψᵘq, V the velocity relative to the air, m = n + α0 f, and
-//! the rows G_w = nᵀ[1, −R×, Ψᵘ], G_Ω = sᵀ[0, 1, Ψᵠ] on ν = [v; ω; q̇]. Strips are computed in groups of
-//! eight; the last group is filled up with strips of no size.
-//!
-//! **Caveat.** physics.md §4 turns the triad by the finite rotation exp((Ψᵠq)×) but lets it spin at Ψᵠq̇ in ẇ
-//! and Ω̇, which is the true spin only for small rotations. The inflow is forced by that ẇ, so its states,
-//! which count from the true w₃, take the difference (`unforced`) off again.
+//! The last group is filled up with strips of no size.
 
 use std::f64::consts::PI;
 
@@ -15,23 +9,23 @@ use pulp::{Arch, Scalar, Simd};
 
 use crate::aerodynamics::{FlapEffect, LocalFlow, PetersInflow, Section};
 use crate::aircraft::Flap;
-use crate::lanes::{Eight, EightVectors, LANES, LaneVector, Lanes, Place};
+use crate::lane_vectors::{Arrow, EightVectors};
+use crate::lanes::{Eight, LANES, Lanes, Place};
 use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
 
 use super::controls::{SURFACES, gains_of_kinds};
 use super::edge_on::EdgeOnStrips;
 use super::freedom::RigidFreedom;
 use super::layout::StateLayout;
-use super::rotation::Rotation;
 use super::strip_loads::{Displacement, FlapResultants, StripLoads, StripSizes};
-use super::strip_sums::{Row, StripSums};
+use super::strip_sums::Row;
 
 /// Eight strips.
 #[derive(Clone, Debug)]
 pub(super) struct Group {
-    position: EightVectors,
-    forward: EightVectors,
-    span: EightVectors,
+    pub(super) position: EightVectors,
+    pub(super) forward: EightVectors,
+    pub(super) span: EightVectors,
     width: Eight,
     /// √(πb²Δy) and √(πb⁴Δy/8): roots of apparent mass and inertia in air of unit density.
     root_mass: Eight,
@@ -40,12 +34,14 @@ pub(super) struct Group {
     per_root_mass: Eight,
     /// 1/b.
     pub(super) per_semichord: Eight,
-    zero_lift_offset: Eight,
+    pub(super) zero_lift_offset: Eight,
     pub(super) section: Section,
     /// Flap angle per angle of a kind of surfaces, for those kinds that move any flap here.
     gains: Vec<(usize, Eight)>,
+    /// Whether all strips stay in the mirror plane.
+    pub(super) in_plane: bool,
     /// Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z of each mode.
-    shapes: Vec<[Eight; 6]>,
+    pub(super) shapes: Vec<[Eight; 6]>,
 }
 
 /// All strips of an aircraft.
@@ -84,33 +80,34 @@ pub struct Surroundings<'a> {
     pub freedom: RigidFreedom,
 }
 
-/// Deformed sections in their flow.
-pub(super) struct MovingSections<S: Simd> {
-    forward: LaneVector<S>,
-    span: LaneVector<S>,
-    normal: LaneVector<S>,
-    /// m.
-    zero_lift_normal: LaneVector<S>,
-    /// R.
-    position: LaneVector<S>,
+/// Sections in their flow, with what is known of their motion.
+pub(super) struct MovingSections<S: Simd, Motion> {
+    pub(super) motion: Motion,
     pub(super) flow: LocalFlow<S>,
     /// The part of dw₃/dt that does not force the inflow, m/s².
     pub(super) unforced: Lanes<S>,
 }
 
+/// Loads on strips, vectors of kind `V`: those with the flaps neutral, and those of the flaps if there are any.
+pub(super) type Loads<S, V, const SYMMETRIC: bool> = (StripLoads<S, V, SYMMETRIC>, Option<FlapResultants<S>>);
+
 impl Strips {
-    /// The strips of a model, and others with the same modes that flow in the mirror plane meets edge-on.
-    pub fn new(model: &ReducedModel, edge_on: &[ReducedStrip]) -> Self {
+    /// The strips of a model, and others with the same modes that flow in the mirror plane meets edge-on; `free` says
+    /// whether motion is in that plane.
+    pub fn new(model: &ReducedModel, edge_on: &[ReducedStrip], free: RigidFreedom) -> Self {
         let modes = model.modes.len();
         let moves = |surface: usize| {
             let mut flaps = model.strips.iter().filter_map(|strip| strip.flap.as_ref());
             flaps.any(|flap| gains_of_kinds(&flap.gains)[surface] != 0.0)
         };
         let surfaces: Vec<usize> = (0..SURFACES).filter(|&surface| moves(surface)).collect();
-        let groups = model.strips.chunks(LANES).map(|strips| Group::new(strips, &surfaces, modes));
+        let group = |strips: &[ReducedStrip]| Group {
+            in_plane: free == RigidFreedom::InPlane && strips.iter().all(ReducedStrip::stays_in_plane),
+            ..Group::new(strips, &surfaces, modes)
+        };
         Strips {
             count: model.strips.len(),
-            groups: groups.collect(),
+            groups: model.strips.chunks(LANES).map(group).collect(),
             surfaces,
             edge_on: EdgeOnStrips::new(edge_on, modes),
             arch: Arch::new(),
@@ -210,86 +207,19 @@ impl Group {
                 flap_moment: flap(&|effect| effect.moment),
             },
             gains: gains.filter(|(_, gain)| *gain != Eight::ZERO).collect(),
+            in_plane: false,
             shapes: (0..modes).map(|mode| std::array::from_fn(|row| shape(mode, row))).collect(),
         }
     }
 
-    /// Deforms the sections and finds their flow; the induced velocity is left at zero.
+    /// The loads on the strips in a flow, by their axes n, f and m.
     #[inline(always)]
-    pub(super) fn deform<S: Simd, const SYMMETRIC: bool>(
+    pub(super) fn loads<S: Simd, V: Arrow<S>, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
-        around: &Surroundings,
-    ) -> MovingSections<S> {
-        let [displacement, rotation, elastic_velocity, elastic_rate] =
-            self.combine(place, around.q, around.q_dot);
-
-        let turn = Rotation::new(rotation);
-        let forward = turn.apply(&place.load_vector(&self.forward));
-        let span = turn.apply(&place.load_vector(&self.span));
-        let normal = forward.cross(&span);
-        let position = place.load_vector(&self.position) + displacement;
-        let rate = place.splat_vector(&around.rate);
-        let air_velocity = place.splat_vector(&around.airspeed) + rate.cross(&position) + elastic_velocity;
-        let transport = place.splat_vector(&around.air_transport) + rate.cross(&elastic_velocity);
-        let spin = rate + elastic_rate;
-        let zero_lift_offset = place.load(&self.zero_lift_offset);
-        let zero_lift_normal = if SYMMETRIC { normal } else { normal + forward * zero_lift_offset };
-
-        let (chordwise, across) = (forward.dot(&air_velocity), normal.dot(&air_velocity));
-        // (ω × m)·V = ω·(m × V): how w and Ω change with the spin of the triad.
-        let (by_spin, pitch_by_spin) = (zero_lift_normal.cross(&air_velocity), span.cross(&spin));
-        let upwash = if SYMMETRIC { across } else { across + chordwise * zero_lift_offset };
-        let pitch_rate = span.dot(&spin);
-        let flow = LocalFlow {
-            density: place.splat(around.density),
-            chordwise,
-            normal: across,
-            upwash,
-            pitch_rate,
-            w3: self.section.three_quarter_chord_upwash(place, upwash, pitch_rate),
-            upwash_drift: zero_lift_normal.dot(&transport) + elastic_rate.dot(&by_spin),
-            pitch_drift: elastic_rate.dot(&pitch_by_spin),
-            induced: place.splat(0.0),
-        };
-        let excess = turn.excess_spin(&elastic_rate);
-        let unforced =
-            self.section.three_quarter_chord_upwash(place, excess.dot(&by_spin), excess.dot(&pitch_by_spin));
-        MovingSections { forward, span, normal, zero_lift_normal, position, flow, unforced }
-    }
-
-    /// Ψᵘq, Ψᵠq, Ψᵘq̇ and Ψᵠq̇.
-    #[inline(always)]
-    fn combine<S: Simd>(&self, place: Place<S>, q: &[f64], q_dot: &[f64]) -> [LaneVector<S>; 4] {
-        let (mut sums, mut rates) = ([place.splat(0.0); 6], [place.splat(0.0); 6]);
-        for (shape, (&q, &q_dot)) in self.shapes.iter().zip(q.iter().zip(q_dot)) {
-            for row in 0..6 {
-                let shape = place.load(&shape[row]);
-                sums[row] += shape * q;
-                rates[row] += shape * q_dot;
-            }
-        }
-        let [ux, uy, uz, rx, ry, rz] = sums;
-        let [vx, vy, vz, wx, wy, wz] = rates;
-        [
-            LaneVector { x: ux, y: uy, z: uz },
-            LaneVector { x: rx, y: ry, z: rz },
-            LaneVector { x: vx, y: vy, z: vz },
-            LaneVector { x: wx, y: wy, z: wz },
-        ]
-    }
-
-    /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
-    #[inline(always)]
-    pub(super) fn distribute<S: Simd, const SYMMETRIC: bool>(
-        &self,
-        place: Place<S>,
-        index: usize,
-        around: &Surroundings,
-        moving: &MovingSections<S>,
-        sums: &mut StripSums,
-    ) {
-        let MovingSections { forward, span, normal, zero_lift_normal, position, flow, .. } = moving;
+        flow: &LocalFlow<S>,
+        axes: [&V; 3],
+    ) -> Loads<S, V, SYMMETRIC> {
         let section = self.section.at(place);
         let sizes = StripSizes {
             width: place.load(&self.width),
@@ -297,61 +227,23 @@ impl Group {
             root_mass: place.load(&self.root_mass),
             root_inertia: place.load(&self.root_inertia),
         };
-        let loads: StripLoads<S, SYMMETRIC> =
-            StripLoads::new(&section.loads(flow), &sizes, normal, forward, zero_lift_normal);
+        let loads = StripLoads::new(&section.loads(flow), &sizes, axes);
         let flaps = if self.gains.is_empty() {
             None
         } else {
             Some(FlapResultants::new(&section.flap_loads(flow), &sizes, place.load(&self.per_root_mass)))
         };
-        let loads = (&loads, &flaps);
-        let arm = if around.deformed_arms { *position } else { place.load_vector(&self.position) };
-        let rigid = RigidRows { index, arms: [&arm, position], span };
-        let mut rows = sums.rows();
-        // Axes written out, so that nothing is computed about or along others.
-        match around.freedom {
-            RigidFreedom::All => self.add_rigid_rows(place, &rigid, [&[0, 1, 2]; 2], loads, &mut rows),
-            RigidFreedom::InPlane => self.add_rigid_rows(place, &rigid, [&[0, 2], &[1]], loads, &mut rows),
-            RigidFreedom::Held => {}
-        }
-        for (shape, row) in self.shapes.iter().zip(rows) {
-            let [ux, uy, uz, rx, ry, rz] = [0, 1, 2, 3, 4, 5].map(|row| place.load(&shape[row]));
-            let turn = LaneVector { x: rx, y: ry, z: rz }.dot(span);
-            let displacement = loads.0.resultants.displaced(&LaneVector { x: ux, y: uy, z: uz }, turn);
-            self.add_row(place, index, &displacement, loads, row);
-        }
-    }
-
-    /// Adds the rows of translations along axes and of rotations about axes.
-    #[inline(always)]
-    fn add_rigid_rows<'a, S: Simd, const SYMMETRIC: bool>(
-        &self,
-        place: Place<S>,
-        RigidRows { index, arms: [arm, position], span }: &RigidRows<S>,
-        [along, about]: [&[usize]; 2],
-        loads: (&StripLoads<S, SYMMETRIC>, &Option<FlapResultants<S>>),
-        rows: &mut impl Iterator<Item = &'a mut Row>,
-    ) {
-        let resultants = &loads.0.resultants;
-        for (&axis, row) in along.iter().zip(&mut *rows) {
-            let displacement = resultants.component(axis, place.splat(0.0));
-            self.add_row(place, *index, &displacement, loads, row);
-        }
-        let moments = resultants.about(arm, position);
-        for (&axis, row) in about.iter().zip(rows) {
-            let displacement = moments.component(axis, span.component(axis));
-            self.add_row(place, *index, &displacement, loads, row);
-        }
+        (loads, flaps)
     }
 
     /// Adds what the loads and the flaps contribute to one component of ν.
     #[inline(always)]
-    fn add_row<S: Simd, const SYMMETRIC: bool>(
+    pub(super) fn add_row<S: Simd, V: Arrow<S>, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         index: usize,
         displacement: &Displacement<S>,
-        (loads, flaps): (&StripLoads<S, SYMMETRIC>, &Option<FlapResultants<S>>),
+        (loads, flaps): &Loads<S, V, SYMMETRIC>,
         row: &mut Row,
     ) {
         row.add::<S, SYMMETRIC>(place, index, &loads.on(displacement));
@@ -362,14 +254,4 @@ impl Group {
             }
         }
     }
-}
-
-/// What the rows of the rigid motion of a group of strips need.
-struct RigidRows<'a, S: Simd> {
-    /// The group.
-    index: usize,
-    /// At which loads act, and at which accelerations.
-    arms: [&'a LaneVector<S>; 2],
-    /// s.
-    span: &'a LaneVector<S>,
 }

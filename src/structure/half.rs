@@ -63,20 +63,21 @@ impl SymmetricHalf {
         let images = mirror.images(&model.strips)?;
         let (mut kept, mut edge_on) = (Vec::new(), Vec::new());
         let mut places = vec![None; images.len()];
-        for (index, (strip, image)) in model.strips.drain(..).zip(&images).enumerate() {
-            match *image {
-                Image { of, .. } if of != index => {}
-                Image { sign, is_in_plane: true, .. } if sign < 0.0 => {
-                    places[index] = Some(Counterpart::EdgeOn(edge_on.len()));
-                    edge_on.push(strip);
-                }
-                Image { sign, is_in_plane, .. } => {
-                    places[index] = Some(Counterpart::Lifting { index: kept.len(), sign });
-                    kept.push(half_strip(strip, is_in_plane));
-                }
+        for (index, strip) in model.strips.iter().enumerate().filter(|(index, _)| images[*index].of == *index)
+        {
+            if images[index].is_edge_on() {
+                places[index] = Some(Counterpart::EdgeOn(edge_on.len()));
+                edge_on.push(strip.clone());
+            } else {
+                kept.push((index, half_strip(strip, images[index].is_in_plane)));
             }
         }
-        model.strips = kept;
+        // Those in the plane last, so that they are computed together.
+        kept.sort_by_key(|(index, _)| images[*index].is_in_plane);
+        for (place, (index, _)) in kept.iter().enumerate() {
+            places[*index] = Some(Counterpart::Lifting { index: place, sign: images[*index].sign });
+        }
+        model.strips = kept.into_iter().map(|(_, strip)| strip).collect();
         let counterpart = |image: &Image| match places[image.of]? {
             Counterpart::Lifting { index, .. } => Some(Counterpart::Lifting { index, sign: image.sign }),
             edge_on @ Counterpart::EdgeOn(_) => Some(edge_on),
@@ -87,8 +88,11 @@ impl SymmetricHalf {
 }
 
 /// A strip as it counts in the half.
-fn half_strip(mut strip: ReducedStrip, is_in_plane: bool) -> ReducedStrip {
-    if !is_in_plane {
+fn half_strip(strip: &ReducedStrip, is_in_plane: bool) -> ReducedStrip {
+    let mut strip = strip.clone();
+    if is_in_plane {
+        lay_in_plane(&mut strip);
+    } else {
         strip.width *= 2.0;
     }
     if let Some(Flap { gains, .. }) = &mut strip.flap {
@@ -98,12 +102,30 @@ fn half_strip(mut strip: ReducedStrip, is_in_plane: bool) -> ReducedStrip {
     strip
 }
 
+/// Takes off what symmetry up to rounding has left across the plane.
+fn lay_in_plane(strip: &mut ReducedStrip) {
+    let ReducedStrip { position, forward, span, shapes: ModeShapes { translation, rotation }, .. } = strip;
+    (position.y, forward.y) = (0.0, 0.0);
+    *span = Vector3::new(0.0, span.y.signum(), 0.0);
+    let n = translation.len() / 3;
+    translation[n..2 * n].fill(0.0);
+    rotation[..n].fill(0.0);
+    rotation[2 * n..].fill(0.0);
+}
+
 /// The strip on the right or in the plane that is a strip or its mirror image.
 #[derive(Clone, Copy)]
 struct Image {
     of: usize,
     sign: f64,
     is_in_plane: bool,
+}
+
+impl Image {
+    /// Whether symmetric flow meets the strip edge-on.
+    fn is_edge_on(self) -> bool {
+        self.is_in_plane && self.sign < 0.0
+    }
 }
 
 /// Whether the undeformed aircraft's mass is symmetric; that of its modes is, if they have families.

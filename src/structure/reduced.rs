@@ -97,6 +97,17 @@ pub struct ReducedStrip {
     pub shapes: ModeShapes,
 }
 
+impl ReducedStrip {
+    /// Whether the strip lies in the mirror plane with its span across it, and every mode leaves it so.
+    pub fn stays_in_plane(&self) -> bool {
+        let ReducedStrip { position, forward, span, shapes: ModeShapes { translation, rotation }, .. } = self;
+        let n = translation.len() / 3;
+        let across = [&translation[n..2 * n], &rotation[..n], &rotation[2 * n..]];
+        let mut all = [position.y, forward.y, span.x, span.z].into_iter().chain(across.concat());
+        all.all(|number| number == 0.0)
+    }
+}
+
 /// An engine with the mode shapes at the point where its thrust acts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReducedEngine {

@@ -1,0 +1,146 @@
+//! Strips in the mirror plane while all motion is in it [4.1; physics.md §4].
+//!
+//! Everything is in x and z but rates and turns, which are about y. The triad turns about a fixed axis: its spin is
+//! Ψᵠq̇, and the wake is forced by the true ẇ₃. Symbols as in `in_space`.
+
+use pulp::Simd;
+
+use crate::aerodynamics::LocalFlow;
+use crate::lane_vectors::{Arrow, PlaneVector};
+use crate::lanes::{Eight, Lanes, Place};
+
+use super::freedom::RigidFreedom;
+use super::rotation::turned_about_y;
+use super::strip_sums::StripSums;
+use super::strips::{Group, Loads, MovingSections, Surroundings};
+
+/// Where strips in the mirror plane are and how they move.
+pub(super) struct PlaneMotion<S: Simd> {
+    /// R.
+    pub(super) position: PlaneVector<S>,
+    pub(super) forward: PlaneVector<S>,
+    /// V.
+    pub(super) velocity: PlaneVector<S>,
+    /// Ψᵘq̇.
+    elastic_velocity: PlaneVector<S>,
+    /// Ψᵠq̇.
+    elastic_rate: Lanes<S>,
+}
+
+/// How sections in the mirror plane stand.
+pub(super) struct PlaneSections<S: Simd> {
+    motion: PlaneMotion<S>,
+    /// s.
+    span: Lanes<S>,
+    normal: PlaneVector<S>,
+    /// m.
+    zero_lift_normal: PlaneVector<S>,
+}
+
+impl<S: Simd> PlaneMotion<S> {
+    /// Of strips with their undeformed places and axes f, and the x and z components of Ψᵘ and the y component of Ψᵠ of
+    /// each mode.
+    #[inline(always)]
+    pub(super) fn new<'a>(
+        place: Place<S>,
+        [at_rest, forward]: [PlaneVector<S>; 2],
+        shapes: impl Iterator<Item = [&'a Eight; 3]>,
+        around: &Surroundings,
+    ) -> Self {
+        let zero = place.splat(0.0);
+        let (mut x, mut z, mut turn) = (zero, zero, zero);
+        let (mut x_rate, mut z_rate, mut turn_rate) = (zero, zero, zero);
+        for (shape, (&q, &q_dot)) in shapes.zip(around.q.iter().zip(around.q_dot)) {
+            let [along_x, along_z, about_y] = shape.map(|shape| place.load(shape));
+            x += along_x * q;
+            z += along_z * q;
+            turn += about_y * q;
+            x_rate += along_x * q_dot;
+            z_rate += along_z * q_dot;
+            turn_rate += about_y * q_dot;
+        }
+        let position = at_rest + PlaneVector { x, z };
+        let elastic_velocity = PlaneVector { x: x_rate, z: z_rate };
+        let airspeed = PlaneVector::splat(place, &around.airspeed);
+        PlaneMotion {
+            position,
+            forward: turned_about_y(turn, forward),
+            velocity: airspeed + position.turned_by(place.splat(around.rate.y)) + elastic_velocity,
+            elastic_velocity,
+            elastic_rate: turn_rate,
+        }
+    }
+}
+
+impl Group {
+    /// Where the undeformed strips are.
+    #[inline(always)]
+    fn place_in_plane<S: Simd>(&self, place: Place<S>) -> PlaneVector<S> {
+        PlaneVector::load(place, [&self.position.x, &self.position.z])
+    }
+
+    /// Deforms the sections and finds their flow; the induced velocity is left at zero.
+    #[inline(always)]
+    pub(super) fn deform_in_plane<S: Simd, const SYMMETRIC: bool>(
+        &self,
+        place: Place<S>,
+        around: &Surroundings,
+    ) -> MovingSections<S, PlaneSections<S>> {
+        let forward = PlaneVector::load(place, [&self.forward.x, &self.forward.z]);
+        let shapes = self.shapes.iter().map(|[x, _, z, _, about_y, _]| [x, z, about_y]);
+        let motion = PlaneMotion::new(place, [self.place_in_plane(place), forward], shapes, around);
+        let PlaneMotion { forward, velocity, elastic_velocity, elastic_rate, .. } = motion;
+        let span = place.load(&self.span.y);
+        let normal = forward.turned_by(-span);
+        let zero_lift_offset = place.load(&self.zero_lift_offset);
+        let zero_lift_normal = if SYMMETRIC { normal } else { normal + forward * zero_lift_offset };
+
+        let rate = place.splat(around.rate.y);
+        let transport = PlaneVector::splat(place, &around.air_transport) + elastic_velocity.turned_by(rate);
+        let (chordwise, across) = (forward.dot(&velocity), normal.dot(&velocity));
+        let upwash = if SYMMETRIC { across } else { across + chordwise * zero_lift_offset };
+        let pitch_rate = span * (rate + elastic_rate);
+        let flow = LocalFlow {
+            density: place.splat(around.density),
+            chordwise,
+            normal: across,
+            upwash,
+            pitch_rate,
+            w3: self.section.three_quarter_chord_upwash(place, upwash, pitch_rate),
+            upwash_drift: zero_lift_normal.dot(&transport) + elastic_rate * zero_lift_normal.cross(&velocity),
+            pitch_drift: place.splat(0.0),
+            induced: place.splat(0.0),
+        };
+        let motion = PlaneSections { motion, span, normal, zero_lift_normal };
+        MovingSections { motion, flow, unforced: place.splat(0.0) }
+    }
+
+    /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
+    #[inline(always)]
+    pub(super) fn distribute_in_plane<S: Simd, const SYMMETRIC: bool>(
+        &self,
+        place: Place<S>,
+        index: usize,
+        around: &Surroundings,
+        moving: &MovingSections<S, PlaneSections<S>>,
+        sums: &mut StripSums,
+    ) {
+        let PlaneSections { motion: PlaneMotion { position, forward, .. }, span, normal, zero_lift_normal } =
+            &moving.motion;
+        let loads: Loads<_, _, SYMMETRIC> =
+            self.loads(place, &moving.flow, [normal, forward, zero_lift_normal]);
+        let resultants = &loads.0.resultants;
+        let mut rows = sums.rows();
+        if around.freedom == RigidFreedom::InPlane {
+            let arm = if around.deformed_arms { *position } else { self.place_in_plane(place) };
+            for (displacement, row) in resultants.in_plane([&arm, position], *span).iter().zip(&mut rows) {
+                self.add_row(place, index, displacement, &loads, row);
+            }
+        }
+        for ([x, _, z, _, about_y, _], row) in self.shapes.iter().zip(rows) {
+            let displacement =
+                resultants.displaced(&PlaneVector::load(place, [x, z]), place.load(about_y) * *span);
+            self.add_row(place, index, &displacement, &loads, row);
+        }
+    }
+}
