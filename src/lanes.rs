@@ -8,11 +8,20 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
+use aligned_vec::{AVec, avec};
 use pulp::bytemuck::{cast_slice, cast_slice_mut};
 use pulp::{Scalar, Simd};
 
 /// How many strips a group has.
 pub const LANES: usize = 8;
+
+/// Numbers the first of which stands where a register fits.
+pub type AlignedNumbers = AVec<f64>;
+
+/// So many zeros.
+pub fn zeros(count: usize) -> AlignedNumbers {
+    avec![0.0; count]
+}
 
 /// One number for each strip of a group.
 #[derive(Clone, Copy, Debug, PartialEq)]

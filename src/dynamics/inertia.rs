@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Vector3};
 use pulp::Simd;
 
 use crate::columns::Columns;
-use crate::lanes::LANES;
+use crate::lanes::{AlignedNumbers, LANES, zeros};
 use crate::structure::ModalIntegrals;
 
 use super::freedom::RigidFreedom;
@@ -22,9 +22,9 @@ pub struct DeformedInertia {
     inertia: Matrix3<f64>,
     freedom: RigidFreedom,
     /// ĥ_α = h_α + υ_αβ q_β, then Γ̂_α = Γ_α + Π_αβ q_β: a block for each component, with a number for each mode.
-    deformed: Vec<f64>,
+    deformed: AlignedNumbers,
     /// The same undeformed.
-    undeformed: Vec<f64>,
+    undeformed: AlignedNumbers,
     /// The mass matrix of the undeformed aircraft, of the components of ν that move.
     undeformed_mass_matrix: SquareMatrix,
     /// Their derivatives υ and Π by q.
@@ -32,7 +32,7 @@ pub struct DeformedInertia {
     /// υ alone.
     upsilon: Columns,
     /// υ q̇.
-    coriolis: Vec<f64>,
+    coriolis: AlignedNumbers,
 }
 
 impl DeformedInertia {
@@ -50,11 +50,11 @@ impl DeformedInertia {
                 }
             };
         let rows = (vectors + vectors * vectors) * block;
-        let undeformed: Vec<f64> = (0..rows)
-            .map(|row| {
-                number(row, &|a, i| integrals.angular_momentum[a][i], &|a, [i, j]| integrals.gamma[a][(i, j)])
-            })
-            .collect();
+        let mut undeformed = zeros(rows);
+        for (row, value) in undeformed.iter_mut().enumerate() {
+            let h = |a: usize, i: usize| integrals.angular_momentum[a][i];
+            *value = number(row, &h, &|a, [i, j]| integrals.gamma[a][(i, j)]);
+        }
         let slope = |row: usize, b: usize| {
             number(row, &|a, i| integrals.upsilon[a * n + b][i], &|a, [i, j]| integrals.pi[a * n + b][(i, j)])
         };
@@ -66,7 +66,7 @@ impl DeformedInertia {
             deformed: undeformed.clone(),
             slopes: Columns::new(rows, n, slope),
             upsilon: Columns::new(vectors * block, n, slope),
-            coriolis: vec![0.0; vectors * block],
+            coriolis: zeros(vectors * block),
             undeformed,
         };
         let mut matrix = inertia.undeformed_mass_matrix.clone();
@@ -79,7 +79,7 @@ impl DeformedInertia {
     #[inline(always)]
     pub fn deform<S: Simd>(&mut self, simd: S, integrals: &ModalIntegrals, q: &[f64]) {
         self.slopes.times(simd, q, &mut self.deformed);
-        for (deformed, undeformed) in self.deformed.iter_mut().zip(&self.undeformed) {
+        for (deformed, undeformed) in self.deformed.iter_mut().zip(self.undeformed.iter()) {
             *deformed += undeformed;
         }
         self.first_moment = integrals.first_moment;

@@ -4,7 +4,7 @@ use std::ops::{Index, IndexMut};
 
 use pulp::Simd;
 
-use crate::lanes::{LANES, Place};
+use crate::lanes::{AlignedNumbers, LANES, Place, zeros};
 
 /// Rows and columns that there are at least beyond the matrix, for blocks and right-hand sides that reach over its edge.
 pub const SPARE: usize = 2;
@@ -14,14 +14,14 @@ pub const SPARE: usize = 2;
 pub struct SquareMatrix {
     size: usize,
     width: usize,
-    numbers: Vec<f64>,
+    numbers: AlignedNumbers,
 }
 
 impl SquareMatrix {
     /// Zeros.
     pub fn new(size: usize) -> Self {
         let width = (size + SPARE).next_multiple_of(LANES);
-        SquareMatrix { size, width, numbers: vec![0.0; (size + SPARE) * width] }
+        SquareMatrix { size, width, numbers: zeros((size + SPARE) * width) }
     }
 
     /// From entries row by row.

@@ -11,6 +11,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 use crate::columns::Columns;
 use crate::dynamics::{FreeModes, StateLayout};
+use crate::lanes::{AlignedNumbers, zeros};
 
 /// The transformation between coordinates and amplitudes.
 #[derive(Clone, Debug)]
@@ -28,7 +29,7 @@ struct Modes {
     free: FreeModes,
     enter: Columns,
     leave: Columns,
-    scratch: Vec<f64>,
+    scratch: AlignedNumbers,
 }
 
 impl Amplitudes {
@@ -92,7 +93,7 @@ impl Modes {
             }],
             shapes,
         );
-        let scratch = vec![0.0; enter.room()];
+        let scratch = zeros(enter.room());
         Modes { enter, leave, scratch, free }
     }
 }

@@ -13,7 +13,7 @@
 use pulp::Simd;
 
 use crate::columns::Columns;
-use crate::lanes::LANES;
+use crate::lanes::{AlignedNumbers, LANES, zeros};
 
 use super::StrainEnergy;
 use super::reduced::ModeFamily;
@@ -35,7 +35,7 @@ pub struct ElasticForces {
 #[derive(Clone, Debug)]
 pub struct ElasticScratch {
     vector: Vec<f64>,
-    product: Vec<f64>,
+    product: AlignedNumbers,
 }
 
 /// What a row of the matrix belongs to.
@@ -116,7 +116,7 @@ impl ElasticForces {
     pub fn scratch(&self) -> ElasticScratch {
         ElasticScratch {
             vector: vec![0.0; self.mode_rows.len() + self.pairs.len()],
-            product: vec![0.0; self.matrix.room()],
+            product: zeros(self.matrix.room()),
         }
     }
 
