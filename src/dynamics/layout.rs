@@ -5,8 +5,9 @@ use std::ops::Range;
 use crate::aerodynamics::InflowStates;
 use crate::lanes::LANES;
 
-/// Where each part of the state stands: position, attitude quaternion, v, ω, q, q̇, then the inflow of groups
-/// of eight strips: its real states, and the real and the imaginary parts of its complex ones.
+/// Where each part of the state stands: first the inflow of groups of eight strips, so that groups stand where a
+/// register fits: its real states, and the real and the imaginary parts of its complex ones; then position, attitude
+/// quaternion, v, ω, q, q̇.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StateLayout {
     modes: usize,
@@ -35,7 +36,7 @@ impl StateLayout {
 
     /// Number of states.
     pub fn len(&self) -> usize {
-        self.inflow().end
+        self.coordinate_rates().end
     }
 
     /// A flight always has states.
@@ -55,34 +56,50 @@ impl StateLayout {
 
     /// ρ: of O, north-east-down, m.
     pub fn position(&self) -> Range<usize> {
-        0..3
+        let start = self.inflow().end;
+        start..start + 3
     }
 
     /// Unit quaternion (scalar first) that turns body into inertial components.
     pub fn attitude(&self) -> Range<usize> {
-        3..7
+        let start = self.position().end;
+        start..start + 4
     }
 
     /// v: of O, body axes, m/s.
     pub fn velocity(&self) -> Range<usize> {
-        7..10
+        let start = self.attitude().end;
+        start..start + 3
     }
 
     /// ω, body axes, rad/s.
     pub fn rate(&self) -> Range<usize> {
-        10..13
+        let start = self.velocity().end;
+        start..start + 3
+    }
+
+    /// All of the rigid motion: position, attitude, v and ω.
+    pub fn rigid(&self) -> Range<usize> {
+        self.position().start..self.rate().end
     }
 
     /// q.
     #[inline(always)]
     pub fn coordinates(&self) -> Range<usize> {
-        13..13 + self.modes
+        let start = self.rate().end;
+        start..start + self.modes
     }
 
     /// q̇.
     #[inline(always)]
     pub fn coordinate_rates(&self) -> Range<usize> {
-        13 + self.modes..13 + 2 * self.modes
+        let start = self.coordinates().end;
+        start..start + self.modes
+    }
+
+    /// All but the inflow, in the same order in every layout of as many modes.
+    pub fn structure(&self) -> Range<usize> {
+        self.position().start..self.coordinate_rates().end
     }
 
     /// η̃ of all strips, m/s.
@@ -93,8 +110,7 @@ impl StateLayout {
     /// The real states of all strips.
     #[inline(always)]
     pub fn inflow_real(&self) -> Range<usize> {
-        let start = 13 + 2 * self.modes;
-        start..start + self.strip_groups * self.real_lags * LANES
+        0..self.strip_groups * self.real_lags * LANES
     }
 
     /// The real parts of the complex states of all strips.

@@ -128,7 +128,8 @@ impl EquationsOfMotion {
         let end = search.run();
         search.check_balance(end)?;
         let mut state = vec![0.0; self.layout().len()];
-        state[..search.state.len()].copy_from_slice(&search.state);
+        let steady = search.equations.layout().structure();
+        state[self.layout().structure()].copy_from_slice(&search.state[steady]);
         self.settle_inflow(&mut state, &search.controls);
         let [pitch, elevator, thrust] = search.flight();
         Ok(Trim { pitch, elevator, thrust, state })

@@ -187,8 +187,8 @@ impl Airframe {
 impl Unfolding {
     fn new(half: &SymmetricHalf, from: &StateLayout, to: &StateLayout) -> Self {
         let mut sources = vec![None; to.len()];
-        for (place, source) in sources.iter_mut().enumerate().take(to.coordinates().start) {
-            *source = Some((place, 1.0));
+        for (place, source) in to.rigid().zip(from.rigid()) {
+            sources[place] = Some((source, 1.0));
         }
         for (kept, &mode) in half.modes.iter().enumerate().take(from.modes()) {
             sources[to.coordinates().start + mode] = Some((from.coordinates().start + kept, 1.0));

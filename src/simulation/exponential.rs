@@ -7,8 +7,10 @@
 use std::ops::{Add, Div, Mul, Range, Sub};
 
 use nalgebra::Complex;
+use pulp::{Simd, WithSimd};
 
 use crate::dynamics::StateLayout;
+use crate::lanes::{AlignedNumbers, zeros};
 
 /// The series of the φ are used up to this |z|; beyond, the closed form loses less.
 const SERIES_RADIUS: f64 = 1.0;
@@ -18,7 +20,7 @@ const SERIES_TERMS: i32 = 20;
 
 /// A diagonal matrix in the layout of the state: for the real states a number, for the complex ones the real part
 /// in the place of their real and the imaginary part in that of their imaginary part.
-pub type Diagonal = Vec<f64>;
+pub type Diagonal = AlignedNumbers;
 
 /// Which states stand alone, and which are the two parts of complex ones.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,7 +34,7 @@ impl Spectrum {
     /// Of states of a layout whose coordinates are amplitudes of modes.
     pub fn new(layout: &StateLayout) -> Self {
         Spectrum {
-            real: [0..layout.coordinates().start, layout.inflow_real()],
+            real: [layout.rigid(), layout.inflow_real()],
             complex: [
                 (layout.coordinate_rates(), layout.coordinates()),
                 (layout.inflow_re(), layout.inflow_im()),
@@ -40,9 +42,8 @@ impl Spectrum {
         }
     }
 
-    /// target = base + Σ D · vector.
     #[inline(always)]
-    pub fn combine<const TERMS: usize>(
+    fn combine<const TERMS: usize>(
         &self,
         target: &mut [f64],
         base: &[f64],
@@ -87,9 +88,8 @@ impl Spectrum {
         }
     }
 
-    /// slope −= L · (to − from).
     #[inline(always)]
-    pub fn take_off(&self, linear: &[f64], to: &[f64], from: &[f64], slope: &mut [f64]) {
+    fn take_off(&self, linear: &[f64], to: &[f64], from: &[f64], slope: &mut [f64]) {
         for range in &self.real {
             let (linear, to, from) = (&linear[range.clone()], &to[range.clone()], &from[range.clone()]);
             for (i, slope) in slope[range.clone()].iter_mut().enumerate() {
@@ -105,6 +105,50 @@ impl Spectrum {
                 *slope_im -= linear.1[i] * x_re + linear.0[i] * x_im;
             }
         }
+    }
+}
+
+/// target = base + Σ D · vector.
+pub struct Combine<'a, const TERMS: usize> {
+    /// Which states are complex.
+    pub spectrum: &'a Spectrum,
+    /// Where the sum goes.
+    pub target: &'a mut [f64],
+    /// What is added to.
+    pub base: &'a [f64],
+    /// D and the vector of each term.
+    pub terms: [(&'a [f64], &'a [f64]); TERMS],
+}
+
+impl<const TERMS: usize> WithSimd for Combine<'_, TERMS> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.spectrum.combine(self.target, self.base, self.terms);
+    }
+}
+
+/// slope −= L · (to − from).
+pub struct TakeOff<'a> {
+    /// Which states are complex.
+    pub spectrum: &'a Spectrum,
+    /// L.
+    pub linear: &'a [f64],
+    /// Where the state is.
+    pub to: &'a [f64],
+    /// Where it came from.
+    pub from: &'a [f64],
+    /// What the linear part is taken off.
+    pub slope: &'a mut [f64],
+}
+
+impl WithSimd for TakeOff<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.spectrum.take_off(self.linear, self.to, self.from, self.slope);
     }
 }
 
@@ -155,7 +199,7 @@ pub struct ExponentialWeights {
 impl ExponentialWeights {
     /// Room for weights of so many states, not yet computed.
     pub fn empty(states: usize) -> Self {
-        let zeros = || vec![0.0; states];
+        let zeros = || zeros(states);
         ExponentialWeights {
             width: 0.0,
             half: zeros(),

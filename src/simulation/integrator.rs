@@ -5,12 +5,13 @@
 //! classical Runge–Kutta method. A cell of time is flown in 1, 2, 4 … equal sub-steps. The estimate, the last weight
 //! times the difference of f(y₁) and the fourth slope, costs nothing, since f(y₁) begins the next sub-step.
 
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 
 use crate::dynamics::StateLayout;
+use crate::lanes::{AlignedNumbers, zeros};
 
 use super::amplitudes::Amplitudes;
-use super::exponential::{Diagonal, ExponentialWeights, Spectrum};
+use super::exponential::{Combine, Diagonal, ExponentialWeights, Spectrum, TakeOff};
 
 /// Most sub-steps of a cell.
 pub const MAX_SUBSTEPS: u32 = 4096;
@@ -46,15 +47,22 @@ pub struct Integrator {
     weights: Vec<ExponentialWeights>,
     /// Which weights are overwritten next.
     oldest: usize,
-    /// At the stages; the linear part of what happened since the beginning of the step is taken off.
-    slopes: [Vec<f64>; 4],
-    /// The state at the beginning of the step and at its stages, in amplitudes.
-    stages: [Vec<f64>; 4],
+    /// At the stages and at the end, in amplitudes; the linear part of what happened since the beginning of the step is
+    /// taken off.
+    slopes: [AlignedNumbers; 5],
+    /// The state at the beginning of the step and at the present stage, in amplitudes.
+    stages: [AlignedNumbers; 2],
     /// The amplitudes of a stage while it stands in coordinates.
     kept: Vec<f64>,
-    /// State at the beginning of the cell.
+    /// State and slope at the end of the step.
+    end_state: AlignedNumbers,
+    end_slope: AlignedNumbers,
+    /// State at the beginning of a cell of several steps.
     start: Vec<f64>,
 }
+
+/// Weights, and the slopes that they weigh.
+type Term<'a> = (&'a [f64], &'a [f64]);
 
 /// How a cell went.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,7 +79,7 @@ pub enum CellEnd {
 impl Integrator {
     /// For states of the given layout, the linear part of the inflow still to be set.
     pub fn new(layout: &StateLayout, scale: ErrorScale, amplitudes: Amplitudes) -> Self {
-        let zeros = || vec![0.0; layout.len()];
+        let zeros = || zeros(layout.len());
         let mut integrator = Integrator {
             layout: *layout,
             scale,
@@ -81,10 +89,12 @@ impl Integrator {
             linear: zeros(),
             weights: vec![ExponentialWeights::empty(layout.len()); KEPT_WEIGHTS],
             oldest: 0,
-            slopes: [zeros(), zeros(), zeros(), zeros()],
-            stages: [zeros(), zeros(), zeros(), zeros()],
+            slopes: [zeros(), zeros(), zeros(), zeros(), zeros()],
+            stages: [zeros(), zeros()],
             kept: vec![0.0; 2 * layout.modes()],
-            start: zeros(),
+            end_state: zeros(),
+            end_slope: zeros(),
+            start: vec![0.0; layout.len()],
         };
         integrator.set_inflow_linear_part(|_| {});
         integrator
@@ -105,7 +115,8 @@ impl Integrator {
     }
 
     /// Flies `state` from `begin` to `end` (s) in at least `substeps` sub-steps. `slope` holds f at the
-    /// beginning and is left with f at the end; `rates(t, y, f)` evaluates f.
+    /// beginning and is left with f at the end; `rates(t, y, f)` evaluates f. After a failure the state is the one that
+    /// was refused.
     pub fn fly_cell(
         &mut self,
         (begin, end): (f64, f64),
@@ -114,31 +125,39 @@ impl Integrator {
         slope: &mut [f64],
         mut rates: impl FnMut(f64, &[f64], &mut [f64]),
     ) -> CellEnd {
-        self.start.copy_from_slice(state);
         let mut count = substeps;
         loop {
             let step = (end - begin) / f64::from(count);
             let weights = self.prepare_weights(step);
-            let mut error = 0.0_f64;
+            let mut worst = 0.0_f64;
             for index in 0..count {
                 let time = begin + f64::from(index) * step;
                 let next = if index + 1 == count { end } else { begin + f64::from(index + 1) * step };
-                self.substep((time, next), weights, state, slope, &mut rates);
-                error = nan_max(error, self.error(weights, state));
+                let error = self.substep((time, next), weights, state, slope, &mut rates);
                 if error.is_nan() || error > 1.0 {
+                    if index > 0 {
+                        state.copy_from_slice(&self.start);
+                        rates(begin, state, slope);
+                    }
+                    worst = f64::INFINITY;
                     break;
                 }
+                worst = worst.max(error);
+                if index == 0 && count > 1 {
+                    self.start.copy_from_slice(state);
+                }
+                state.copy_from_slice(&self.end_state);
+                slope.copy_from_slice(&self.end_slope);
             }
-            if error <= 1.0 {
-                let next = if error < COARSEN { (count / 2).max(1) } else { count };
+            if worst <= 1.0 {
+                let next = if worst < COARSEN { (count / 2).max(1) } else { count };
                 return CellEnd::Accepted { next };
             }
             if count >= MAX_SUBSTEPS {
+                state.copy_from_slice(&self.end_state);
                 return CellEnd::Failed;
             }
             count *= 2;
-            state.copy_from_slice(&self.start);
-            rates(begin, state, slope);
         }
     }
 
@@ -154,18 +173,19 @@ impl Integrator {
         place
     }
 
-    /// One step. As e^{hL}y = y + hφ₁(hL)Ly, every stage of Krogstad's is y plus weights times the slopes
+    /// One step to `end_state` and `end_slope`; returns its estimated error in units of the allowed one, NaN when it is
+    /// not finite. As e^{hL}y = y + hφ₁(hL)Ly, every stage of Krogstad's is y plus weights times the slopes
     /// n_i = f_i − L(y_i − y), without any power of e.
     fn substep(
         &mut self,
         (time, next): (f64, f64),
         weights: usize,
-        state: &mut [f64],
-        slope: &mut [f64],
+        state: &[f64],
+        slope: &[f64],
         rates: &mut impl FnMut(f64, &[f64], &mut [f64]),
-    ) {
+    ) -> f64 {
         let Integrator { arch, spectrum, amplitudes, linear, slopes, stages, kept, .. } = self;
-        let ([k1, k2, k3, k4], [y, y2, y3, y4]) = (slopes, stages);
+        let ([k1, k2, k3, k4, k5], [y, stage]) = (slopes, stages);
         let w = &self.weights[weights];
         let middle = 0.5 * (time + next);
         let modes = amplitudes.range();
@@ -173,54 +193,50 @@ impl Integrator {
         k1.copy_from_slice(slope);
         amplitudes.enter(y);
         amplitudes.enter(k1);
-        let mut evaluate = |time: f64, stage: &mut [f64], start: &[f64], k: &mut [f64]| {
+        let mut evaluate = |time: f64, stage: &mut [f64], k: &mut [f64]| {
             kept.copy_from_slice(&stage[modes.clone()]);
             amplitudes.leave(stage);
             rates(time, stage, k);
             amplitudes.enter(k);
             stage[modes.clone()].copy_from_slice(kept);
-            arch.dispatch(|| spectrum.take_off(linear, stage, start, k));
+            arch.dispatch(TakeOff { spectrum, linear, to: stage, from: y, slope: k });
         };
-        arch.dispatch(|| spectrum.combine(y2, y, [(&w.half, k1)]));
-        evaluate(middle, y2, y, k2);
-        arch.dispatch(|| spectrum.combine(y3, y, [(&w.third_first, k1), (&w.third_second, k2)]));
-        evaluate(middle, y3, y, k3);
-        arch.dispatch(|| spectrum.combine(y4, y, [(&w.fourth_first, k1), (&w.fourth_third, k3)]));
-        evaluate(next, y4, y, k4);
-        let terms: [(&[f64], &[f64]); 4] = [(&w.first, k1), (&w.middle, k2), (&w.middle, k3), (&w.last, k4)];
-        arch.dispatch(|| spectrum.combine(state, y, terms));
-        y2.copy_from_slice(state);
-        amplitudes.leave(state);
-        normalise(&mut state[self.layout.attitude()]);
-        rates(next, state, slope);
-        y3.copy_from_slice(slope);
-        amplitudes.enter(y3);
-        arch.dispatch(|| spectrum.take_off(linear, y2, y, y3));
+        arch.dispatch(Combine { spectrum, target: stage, base: y, terms: [(&w.half, k1)] });
+        evaluate(middle, stage, k2);
+        let terms: [Term; 2] = [(&w.third_first, k1), (&w.third_second, k2)];
+        arch.dispatch(Combine { spectrum, target: stage, base: y, terms });
+        evaluate(middle, stage, k3);
+        let terms: [Term; 2] = [(&w.fourth_first, k1), (&w.fourth_third, k3)];
+        arch.dispatch(Combine { spectrum, target: stage, base: y, terms });
+        evaluate(next, stage, k4);
+        let terms: [Term; 4] = [(&w.first, k1), (&w.middle, k2), (&w.middle, k3), (&w.last, k4)];
+        arch.dispatch(Combine { spectrum, target: stage, base: y, terms });
+        self.end_state.copy_from_slice(stage);
+        amplitudes.leave(&mut self.end_state);
+        normalise(&mut self.end_state[self.layout.attitude()]);
+        rates(next, &self.end_state, &mut self.end_slope);
+        k5.copy_from_slice(&self.end_slope);
+        amplitudes.enter(k5);
+        arch.dispatch(TakeOff { spectrum, linear, to: stage, from: y, slope: k5 });
+        self.error(weights)
     }
 
     /// The estimated error of the last step in units of the allowed one; NaN when it is not finite.
-    fn error(&mut self, weights: usize, state: &[f64]) -> f64 {
-        let Integrator {
-            arch,
-            spectrum,
-            amplitudes,
-            slopes: [_, _, _, k4],
-            stages: [_, _, end_slope, difference],
-            ..
-        } = self;
+    fn error(&mut self, weights: usize) -> f64 {
+        let Integrator { arch, spectrum, amplitudes, slopes: [_, zeros, _, k4, k5], stages, .. } = self;
+        let [_, difference] = stages;
         let last = &self.weights[weights].last;
-        arch.dispatch(|| {
-            for (k4, end) in k4.iter_mut().zip(&*end_slope) {
-                *k4 = end - *k4;
-            }
-            end_slope.fill(0.0);
-            spectrum.combine(difference, end_slope, [(last, k4)]);
-        });
+        for (k4, end) in k4.iter_mut().zip(k5.iter()) {
+            *k4 = end - *k4;
+        }
+        zeros.fill(0.0);
+        arch.dispatch(Combine { spectrum, target: difference, base: zeros, terms: [(last, k4)] });
         amplitudes.leave(difference);
         let mut worst = 0.0;
         for (group, floor) in self.layout.groups().into_iter().zip(self.scale.floors) {
-            let (size, error) = arch.dispatch(|| {
-                (largest(&state[group.clone()], floor), largest(&difference[group.clone()], 0.0))
+            let [size, error] = arch.dispatch(Largest {
+                values: [&self.end_state[group.clone()], &difference[group.clone()]],
+                floors: [floor, 0.0],
             });
             worst = nan_max(worst, error / (self.scale.tolerance * size));
         }
@@ -232,6 +248,22 @@ fn normalise(quaternion: &mut [f64]) {
     let norm = libm::sqrt(quaternion.iter().map(|x| x * x).sum());
     for component in quaternion {
         *component /= norm;
+    }
+}
+
+/// The largest magnitudes of two vectors, each at least its floor.
+struct Largest<'a> {
+    values: [&'a [f64]; 2],
+    floors: [f64; 2],
+}
+
+impl WithSimd for Largest<'_> {
+    type Output = [f64; 2];
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> [f64; 2] {
+        let Largest { values: [first, second], floors } = self;
+        [largest(first, floors[0]), largest(second, floors[1])]
     }
 }
 
@@ -258,15 +290,15 @@ mod tests {
         let mut integrator = Integrator::new(&layout, scale, Amplitudes::new(&layout, None));
         let decay = -800.0;
         integrator.set_inflow_linear_part(|linear| linear[layout.inflow_real()].fill(decay));
-        let lag = layout.inflow_real().start;
+        let (lag, x, w) = (layout.inflow_real().start, layout.position().start, layout.attitude().start);
         let mut rates = |time: f64, state: &[f64], rates: &mut [f64]| {
             rates.fill(0.0);
-            rates[0] = state[1];
-            rates[1] = -frequency * frequency * state[0];
+            rates[x] = state[x + 1];
+            rates[x + 1] = -frequency * frequency * state[x];
             rates[lag] = decay * (state[lag] - libm::cos(frequency * time));
         };
         let (mut state, mut slope) = (vec![0.0; layout.len()], vec![0.0; layout.len()]);
-        (state[0], state[3]) = (1.0, 1.0);
+        (state[x], state[w]) = (1.0, 1.0);
         let forced = |time: f64| {
             let (sin, cos) = libm::sincos(frequency * time);
             decay * (decay * cos - frequency * sin) / (decay * decay + frequency * frequency)
@@ -283,7 +315,7 @@ mod tests {
         }
         let end = cells as f64 * width;
         let oscillator = libm::cos(frequency * end);
-        ([(state[0] - oscillator).abs(), (state[lag] - forced(end)).abs()], substeps)
+        ([(state[x] - oscillator).abs(), (state[lag] - forced(end)).abs()], substeps)
     }
 
     #[test]

@@ -11,7 +11,7 @@ use super::integrator::MAX_SUBSTEPS;
 use super::{Settings, Simulation, SimulationError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXSNP03";
+const MAGIC: &[u8; 8] = b"FLXSNP04";
 
 /// Bytes before the numbers.
 const HEADER: usize = 8 + 16 + 3 * 4;
