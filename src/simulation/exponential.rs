@@ -10,7 +10,7 @@ use nalgebra::Complex;
 use pulp::{Simd, WithSimd};
 
 use crate::dynamics::StateLayout;
-use crate::lanes::{AlignedNumbers, zeros};
+use crate::lanes::{AlignedNumbers, LANES, Lanes, Place, zeros};
 
 /// The series of the φ are used up to this |z|; beyond, the closed form loses less.
 const SERIES_RADIUS: f64 = 1.0;
@@ -41,71 +41,6 @@ impl Spectrum {
             ],
         }
     }
-
-    #[inline(always)]
-    fn combine<const TERMS: usize>(
-        &self,
-        target: &mut [f64],
-        base: &[f64],
-        terms: [(&[f64], &[f64]); TERMS],
-    ) {
-        for range in &self.real {
-            let terms = terms.map(|(diagonal, vector)| (&diagonal[range.clone()], &vector[range.clone()]));
-            let base = &base[range.clone()];
-            for (i, target) in target[range.clone()].iter_mut().enumerate() {
-                let mut sum = base[i];
-                for (diagonal, vector) in terms {
-                    sum += diagonal[i] * vector[i];
-                }
-                *target = sum;
-            }
-        }
-        for (re, im) in &self.complex {
-            self.combine_complex(target, base, terms, re, im);
-        }
-    }
-
-    #[inline(always)]
-    fn combine_complex<const TERMS: usize>(
-        &self,
-        target: &mut [f64],
-        base: &[f64],
-        terms: [(&[f64], &[f64]); TERMS],
-        re: &Range<usize>,
-        im: &Range<usize>,
-    ) {
-        let parts = |slice| both(slice, re, im);
-        let terms = terms.map(|(diagonal, vector)| (parts(diagonal), parts(vector)));
-        let (base_re, base_im) = parts(base);
-        let (target_re, target_im) = both_mut(target, re, im);
-        for (i, (target_re, target_im)) in target_re.iter_mut().zip(target_im).enumerate() {
-            let (mut sum_re, mut sum_im) = (base_re[i], base_im[i]);
-            for ((d_re, d_im), (x_re, x_im)) in terms {
-                sum_re += d_re[i] * x_re[i] - d_im[i] * x_im[i];
-                sum_im += d_im[i] * x_re[i] + d_re[i] * x_im[i];
-            }
-            (*target_re, *target_im) = (sum_re, sum_im);
-        }
-    }
-
-    #[inline(always)]
-    fn take_off(&self, linear: &[f64], to: &[f64], from: &[f64], slope: &mut [f64]) {
-        for range in &self.real {
-            let (linear, to, from) = (&linear[range.clone()], &to[range.clone()], &from[range.clone()]);
-            for (i, slope) in slope[range.clone()].iter_mut().enumerate() {
-                *slope -= linear[i] * (to[i] - from[i]);
-            }
-        }
-        for (re, im) in &self.complex {
-            let (linear, to, from) = (both(linear, re, im), both(to, re, im), both(from, re, im));
-            let (slope_re, slope_im) = both_mut(slope, re, im);
-            for (i, (slope_re, slope_im)) in slope_re.iter_mut().zip(slope_im).enumerate() {
-                let (x_re, x_im) = (to.0[i] - from.0[i], to.1[i] - from.1[i]);
-                *slope_re -= linear.0[i] * x_re - linear.1[i] * x_im;
-                *slope_im -= linear.1[i] * x_re + linear.0[i] * x_im;
-            }
-        }
-    }
 }
 
 /// target = base + Σ D · vector.
@@ -124,9 +59,85 @@ impl<const TERMS: usize> WithSimd for Combine<'_, TERMS> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        self.spectrum.combine(self.target, self.base, self.terms);
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Combine { spectrum, target, base, terms } = self;
+        for range in &spectrum.real {
+            let (target, base) = (&mut target[range.clone()], &base[range.clone()]);
+            let terms = terms.map(|(diagonal, vector)| (&diagonal[range.clone()], &vector[range.clone()]));
+            for begin in (0..whole_groups(range.len())).step_by(LANES) {
+                for place in Place::all(simd) {
+                    combine(place, begin..begin + LANES, target, base, terms);
+                }
+            }
+            for i in whole_groups(range.len())..range.len() {
+                combine(Place::single(), i..i + 1, target, base, terms);
+            }
+        }
+        for (re, im) in &spectrum.complex {
+            let mut target = both_mut(target, re, im);
+            let base = both(base, re, im);
+            let terms = terms.map(|(diagonal, vector)| [both(diagonal, re, im), both(vector, re, im)]);
+            for begin in (0..whole_groups(re.len())).step_by(LANES) {
+                for place in Place::all(simd) {
+                    combine_complex(place, begin..begin + LANES, &mut target, base, terms);
+                }
+            }
+            for i in whole_groups(re.len())..re.len() {
+                combine_complex(Place::single(), i..i + 1, &mut target, base, terms);
+            }
+        }
     }
+}
+
+/// How many of so many numbers fill whole groups of lanes.
+#[inline(always)]
+fn whole_groups(count: usize) -> usize {
+    count - count % LANES
+}
+
+/// Those states that one register holds, of a group of lanes or a single one.
+#[inline(always)]
+fn combine<S: Simd, const TERMS: usize>(
+    place: Place<S>,
+    states: Range<usize>,
+    target: &mut [f64],
+    base: &[f64],
+    terms: [(&[f64], &[f64]); TERMS],
+) {
+    let mut sum = place.load_slice(&base[states.clone()]);
+    for (diagonal, vector) in terms {
+        sum += place.load_slice(&diagonal[states.clone()]) * place.load_slice(&vector[states.clone()]);
+    }
+    place.store_slice(&mut target[states], sum);
+}
+
+/// The same of complex states.
+#[inline(always)]
+fn combine_complex<S: Simd, const TERMS: usize>(
+    place: Place<S>,
+    states: Range<usize>,
+    target: &mut (&mut [f64], &mut [f64]),
+    base: (&[f64], &[f64]),
+    terms: [[(&[f64], &[f64]); 2]; TERMS],
+) {
+    let [mut sum_re, mut sum_im] = load_complex(place, &states, base);
+    for [diagonal, vector] in terms {
+        let [d_re, d_im] = load_complex(place, &states, diagonal);
+        let [x_re, x_im] = load_complex(place, &states, vector);
+        sum_re += d_re * x_re - d_im * x_im;
+        sum_im += d_im * x_re + d_re * x_im;
+    }
+    place.store_slice(&mut target.0[states.clone()], sum_re);
+    place.store_slice(&mut target.1[states], sum_im);
+}
+
+#[inline(always)]
+fn load_complex<S: Simd>(
+    place: Place<S>,
+    states: &Range<usize>,
+    (re, im): (&[f64], &[f64]),
+) -> [Lanes<S>; 2] {
+    [place.load_slice(&re[states.clone()]), place.load_slice(&im[states.clone()])]
 }
 
 /// slope −= L · (to − from).
@@ -147,9 +158,63 @@ impl WithSimd for TakeOff<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        self.spectrum.take_off(self.linear, self.to, self.from, self.slope);
+    fn with_simd<S: Simd>(self, simd: S) {
+        let TakeOff { spectrum, linear, to, from, slope } = self;
+        for range in &spectrum.real {
+            let [linear, to, from] = [linear, to, from].map(|slice| &slice[range.clone()]);
+            let slope = &mut slope[range.clone()];
+            for begin in (0..whole_groups(range.len())).step_by(LANES) {
+                for place in Place::all(simd) {
+                    take_off(place, begin..begin + LANES, linear, [to, from], slope);
+                }
+            }
+            for i in whole_groups(range.len())..range.len() {
+                take_off(Place::single(), i..i + 1, linear, [to, from], slope);
+            }
+        }
+        for (re, im) in &spectrum.complex {
+            let [linear, to, from] = [linear, to, from].map(|slice| both(slice, re, im));
+            let mut slope = both_mut(slope, re, im);
+            for begin in (0..whole_groups(re.len())).step_by(LANES) {
+                for place in Place::all(simd) {
+                    take_off_complex(place, begin..begin + LANES, linear, [to, from], &mut slope);
+                }
+            }
+            for i in whole_groups(re.len())..re.len() {
+                take_off_complex(Place::single(), i..i + 1, linear, [to, from], &mut slope);
+            }
+        }
     }
+}
+
+/// Of those states that one register holds, of a group of lanes or a single one.
+#[inline(always)]
+fn take_off<S: Simd>(
+    place: Place<S>,
+    states: Range<usize>,
+    linear: &[f64],
+    [to, from]: [&[f64]; 2],
+    slope: &mut [f64],
+) {
+    let [linear, to, from, left] =
+        [linear, to, from, slope].map(|slice| place.load_slice(&slice[states.clone()]));
+    place.store_slice(&mut slope[states], left - linear * (to - from));
+}
+
+/// The same of complex states.
+#[inline(always)]
+fn take_off_complex<S: Simd>(
+    place: Place<S>,
+    states: Range<usize>,
+    linear: (&[f64], &[f64]),
+    [to, from]: [(&[f64], &[f64]); 2],
+    slope: &mut (&mut [f64], &mut [f64]),
+) {
+    let [linear, to, from] = [linear, to, from].map(|parts| load_complex(place, &states, parts));
+    let (x_re, x_im) = (to[0] - from[0], to[1] - from[1]);
+    let [left_re, left_im] = load_complex(place, &states, (&*slope.0, &*slope.1));
+    place.store_slice(&mut slope.0[states.clone()], left_re - (linear[0] * x_re - linear[1] * x_im));
+    place.store_slice(&mut slope.1[states], left_im - (linear[1] * x_re + linear[0] * x_im));
 }
 
 /// The real and the imaginary parts of complex states.
