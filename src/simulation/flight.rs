@@ -10,6 +10,7 @@ use crate::structure::ReducedModel;
 use super::airframe::{Airframe, Airframes};
 use super::course::Course;
 use super::integrator::{CellEnd, MAX_SUBSTEPS};
+use super::point::{Path, Point};
 use super::steering::Steering;
 use super::{Inputs, Outputs, Settings, SimulationError, outputs};
 
@@ -38,57 +39,6 @@ pub struct TrimPoint {
     pub thrust: f64,
 }
 
-/// A place on the flight path, with what the integrator needs to go on from it.
-#[derive(Clone, Debug)]
-pub(super) struct Point {
-    /// s.
-    pub time: f64,
-    /// All states of the equations that fly, in the axes of the course.
-    pub state: Vec<f64>,
-    /// Sub-steps to try in the next cell.
-    pub substeps: u32,
-    /// f at the time and state under the present inputs.
-    slope: Vec<f64>,
-    /// Whether `slope` is that.
-    pub slope_is_fresh: bool,
-}
-
-impl Point {
-    /// With room for a state of some length.
-    fn new(time: f64, state: &[f64], room: usize) -> Self {
-        let with_room = |numbers: &[f64]| {
-            let mut vector = Vec::with_capacity(room);
-            vector.extend_from_slice(numbers);
-            vector
-        };
-        let slope = with_room(&vec![0.0; state.len()]);
-        Point { time, state: with_room(state), substeps: 1, slope, slope_is_fresh: false }
-    }
-
-    /// Becomes another point, in the room that it has.
-    fn copy_from(&mut self, other: &Point) {
-        self.stand_at(other);
-        self.slope.clone_from(&other.slope);
-        self.slope_is_fresh = other.slope_is_fresh;
-    }
-
-    /// Takes the place of another point; the slope there is not known.
-    fn stand_at(&mut self, other: &Point) {
-        self.time = other.time;
-        self.state.clone_from(&other.state);
-        self.substeps = other.substeps;
-        self.slope.resize(other.slope.len(), 0.0);
-        self.slope_is_fresh = false;
-    }
-
-    /// Takes a state of another length.
-    pub fn resize(&mut self, length: usize) {
-        self.state.resize(length, 0.0);
-        self.slope.resize(length, 0.0);
-        self.slope_is_fresh = false;
-    }
-}
-
 /// A state and slope of the whole aircraft while the half flies.
 #[derive(Clone, Debug)]
 pub(super) struct View {
@@ -114,11 +64,7 @@ pub struct Simulation {
     pub(super) airframes: Airframes,
     pub(super) course: Course,
     pub(super) steering: Steering,
-    /// Where the present cell begins.
-    pub(super) anchor: Point,
-    pub(super) present: Point,
-    /// What the present was before the call, should it fail.
-    before: [Point; 2],
+    pub(super) path: Path,
     /// Absolute controls at the last evaluation.
     pub(super) controls: Controls,
     /// The wind of the last evaluation, if that was at the present state.
@@ -142,14 +88,11 @@ impl Simulation {
         let Trim { pitch, elevator, thrust, state } = trim;
         let engines = model.engines.len();
         let room = airframes.whole().equations.layout().len();
-        let present = Point::new(start, &state, room);
         Ok(Simulation {
             identity: super::snapshot::identity(&model, settings),
             steering: Steering::new(TrimPoint { pitch, elevator, thrust }, settings, engines, start),
             course: Course::new(settings.heading),
-            anchor: Point::new(start, &state, room),
-            before: [Point::new(start, &state, room), Point::new(start, &state, room)],
-            present,
+            path: Path::new(start, &state, room),
             controls: Controls::neutral(engines),
             evaluated_in: None,
             view: View { state: Vec::with_capacity(room), slope: vec![0.0; room], is_fresh: false },
@@ -162,7 +105,7 @@ impl Simulation {
 
     /// Time, s.
     pub fn time(&self) -> f64 {
-        self.present.time
+        self.path.present.time
     }
 
     /// The trim found at construction.
@@ -172,14 +115,11 @@ impl Simulation {
 
     /// Sets the inputs that act from now on, and their rates of change (zero: held constant).
     pub fn set_inputs(&mut self, inputs: &Inputs, rates: &Inputs) {
-        if self.steering.set(inputs, rates, self.present.time) {
-            self.present.slope_is_fresh = false;
+        if self.steering.set(inputs, rates, self.path.present.time) {
+            self.path.present.slope_is_fresh = false;
+            self.path.begin_here();
             self.view.is_fresh = false;
             self.outputs_are_fresh = false;
-            if self.anchor.time != self.present.time {
-                self.anchor.stand_at(&self.present);
-            }
-            self.anchor.slope_is_fresh = false;
         }
     }
 
@@ -192,8 +132,13 @@ impl Simulation {
         check_time(end)?;
         let (was_half, reference_airspeed) =
             (self.airframes.is_half(), self.airframes.flying().reference_airspeed);
-        self.before[0].stand_at(&self.anchor);
-        self.before[1].stand_at(&self.present);
+        // What stands now stays until a second cell is flown.
+        let turns_back = self.path.begins_here()
+            && !self.must_unfold()
+            && end - cell_end(self.path.present.time) < ON_GRID * CELL;
+        if !turns_back {
+            self.path.keep();
+        }
         self.outputs_are_fresh = false;
         self.view.is_fresh = false;
         if self.must_unfold() {
@@ -201,9 +146,11 @@ impl Simulation {
         }
         let flown = self.fly(end);
         if flown.is_err() {
-            let [anchor, present] = &self.before;
-            self.anchor.stand_at(anchor);
-            self.present.stand_at(present);
+            if turns_back {
+                self.path.turn_back();
+            } else {
+                self.path.restore_kept();
+            }
             self.forget_evaluation();
             self.airframes.choose(was_half);
             self.airframes.flying_mut().take_reference_airspeed(reference_airspeed);
@@ -237,7 +184,7 @@ impl Simulation {
 
     /// Lets the whole aircraft fly on in place of the half.
     fn unfold(&mut self) {
-        for point in [&mut self.anchor, &mut self.present] {
+        for point in self.path.points_mut() {
             self.airframes.unfold(&point.state, &mut self.view.state);
             point.resize(self.view.state.len());
             point.state.copy_from_slice(&self.view.state);
@@ -251,15 +198,17 @@ impl Simulation {
         self.evaluated_in = None;
         self.view.is_fresh = false;
         self.outputs_are_fresh = false;
-        self.present.slope_is_fresh = false;
+        for point in self.path.points_mut() {
+            point.slope_is_fresh = false;
+        }
     }
 
     /// Evaluates the equations of the whole aircraft at the present of the half.
     fn refresh_view(&mut self) {
         let View { state, slope, is_fresh } = &mut self.view;
         if !*is_fresh {
-            self.airframes.unfold(&self.present.state, state);
-            self.steering.write(self.present.time, &mut self.controls);
+            self.airframes.unfold(&self.path.present.state, state);
+            self.steering.write(self.path.present.time, &mut self.controls);
             let Airframe { equations, workspace, .. } = self.airframes.whole_mut();
             equations.rates(state, &self.controls, slope, workspace);
             *is_fresh = true;
@@ -268,75 +217,60 @@ impl Simulation {
 
     /// Brings the slope at the present up to date with the inputs.
     fn refresh(&mut self) {
-        if self.present.slope_is_fresh {
-            return;
-        }
-        self.steering.write(self.present.time, &mut self.controls);
-        let controls = &self.controls;
-        let wind = (controls.wind, controls.wind_rate);
-        let Airframe { equations, workspace, .. } = self.airframes.flying_mut();
-        let Point { state, slope, .. } = &mut self.present;
-        if self.evaluated_in == Some(wind) {
-            equations.steer(controls, slope, workspace);
-        } else {
-            equations.rates(state, controls, slope, workspace);
-            self.evaluated_in = Some(wind);
-        }
-        self.present.slope_is_fresh = true;
+        let Simulation { path, airframes, steering, controls, evaluated_in, .. } = self;
+        refresh(&mut path.present, airframes.flying_mut(), steering, controls, evaluated_in);
     }
 
     /// Flies full cells from the anchor as far as `end` allows, then the rest of the way.
     fn fly(&mut self, end: f64) -> Result<(), SimulationError> {
-        while end - self.present.time > ON_GRID * CELL {
-            let begin = self.anchor.time;
-            let boundary = CELL * (libm::floor(begin / CELL + ON_GRID) + 1.0);
+        while end - self.path.present.time > ON_GRID * CELL {
+            let begin = self.path.anchor().time;
+            let boundary = cell_end(begin);
             let is_full = boundary - end < ON_GRID * CELL;
-            if self.present.time != begin {
+            if !self.path.begins_here() {
                 self.evaluated_in = None;
-                self.present.copy_from(&self.anchor);
             }
             self.follow_airspeed();
             self.fly_cell(begin, if is_full { boundary } else { end })?;
             if is_full {
-                self.anchor.copy_from(&self.present);
+                self.path.begin_here();
             }
         }
         Ok(())
     }
 
-    /// Flies the present, which stands at the anchor, over one cell or part of one.
+    /// Flies from the anchor over one cell or part of one.
     fn fly_cell(&mut self, begin: f64, end: f64) -> Result<(), SimulationError> {
-        self.refresh();
-        if !self.anchor.slope_is_fresh {
-            // For the next step that begins here.
-            self.anchor.slope.clone_from(&self.present.slope);
-            self.anchor.slope_is_fresh = true;
-        }
-        self.evaluated_in = None;
-        let (controls, steering) = (&mut self.controls, &self.steering);
-        let Airframe { equations, workspace, integrator, .. } = self.airframes.flying_mut();
+        let Simulation { path, airframes, steering, controls, evaluated_in, .. } = self;
+        let airframe = airframes.flying_mut();
+        let (anchor, present) = path.set_off();
+        refresh(anchor, airframe, steering, controls, evaluated_in);
+        *evaluated_in = None;
+        let Airframe { equations, workspace, integrator, .. } = airframe;
         let mut rates = |time: f64, state: &[f64], rates: &mut [f64]| {
             steering.write(time, controls);
             equations.rates(state, controls, rates, workspace);
         };
-        let Point { time, state, substeps, slope, slope_is_fresh } = &mut self.present;
-        let cell_end = integrator.fly_cell((begin, end), *substeps, state, slope, &mut rates);
+        let (from, to) =
+            ((&anchor.state[..], &anchor.slope[..]), (&mut present.state[..], &mut present.slope[..]));
+        let cell_end = integrator.fly_cell((begin, end), anchor.substeps, from, to, &mut rates);
         let reversed = workspace.reversed_strip();
         match cell_end {
             CellEnd::Accepted { next } => {
-                (*time, *substeps, *slope_is_fresh) = (end, next, true);
-                self.evaluated_in = Some((controls.wind, controls.wind_rate));
-                reversed.map_or(Ok(()), |strip| Err(self.reverse_flow(strip)))
+                (present.time, present.substeps, present.slope_is_fresh) = (end, next, true);
+                *evaluated_in = Some((controls.wind, controls.wind_rate));
+                reversed.map_or(Ok(()), |strip| Err(self.reverse_flow(end, strip)))
             }
-            CellEnd::Failed => Err(self.failure(end - begin, reversed)),
+            CellEnd::Failed => Err(self.failure((begin, end), reversed)),
         }
     }
 
     /// Keeps the inflow's linear part near that of the flight.
     fn follow_airspeed(&mut self) {
-        self.steering.write(self.anchor.time, &mut self.controls);
+        let anchor = self.path.anchor();
+        self.steering.write(anchor.time, &mut self.controls);
         let airframe = self.airframes.flying_mut();
-        let airspeed = airframe.equations.airspeed(&self.anchor.state, &self.controls);
+        let airspeed = airframe.equations.airspeed(&anchor.state, &self.controls);
         let reference = airframe.reference_airspeed;
         if (airspeed - reference).abs() > AIRSPEED_DRIFT * reference {
             airframe.take_reference_airspeed(airspeed);
@@ -344,24 +278,52 @@ impl Simulation {
     }
 
     /// Why a cell could not be flown, not even in the smallest sub-steps.
-    fn failure(&self, width: f64, reversed: Option<usize>) -> SimulationError {
-        let Point { time, state, slope, .. } = &self.present;
-        let time = *time;
+    fn failure(&self, (time, end): (f64, f64), reversed: Option<usize>) -> SimulationError {
+        let Point { state, slope, .. } = &self.path.present;
         if let Some(strip) = reversed {
-            return self.reverse_flow(strip);
+            return self.reverse_flow(time, strip);
         }
         if state.iter().chain(slope).any(|x| !x.is_finite()) {
             return SimulationError::NotFinite { time };
         }
-        let step = width / f64::from(MAX_SUBSTEPS);
+        let step = (end - time) / f64::from(MAX_SUBSTEPS);
         SimulationError::Tolerance { time, step, tolerance: self.airframes.flying().integrator.tolerance() }
     }
 
-    fn reverse_flow(&self, strip: usize) -> SimulationError {
+    fn reverse_flow(&self, time: f64, strip: usize) -> SimulationError {
         let strip = self.airframes.packaged_strip(strip);
         let component = self.model.strips[strip].component.clone();
-        SimulationError::ReverseFlow { time: self.present.time, strip, component }
+        SimulationError::ReverseFlow { time, strip, component }
     }
+}
+
+/// Brings the slope at a point up to date with the inputs; `evaluated_in` is the wind of the last evaluation, if that
+/// was at this point.
+fn refresh(
+    point: &mut Point,
+    airframe: &mut Airframe,
+    steering: &Steering,
+    controls: &mut Controls,
+    evaluated_in: &mut Option<Wind>,
+) {
+    if point.slope_is_fresh {
+        return;
+    }
+    steering.write(point.time, controls);
+    let wind = (controls.wind, controls.wind_rate);
+    let Airframe { equations, workspace, .. } = airframe;
+    if *evaluated_in == Some(wind) {
+        equations.steer(controls, &mut point.slope, workspace);
+    } else {
+        equations.rates(&point.state, controls, &mut point.slope, workspace);
+        *evaluated_in = Some(wind);
+    }
+    point.slope_is_fresh = true;
+}
+
+/// Where the cell ends, s, that a time (s) is in or begins.
+fn cell_end(time: f64) -> f64 {
+    CELL * (libm::floor(time / CELL + ON_GRID) + 1.0)
 }
 
 fn check_time(time: f64) -> Result<(), SimulationError> {

@@ -11,7 +11,8 @@ use crate::dynamics::StateLayout;
 use crate::lanes::{AlignedNumbers, zeros};
 
 use super::amplitudes::Amplitudes;
-use super::exponential::{Combine, Diagonal, ExponentialWeights, Spectrum, TakeOff};
+use super::exponential::ExponentialWeights;
+use super::spectrum::{Combine, Diagonal, Spectrum, TakeOff};
 
 /// Most sub-steps of a cell.
 pub const MAX_SUBSTEPS: u32 = 4096;
@@ -54,11 +55,6 @@ pub struct Integrator {
     stages: [AlignedNumbers; 2],
     /// The amplitudes of a stage while it stands in coordinates.
     kept: Vec<f64>,
-    /// State and slope at the end of the step.
-    end_state: AlignedNumbers,
-    end_slope: AlignedNumbers,
-    /// State at the beginning of a cell of several steps.
-    start: Vec<f64>,
 }
 
 /// Weights, and the slopes that they weigh.
@@ -92,9 +88,6 @@ impl Integrator {
             slopes: [zeros(), zeros(), zeros(), zeros(), zeros()],
             stages: [zeros(), zeros()],
             kept: vec![0.0; 2 * layout.modes()],
-            end_state: zeros(),
-            end_slope: zeros(),
-            start: vec![0.0; layout.len()],
         };
         integrator.set_inflow_linear_part(|_| {});
         integrator
@@ -114,51 +107,49 @@ impl Integrator {
         }
     }
 
-    /// Flies `state` from `begin` to `end` (s) in at least `substeps` sub-steps. `slope` holds f at the
-    /// beginning and is left with f at the end; `rates(t, y, f)` evaluates f. After a failure the state is the one that
-    /// was refused.
+    /// Flies from `begin` to `end` (s) in at least `substeps` sub-steps: from a state and f there to a state and f at
+    /// the end; `rates(t, y, f)` evaluates f. After a failure the state is the one that was refused.
     pub fn fly_cell(
         &mut self,
         (begin, end): (f64, f64),
         substeps: u32,
-        state: &mut [f64],
-        slope: &mut [f64],
+        from: (&[f64], &[f64]),
+        to: (&mut [f64], &mut [f64]),
         mut rates: impl FnMut(f64, &[f64], &mut [f64]),
     ) -> CellEnd {
         let mut count = substeps;
         loop {
             let step = (end - begin) / f64::from(count);
             let weights = self.prepare_weights(step);
-            let mut worst = 0.0_f64;
+            let mut worst = 0.0;
             for index in 0..count {
                 let time = begin + f64::from(index) * step;
                 let next = if index + 1 == count { end } else { begin + f64::from(index + 1) * step };
-                let error = self.substep((time, next), weights, state, slope, &mut rates);
-                if error.is_nan() || error > 1.0 {
-                    if index > 0 {
-                        state.copy_from_slice(&self.start);
-                        rates(begin, state, slope);
-                    }
-                    worst = f64::INFINITY;
+                let start: (&[f64], &[f64]) = if index == 0 { from } else { (to.0, to.1) };
+                self.begin_step(start);
+                worst = nan_max(worst, self.step((time, next), weights, (to.0, to.1), &mut rates));
+                if worst.is_nan() || worst > 1.0 {
                     break;
                 }
-                worst = worst.max(error);
-                if index == 0 && count > 1 {
-                    self.start.copy_from_slice(state);
-                }
-                state.copy_from_slice(&self.end_state);
-                slope.copy_from_slice(&self.end_slope);
             }
             if worst <= 1.0 {
                 let next = if worst < COARSEN { (count / 2).max(1) } else { count };
                 return CellEnd::Accepted { next };
             }
             if count >= MAX_SUBSTEPS {
-                state.copy_from_slice(&self.end_state);
                 return CellEnd::Failed;
             }
             count *= 2;
         }
+    }
+
+    /// Takes state and slope where a step begins.
+    fn begin_step(&mut self, (state, slope): (&[f64], &[f64])) {
+        let Integrator { amplitudes, slopes: [k1, ..], stages: [y, _], .. } = self;
+        y.copy_from_slice(state);
+        k1.copy_from_slice(slope);
+        amplitudes.enter(y);
+        amplitudes.enter(k1);
     }
 
     /// Finds or computes the weights of a step width; returns their place.
@@ -173,15 +164,14 @@ impl Integrator {
         place
     }
 
-    /// One step to `end_state` and `end_slope`; returns its estimated error in units of the allowed one, NaN when it is
-    /// not finite. As e^{hL}y = y + hφ₁(hL)Ly, every stage of Krogstad's is y plus weights times the slopes
+    /// One step to a state and f there; returns its estimated error in units of the allowed one, NaN when it is not
+    /// finite. As e^{hL}y = y + hφ₁(hL)Ly, every stage of Krogstad's is y plus weights times the slopes
     /// n_i = f_i − L(y_i − y), without any power of e.
-    fn substep(
+    fn step(
         &mut self,
         (time, next): (f64, f64),
         weights: usize,
-        state: &[f64],
-        slope: &[f64],
+        (state, slope): (&mut [f64], &mut [f64]),
         rates: &mut impl FnMut(f64, &[f64], &mut [f64]),
     ) -> f64 {
         let Integrator { arch, spectrum, amplitudes, linear, slopes, stages, kept, .. } = self;
@@ -189,10 +179,6 @@ impl Integrator {
         let w = &self.weights[weights];
         let middle = 0.5 * (time + next);
         let modes = amplitudes.range();
-        y.copy_from_slice(state);
-        k1.copy_from_slice(slope);
-        amplitudes.enter(y);
-        amplitudes.enter(k1);
         let mut evaluate = |time: f64, stage: &mut [f64], k: &mut [f64]| {
             kept.copy_from_slice(&stage[modes.clone()]);
             amplitudes.leave(stage);
@@ -211,18 +197,18 @@ impl Integrator {
         evaluate(next, stage, k4);
         let terms: [Term; 4] = [(&w.first, k1), (&w.middle, k2), (&w.middle, k3), (&w.last, k4)];
         arch.dispatch(Combine { spectrum, target: stage, base: y, terms });
-        self.end_state.copy_from_slice(stage);
-        amplitudes.leave(&mut self.end_state);
-        normalise(&mut self.end_state[self.layout.attitude()]);
-        rates(next, &self.end_state, &mut self.end_slope);
-        k5.copy_from_slice(&self.end_slope);
+        state.copy_from_slice(stage);
+        amplitudes.leave(state);
+        normalise(&mut state[self.layout.attitude()]);
+        rates(next, state, slope);
+        k5.copy_from_slice(slope);
         amplitudes.enter(k5);
         arch.dispatch(TakeOff { spectrum, linear, to: stage, from: y, slope: k5 });
-        self.error(weights)
+        self.error(weights, state)
     }
 
     /// The estimated error of the last step in units of the allowed one; NaN when it is not finite.
-    fn error(&mut self, weights: usize) -> f64 {
+    fn error(&mut self, weights: usize, state: &[f64]) -> f64 {
         let Integrator { arch, spectrum, amplitudes, slopes: [_, zeros, _, k4, k5], stages, .. } = self;
         let [_, difference] = stages;
         let last = &self.weights[weights].last;
@@ -235,7 +221,7 @@ impl Integrator {
         let mut worst = 0.0;
         for (group, floor) in self.layout.groups().into_iter().zip(self.scale.floors) {
             let [size, error] = arch.dispatch(Largest {
-                values: [&self.end_state[group.clone()], &difference[group.clone()]],
+                values: [&state[group.clone()], &difference[group.clone()]],
                 floors: [floor, 0.0],
             });
             worst = nan_max(worst, error / (self.scale.tolerance * size));
@@ -308,7 +294,9 @@ mod tests {
         let mut substeps = 1;
         for cell in 0..cells {
             let times = (cell as f64 * width, (cell + 1) as f64 * width);
-            match integrator.fly_cell(times, substeps, &mut state, &mut slope, &mut rates) {
+            let (from, from_slope) = (state.clone(), slope.clone());
+            let (from, to) = ((&from[..], &from_slope[..]), (&mut state[..], &mut slope[..]));
+            match integrator.fly_cell(times, substeps, from, to, &mut rates) {
                 CellEnd::Accepted { next } => substeps = next,
                 CellEnd::Failed => panic!("failed"),
             }
@@ -344,8 +332,13 @@ mod tests {
         let layout = StateLayout::new(0, 0, 0, 0);
         let scale = ErrorScale { tolerance: 1e-6, floors: [1.0; 7] };
         let mut integrator = Integrator::new(&layout, scale, Amplitudes::new(&layout, None));
-        let (mut state, mut slope) = (vec![1.0; layout.len()], vec![f64::NAN; layout.len()]);
-        let end = integrator.fly_cell((0.0, 1e-3), 1, &mut state, &mut slope, |_, _, f| f.fill(f64::NAN));
+        let (state, slope) = (vec![1.0; layout.len()], vec![f64::NAN; layout.len()]);
+        let (mut to, mut to_slope) = (state.clone(), slope.clone());
+        let end =
+            integrator.fly_cell((0.0, 1e-3), 1, (&state, &slope), (&mut to, &mut to_slope), |_, _, f| {
+                f.fill(f64::NAN)
+            });
         assert_eq!(end, CellEnd::Failed);
+        assert!(to.iter().any(|state| state.is_nan()));
     }
 }

@@ -9,8 +9,10 @@ mod flight;
 mod inputs;
 mod integrator;
 mod outputs;
+mod point;
 mod settings;
 mod snapshot;
+mod spectrum;
 mod steering;
 
 pub use crate::dynamics::Fidelity;

@@ -99,9 +99,12 @@ impl Outputs {
 /// Writes the outputs of a simulation whose accelerations and controls are up to date.
 pub(super) fn write(simulation: &mut Simulation) {
     let must_unfold = simulation.must_unfold();
-    let Simulation { airframes, course, present, view, controls, outputs, model, .. } = simulation;
-    let (airframe, state) =
-        if must_unfold { (airframes.whole(), &view.state) } else { (airframes.flying(), &present.state) };
+    let Simulation { airframes, course, path, view, controls, outputs, model, .. } = simulation;
+    let (airframe, state) = if must_unfold {
+        (airframes.whole(), &view.state)
+    } else {
+        (airframes.flying(), &path.present.state)
+    };
     let Airframe { equations, modes, stations, workspace, .. } = airframe;
     let layout = equations.layout();
     let to_body = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial;

@@ -29,15 +29,16 @@ impl Simulation {
         bytes.extend_from_slice(MAGIC);
         bytes.extend_from_slice(&self.identity.to_le_bytes());
         let is_half = u32::from(self.airframes.is_half());
-        for count in [self.anchor.substeps, self.present.substeps, is_half] {
+        let (anchor, present) = (self.path.anchor(), &self.path.present);
+        for count in [anchor.substeps, present.substeps, is_half] {
             bytes.extend_from_slice(&count.to_le_bytes());
         }
         let reference_airspeed = self.airframes.flying().reference_airspeed;
-        for number in [self.anchor.time, self.present.time, self.steering.since, reference_airspeed] {
+        for number in [anchor.time, present.time, self.steering.since, reference_airspeed] {
             bytes.extend_from_slice(&number.to_le_bytes());
         }
         let inputs = self.steering.inputs.values().chain(self.steering.rates.values());
-        let states = self.anchor.state.iter().chain(&self.present.state).copied();
+        let states = anchor.state.iter().chain(&present.state).copied();
         for number in inputs.chain(states) {
             bytes.extend_from_slice(&number.to_le_bytes());
         }
@@ -47,7 +48,7 @@ impl Simulation {
 
     /// Length of a snapshot in bytes; it grows when the whole aircraft takes over from its half.
     pub fn snapshot_size(&self) -> usize {
-        self.size_with(self.present.state.len())
+        self.size_with(self.path.present.state.len())
     }
 
     /// Length of a snapshot in bytes when the whole aircraft flies.
@@ -119,15 +120,16 @@ impl Simulation {
         {
             return refuse("its times or its airspeed are out of range");
         }
-        (self.anchor.time, self.present.time, self.steering.since) = (anchor, present, since);
+        self.steering.since = since;
         for number in self.steering.inputs.values_mut().chain(self.steering.rates.values_mut()) {
             *number = next();
         }
-        for point in [&mut self.anchor, &mut self.present] {
+        let [present_point, anchor_point] = self.path.points_mut();
+        for point in [anchor_point, present_point] {
             point.resize(length);
             point.state.fill_with(&mut next);
         }
-        (self.anchor.substeps, self.present.substeps) = (anchor_substeps, substeps);
+        self.path.stand([(anchor, anchor_substeps), (present, substeps)]);
         self.forget_evaluation();
         self.airframes.choose(is_half);
         self.airframes.flying_mut().take_reference_airspeed(reference_airspeed);

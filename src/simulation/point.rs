@@ -1,0 +1,137 @@
+//! Where a flight stands, and where its cell of time begins.
+
+use std::mem::swap;
+
+/// A place on the flight path, with what the integrator needs to go on from it.
+#[derive(Clone, Debug)]
+pub(super) struct Point {
+    /// s.
+    pub time: f64,
+    /// All states of the equations that fly, in the axes of the course.
+    pub state: Vec<f64>,
+    /// Sub-steps to try in the next cell.
+    pub substeps: u32,
+    /// f at the time and state under the present inputs.
+    pub slope: Vec<f64>,
+    /// Whether `slope` is that.
+    pub slope_is_fresh: bool,
+}
+
+impl Point {
+    /// With room for a state of some length.
+    pub fn new(time: f64, state: &[f64], room: usize) -> Self {
+        let with_room = |numbers: &[f64]| {
+            let mut vector = Vec::with_capacity(room);
+            vector.extend_from_slice(numbers);
+            vector
+        };
+        let slope = with_room(&vec![0.0; state.len()]);
+        Point { time, state: with_room(state), substeps: 1, slope, slope_is_fresh: false }
+    }
+
+    /// Takes the place of another point, in the room that it has; the slope there is not known.
+    fn stand_at(&mut self, other: &Point) {
+        self.time = other.time;
+        self.state.clone_from(&other.state);
+        self.substeps = other.substeps;
+        self.slope.resize(other.slope.len(), 0.0);
+        self.slope_is_fresh = false;
+    }
+
+    /// Takes a state of another length.
+    pub fn resize(&mut self, length: usize) {
+        self.state.resize(length, 0.0);
+        self.slope.resize(length, 0.0);
+        self.slope_is_fresh = false;
+    }
+}
+
+/// The present of a flight and its anchor: where the present cell of time begins.
+#[derive(Clone, Debug)]
+pub(super) struct Path {
+    /// Where the flight is.
+    pub present: Point,
+    /// Where the cell begins, unless that is the present.
+    origin: Point,
+    begins_here: bool,
+    /// What present and origin were before the call, should it fail.
+    before: [Point; 2],
+    began_here: bool,
+}
+
+impl Path {
+    /// At its beginning, with room for states of some length.
+    pub fn new(time: f64, state: &[f64], room: usize) -> Self {
+        let point = Point::new(time, state, room);
+        let again = || Point::new(time, state, room);
+        Path {
+            present: point,
+            origin: again(),
+            begins_here: true,
+            before: [again(), again()],
+            began_here: true,
+        }
+    }
+
+    /// Where the cell begins.
+    pub fn anchor(&self) -> &Point {
+        if self.begins_here { &self.present } else { &self.origin }
+    }
+
+    /// Whether the cell begins at the present.
+    pub fn begins_here(&self) -> bool {
+        self.begins_here
+    }
+
+    /// Lets the cell begin at the present.
+    pub fn begin_here(&mut self) {
+        self.begins_here = true;
+    }
+
+    /// The anchor, and the present that is to be overwritten with what is flown to.
+    pub fn set_off(&mut self) -> (&mut Point, &mut Point) {
+        if self.begins_here {
+            swap(&mut self.origin, &mut self.present);
+            self.begins_here = false;
+        }
+        (&mut self.origin, &mut self.present)
+    }
+
+    /// Goes back to where the last cell set off, all of which then was at the present.
+    pub fn turn_back(&mut self) {
+        if !self.begins_here {
+            swap(&mut self.origin, &mut self.present);
+            self.begins_here = true;
+        }
+        self.present.slope_is_fresh = false;
+    }
+
+    /// Keeps everything as it is now.
+    pub fn keep(&mut self) {
+        let Path { present, origin, before: [present_before, origin_before], .. } = self;
+        present_before.stand_at(present);
+        origin_before.stand_at(origin);
+        self.began_here = self.begins_here;
+    }
+
+    /// Goes back to what was kept.
+    pub fn restore_kept(&mut self) {
+        let Path { present, origin, before: [present_before, origin_before], .. } = self;
+        present.stand_at(present_before);
+        origin.stand_at(origin_before);
+        self.begins_here = self.began_here;
+    }
+
+    /// Present and origin.
+    pub fn points_mut(&mut self) -> [&mut Point; 2] {
+        [&mut self.present, &mut self.origin]
+    }
+
+    /// Takes times and sub-steps of the next cell at anchor and present, whose states are set by
+    /// [`points_mut`](Self::points_mut).
+    pub fn stand(&mut self, [anchor, present]: [(f64, u32); 2]) {
+        (self.origin.time, self.origin.substeps) = anchor;
+        (self.present.time, self.present.substeps) = present;
+        self.begins_here = anchor.0 == present.0;
+    }
+}
