@@ -92,7 +92,7 @@ impl Group {
     fn add_drag<S: Simd>(&self, place: Place<S>, around: &Surroundings, sums: &mut StripSums) -> Lanes<S> {
         let at_rest = PlaneVector::load(place, self.position.each_ref());
         let undeformed = PlaneVector::load(place, self.forward.each_ref());
-        let shapes = self.shapes.iter().map(|shape| shape.each_ref());
+        let shapes = self.shapes.iter().map(<[Eight; 3]>::each_ref);
         let PlaneMotion { position, forward, velocity, .. } =
             PlaneMotion::new(place, [at_rest, undeformed], shapes, around);
         let chordwise = forward.dot(&velocity);

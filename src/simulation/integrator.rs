@@ -114,7 +114,7 @@ impl Integrator {
         (begin, end): (f64, f64),
         substeps: u32,
         from: (&[f64], &[f64]),
-        to: (&mut [f64], &mut [f64]),
+        (to, to_slope): (&mut [f64], &mut [f64]),
         mut rates: impl FnMut(f64, &[f64], &mut [f64]),
     ) -> CellEnd {
         let mut count = substeps;
@@ -125,9 +125,9 @@ impl Integrator {
             for index in 0..count {
                 let time = begin + f64::from(index) * step;
                 let next = if index + 1 == count { end } else { begin + f64::from(index + 1) * step };
-                let start: (&[f64], &[f64]) = if index == 0 { from } else { (to.0, to.1) };
+                let start: (&[f64], &[f64]) = if index == 0 { from } else { (to, to_slope) };
                 self.begin_step(start);
-                worst = nan_max(worst, self.step((time, next), weights, (to.0, to.1), &mut rates));
+                worst = nan_max(worst, self.step((time, next), weights, (to, to_slope), &mut rates));
                 if worst.is_nan() || worst > 1.0 {
                     break;
                 }
@@ -336,7 +336,7 @@ mod tests {
         let (mut to, mut to_slope) = (state.clone(), slope.clone());
         let end =
             integrator.fly_cell((0.0, 1e-3), 1, (&state, &slope), (&mut to, &mut to_slope), |_, _, f| {
-                f.fill(f64::NAN)
+                f.fill(f64::NAN);
             });
         assert_eq!(end, CellEnd::Failed);
         assert!(to.iter().any(|state| state.is_nan()));
