@@ -51,18 +51,23 @@ impl EquationCosts {
         };
         let (symmetric, antisymmetric) =
             (count(&[ModeFamily::Symmetric]), count(&[ModeFamily::Antisymmetric]));
-        let edge_on = SymmetricHalf::find(&reduced).map_or(0, |half| half.edge_on.len());
-        let size = |equations: &EquationsOfMotion, edge_on, rigid, antisymmetric| Size {
-            strips: equations.strip_count(),
-            edge_on,
-            rigid,
-            symmetric,
-            antisymmetric,
-            inflow_states: settings.inflow_states,
-        };
+        let symmetric_half = SymmetricHalf::find(&reduced);
+        let [in_plane, edge_on] = symmetric_half.map_or([0; 2], |half| {
+            [half.model.strips.iter().filter(|strip| strip.stays_in_plane()).count(), half.edge_on.len()]
+        });
+        let size =
+            |equations: &EquationsOfMotion, [in_plane, edge_on]: [usize; 2], rigid, antisymmetric| Size {
+                strips: equations.strip_count() - in_plane,
+                in_plane,
+                edge_on,
+                rigid,
+                symmetric,
+                antisymmetric,
+                inflow_states: settings.inflow_states,
+            };
         Ok(EquationCosts {
-            half: RightHandSide::measure(&half, &settings, &size(&half, edge_on, 3, 0))?,
-            whole: RightHandSide::measure(&whole, &settings, &size(&whole, 0, 6, antisymmetric))?,
+            half: RightHandSide::measure(&half, &settings, &size(&half, [in_plane, edge_on], 3, 0))?,
+            whole: RightHandSide::measure(&whole, &settings, &size(&whole, [0; 2], 6, antisymmetric))?,
             plain_time_per_second: least_time(1, || fly_plainly(&narrow, &settings))? / DURATION,
             most_multiplications: most_multiplications()?,
         })
@@ -126,7 +131,10 @@ fn fly_plainly(equations: &EquationsOfMotion, settings: &Settings) -> Result<Vec
 
 /// What decides how many multiplications a right-hand side takes.
 pub struct Size {
+    /// In space.
     pub strips: usize,
+    /// Lifting ones in the mirror plane while motion is in it.
+    pub in_plane: usize,
     pub edge_on: usize,
     /// Components of v and ω that move.
     pub rigid: usize,
@@ -137,16 +145,18 @@ pub struct Size {
 
 /// Multiplications of the formulas for one right-hand side, as they are written in `src/dynamics` and `src/structure`,
 /// with zero-lift lines along the chords. Of each strip 12 for every mode's displacement and rotation and their rates,
-/// 12 for its rows of forces and of apparent mass, 3 for those of each rigid component, 190 for triad, flow, loads and
-/// resultants, 4 for every inflow state, and 2 for each entry of the upper triangle of the apparent mass; of each strip
-/// edge-on 5 and 2 for every mode and 55. Of the aircraft: the products of constant matrices with [q; p], where symmetry
-/// leaves half of the entries, and what makes vectors of them; the inertia's tensors about the axes that turn; the
-/// solution.
+/// 12 for its rows of forces and of apparent mass, 3 for those of each rigid component, 4 for moments about each axis, 184
+/// for triad, flow, loads and resultants; in the mirror plane 6, 8, 3, 4 and 91. Of both, 4 for every inflow state, and 2
+/// for each entry of the upper triangle of the apparent mass, 1 where translations turn nothing. Of each strip edge-on 7
+/// for every mode and 33. Of the aircraft: the products of constant matrices with [q; p], where symmetry leaves half of the
+/// entries, and what makes vectors of them; the inertia's tensors about the axes that turn; the solution.
 pub fn multiplications(size: &Size) -> usize {
-    let Size { strips, edge_on, rigid, symmetric, antisymmetric, inflow_states } = *size;
+    let Size { strips, in_plane, edge_on, rigid, symmetric, antisymmetric, inflow_states } = *size;
     let (modes, axes) = (symmetric + antisymmetric, rigid / 3 * 2 - 1);
-    let unknowns = rigid + modes;
-    let strip = 24 * modes + 3 * rigid + 190 + 4 * inflow_states + unknowns * (unknowns + 1);
+    let (unknowns, translations) = (rigid + modes, rigid - axes);
+    let without_turn = translations * unknowns - translations * (translations - 1) / 2;
+    let either = 3 * rigid + 4 * axes + 4 * inflow_states + unknowns * (unknowns + 1) - without_turn;
+    let (strip, strip_in_plane) = (24 * modes + 184 + either, 14 * modes + 91 + either);
     let pairs = |n: usize| n * (n + 1) / 2;
     let (even, odd) = (pairs(symmetric) + pairs(antisymmetric), symmetric * antisymmetric);
     let linear = symmetric * symmetric + antisymmetric * antisymmetric;
@@ -154,7 +164,7 @@ pub fn multiplications(size: &Size) -> usize {
         linear + symmetric * even + antisymmetric * odd + even * even + odd * odd + 3 * (even + odd);
     let inertia = axes * (2 + axes) * modes * modes + 30 * modes;
     let solution = unknowns * unknowns * unknowns / 6 + unknowns * unknowns;
-    strips * strip + edge_on * (7 * modes + 55) + elastic + inertia + solution
+    strips * strip + in_plane * strip_in_plane + edge_on * (7 * modes + 33) + elastic + inertia + solution
 }
 
 /// Independent chains of multiplications and additions, enough to hide their latency.

@@ -37,7 +37,15 @@ fn the_standard_flight_keeps_its_tolerance_and_its_bits() {
 #[test]
 fn multiplications_grow_linearly_with_strips_and_are_those_of_the_formulas() {
     let of = |strips, symmetric, antisymmetric, inflow_states| {
-        multiplications(&Size { strips, edge_on: 0, rigid: 6, symmetric, antisymmetric, inflow_states })
+        multiplications(&Size {
+            strips,
+            in_plane: 0,
+            edge_on: 0,
+            rigid: 6,
+            symmetric,
+            antisymmetric,
+            inflow_states,
+        })
     };
     assert_eq!(of(200, 6, 6, 5) - of(100, 6, 6, 5), of(300, 6, 6, 5) - of(200, 6, 6, 5));
     // Two symmetric modes: K₀ has 4 entries, D 2 · 3, F 3 · 3, and there are 3 products q_a q_b, each of which becomes
