@@ -47,6 +47,11 @@ impl Engines {
 
 /// Row-major 3 × n times q.
 pub fn combine(rows: &[f64], q: &[f64]) -> Vector3<f64> {
-    let n = q.len();
-    Vector3::from_fn(|axis, _| rows[axis * n..(axis + 1) * n].iter().zip(q).map(|(row, q)| row * q).sum())
+    let (x, others) = rows.split_at(q.len());
+    let (y, z) = others.split_at(q.len());
+    let mut sum = Vector3::zeros();
+    for (((x, y), z), q) in x.iter().zip(y).zip(z).zip(q) {
+        sum += Vector3::new(*x, *y, *z) * *q;
+    }
+    sum
 }

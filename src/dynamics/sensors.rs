@@ -24,8 +24,6 @@ pub struct BodyMotion<'a> {
     pub angular_acceleration: Vector3<f64>,
     /// m/s².
     pub gravity: Vector3<f64>,
-    /// q.
-    pub q: &'a [f64],
     /// q̇.
     pub q_dot: &'a [f64],
     /// q̈.
@@ -43,18 +41,22 @@ pub struct Sensors {
 }
 
 impl Sensors {
-    /// The readings at a station whose shapes are those of the modes in use.
-    pub fn read(station: &ReducedStation, body: &BodyMotion) -> Self {
-        let BodyMotion { motion: RigidMotion { velocity, rate }, q, q_dot, q_ddot, .. } = *body;
+    /// The readings at a station whose shapes are those of the modes in use, Ψᵘq and Ψᵠq there being known.
+    pub fn read(
+        station: &ReducedStation,
+        [displacement, turned]: [&Vector3<f64>; 2],
+        body: &BodyMotion,
+    ) -> Self {
+        let BodyMotion { motion: RigidMotion { velocity, rate }, q_dot, q_ddot, .. } = *body;
         let (translation, rotation) = (&station.shapes.translation, &station.shapes.rotation);
-        let place = station.position + combine(translation, q);
+        let place = station.position + displacement;
         let acceleration = body.acceleration
             + rate.cross(&velocity)
             + body.angular_acceleration.cross(&place)
             + rate.cross(&(rate.cross(&place) + combine(translation, q_dot) * 2.0))
             + combine(translation, q_ddot);
 
-        let turn = Rotation::<Scalar>::new(LaneVector::single(&combine(rotation, q)));
+        let turn = Rotation::<Scalar>::new(LaneVector::single(turned));
         let turn_rate = LaneVector::single(&combine(rotation, q_dot));
         let spin = LaneVector::single(&rate) + turn_rate + turn.excess_spin(&turn_rate);
         let specific_force = LaneVector::single(&(acceleration - body.gravity));

@@ -209,14 +209,11 @@ impl Integrator {
 
     /// The estimated error of the last step in units of the allowed one; NaN when it is not finite.
     fn error(&mut self, weights: usize, state: &[f64]) -> f64 {
-        let Integrator { arch, spectrum, amplitudes, slopes: [_, zeros, _, k4, k5], stages, .. } = self;
+        let Integrator { arch, spectrum, amplitudes, slopes: [_, _, _, k4, k5], stages, .. } = self;
         let [_, difference] = stages;
         let last = &self.weights[weights].last;
-        for (k4, end) in k4.iter_mut().zip(k5.iter()) {
-            *k4 = end - *k4;
-        }
-        zeros.fill(0.0);
-        arch.dispatch(Combine { spectrum, target: difference, base: zeros, terms: [(last, k4)] });
+        difference.fill(0.0);
+        arch.dispatch(TakeOff { spectrum, linear: last, to: k5, from: k4, slope: difference });
         amplitudes.leave(difference);
         let mut worst = 0.0;
         for (group, floor) in self.layout.groups().into_iter().zip(self.scale.floors) {

@@ -133,17 +133,15 @@ pub(super) fn write(simulation: &mut Simulation) {
         acceleration,
         angular_acceleration: Vector3::from_column_slice(&workspace.accelerations()[3..6]),
         gravity: to_body * Vector3::new(0.0, 0.0, model.gravity),
-        q,
         q_dot,
         q_ddot: &workspace.accelerations()[6..],
     };
     let places = outputs.deflections.iter_mut().zip(&mut outputs.sensors);
     for ((deflection, sensors), station) in places.zip(stations.iter()) {
-        *deflection = Deflection {
-            displacement: combine(&station.shapes.translation, q),
-            twist: station.twist_axis.dot(&combine(&station.shapes.rotation, q)),
-        };
-        *sensors = Sensors::read(station, &body);
+        let displacement = combine(&station.shapes.translation, q);
+        let turned = combine(&station.shapes.rotation, q);
+        *deflection = Deflection { displacement, twist: station.twist_axis.dot(&turned) };
+        *sensors = Sensors::read(station, [&displacement, &turned], &body);
     }
     (outputs.elevator, outputs.rudder) = (controls.elevator, controls.rudder);
     (outputs.aileron, outputs.aileron_symmetric) = (controls.aileron, controls.aileron_symmetric);
