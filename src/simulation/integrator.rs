@@ -207,7 +207,7 @@ impl Integrator {
         self.error(weights, state)
     }
 
-    /// The estimated error of the last step in units of the allowed one; NaN when it is not finite.
+    /// The estimated error −w₄ (f(y₁) − n₄) of the last step in units of the allowed one; NaN when it is not finite.
     fn error(&mut self, weights: usize, state: &[f64]) -> f64 {
         let Integrator { arch, spectrum, amplitudes, slopes: [_, _, _, k4, k5], stages, .. } = self;
         let [_, difference] = stages;

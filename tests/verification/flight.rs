@@ -204,10 +204,20 @@ fn leaving_the_models_validity_is_an_error_and_leaves_the_flight_as_it_was() {
     inputs.wind.x = 300.0;
     flight.set_inputs(&inputs, &Inputs::zero(2));
     let before: Outputs = flight.outputs().clone();
-    let message = flight.advance_to(1.0).unwrap_err().to_string();
-    assert!(message.contains("from behind"), "{message}");
-    assert_eq!(flight.time(), 0.5);
-    assert_eq!(*flight.outputs(), before);
+    let snapshot = |flight: &Simulation| {
+        let mut bytes = Vec::new();
+        flight.snapshot(&mut bytes);
+        bytes
+    };
+    let bytes = snapshot(&flight);
+    // Within the present cell of time, and beyond it.
+    for end in [0.505, 0.51, 1.0] {
+        let message = flight.advance_to(end).unwrap_err().to_string();
+        assert!(message.contains("from behind"), "{message}");
+        assert_eq!(flight.time(), 0.5);
+        assert_eq!(*flight.outputs(), before);
+        assert_eq!(snapshot(&flight), bytes);
+    }
     flight.set_inputs(&Inputs::zero(2), &Inputs::zero(2));
     flight.advance_to(1.0).unwrap();
 }
