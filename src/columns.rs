@@ -1,7 +1,7 @@
 //! Constant matrices that are multiplied with many vectors, eight rows at a time.
 //!
-//! Each sum is [`CHAINS`] sums, each of every fourth column, added in the end: additions need not wait for each other,
-//! and the bits are the same at any width of the machine's vectors.
+//! Each sum is [`CHAINS`] sums, each of every fourth column that is kept (what then remains goes to the first), added in
+//! the end: additions need not wait for each other, and the bits are the same at any width of the machine's vectors.
 
 use pulp::Simd;
 

@@ -1,5 +1,5 @@
-//! Eight strips side by side: numbers of a group of strips, computed as many at a time as the machine's vectors
-//! hold.
+//! Eight strips side by side: numbers of a group of strips, or eight of a row or of a vector of states, computed as many
+//! at a time as the machine's vectors hold.
 //!
 //! [`Eight`] is memory, one number per strip of a group; [`Lanes`] is a register with the part of it at which a
 //! [`Place`] points. Every lane sees the same IEEE operations in the same order whatever the width of the

@@ -3,13 +3,13 @@
 use pulp::{Simd, WithSimd};
 
 use crate::aerodynamics::{InflowStates, WakeFlow};
-use crate::lanes::{LANES, Lanes, Place};
+use crate::lanes::{LANES, Place};
 
 use super::forces::GeneralisedForces;
 use super::layout::StateLayout;
 use super::square_matrix::SquareMatrix;
 use super::strip_sums::StripSums;
-use super::strips::{Group, MovingSections, Strips, Surroundings};
+use super::strips::{Group, MovingSections, Strips, Surroundings, first_reversed};
 
 /// What the loads of all strips are computed from, and where they go.
 pub struct SumLoads<'a> {
@@ -86,18 +86,11 @@ fn follow_wake<S: Simd, Motion>(
     sums: &mut StripSums,
 ) {
     if flow.chordwise.least() <= 0.0 && sums.reversed.is_none() {
-        let lane = reversed(flow.chordwise, place.load(&group.section.lift_slope));
+        let lane = first_reversed(flow.chordwise, place.load(&group.section.lift_slope));
         sums.reversed = lane.map(|lane| index * LANES + place.lane(lane));
     }
     let passing = flow.chordwise * place.load(&group.per_semichord);
     let wake = WakeFlow { w3: flow.w3, passing, unforced: *unforced };
     flow.induced = around.inflow.induced_velocity(place, states, flow.w3);
     around.inflow.write_rates(place, states, &wake, rates);
-}
-
-/// The first lane whose lifting strip meets the air from behind.
-#[cold]
-fn reversed<S: Simd>(chordwise: Lanes<S>, lift_slope: Lanes<S>) -> Option<usize> {
-    let mut strips = chordwise.numbers().iter().zip(lift_slope.numbers());
-    strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
 }

@@ -12,7 +12,7 @@ use crate::structure::ReducedStrip;
 use super::freedom::RigidFreedom;
 use super::in_plane::PlaneMotion;
 use super::strip_sums::StripSums;
-use super::strips::Surroundings;
+use super::strips::{Surroundings, first_reversed};
 
 /// Eight strips.
 #[derive(Clone, Debug)]
@@ -23,6 +23,8 @@ struct Group {
     forward: [Eight; 2],
     /// CD0 b Δy, m².
     drag_area: Eight,
+    /// CLα of strips that would lift, were they not edge-on, 1/rad.
+    lift_slope: Eight,
     /// Ψᵘ_x, Ψᵘ_z, Ψᵠ_y of each mode.
     shapes: Vec<[Eight; 3]>,
 }
@@ -31,17 +33,12 @@ struct Group {
 #[derive(Clone, Debug, Default)]
 pub struct EdgeOnStrips {
     groups: Vec<Group>,
-    /// Which strips would lift, were they not edge-on.
-    lifting: Vec<bool>,
 }
 
 impl EdgeOnStrips {
     /// Strips with the shapes of so many modes.
     pub fn new(strips: &[ReducedStrip], modes: usize) -> Self {
-        EdgeOnStrips {
-            groups: strips.chunks(LANES).map(|strips| Group::new(strips, modes)).collect(),
-            lifting: strips.iter().map(|strip| strip.lift_slope > 0.0).collect(),
-        }
+        EdgeOnStrips { groups: strips.chunks(LANES).map(|strips| Group::new(strips, modes)).collect() }
     }
 
     /// Adds the drag to the sums; returns the first strip that would lift and meets the air from behind.
@@ -52,12 +49,8 @@ impl EdgeOnStrips {
             for place in Place::all(simd) {
                 let chordwise = group.add_drag(place, around, sums);
                 if chordwise.least() <= 0.0 && reversed.is_none() {
-                    let strip = |lane: usize| index * LANES + place.lane(lane);
-                    let mut lanes = chordwise.numbers().iter().enumerate();
-                    let lifts = |lane: usize| self.lifting.get(strip(lane)) == Some(&true);
-                    reversed = lanes
-                        .find(|(lane, along)| **along <= 0.0 && lifts(*lane))
-                        .map(|(lane, _)| strip(lane));
+                    let lane = first_reversed(chordwise, place.load(&group.lift_slope));
+                    reversed = lane.map(|lane| index * LANES + place.lane(lane));
                 }
             }
         }
@@ -83,6 +76,7 @@ impl Group {
             // Forward, so that strips of no size do not meet the air from behind.
             forward: [lanes_or(&|strip| strip.forward.x, 1.0), lanes(&|strip| strip.forward.z)],
             drag_area: lanes(&|strip| strip.profile_drag * strip.semichord * strip.width),
+            lift_slope: lanes(&|strip| strip.lift_slope),
             shapes: (0..modes).map(shape).collect(),
         }
     }

@@ -48,7 +48,7 @@ impl RigidFreedom {
 
     /// How many components that move are translations.
     pub fn translations(self) -> usize {
-        self.components().iter().filter(|&&component| component < 3).count()
+        self.motions()[0].len()
     }
 
     /// Places in ν of all that moves, with the generalised coordinates.

@@ -1,7 +1,7 @@
 //! Strips in the mirror plane while all motion is in it [4.1; physics.md §4].
 //!
-//! Everything is in x and z but rates and turns, which are about y. The triad turns about a fixed axis: its spin is
-//! Ψᵠq̇, and the wake is forced by the true ẇ₃. Symbols as in `in_space`.
+//! Everything is in x and z but rates and turns, which are about y. The triad turns about a fixed axis: Ψᵠq̇ is its true
+//! spin in the body, and the true ẇ₃ forces the wake. Symbols as in `in_space`.
 
 use pulp::Simd;
 

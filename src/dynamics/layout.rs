@@ -5,9 +5,9 @@ use std::ops::Range;
 use crate::aerodynamics::InflowStates;
 use crate::lanes::LANES;
 
-/// Where each part of the state stands: first the inflow of groups of eight strips, so that groups stand where a
-/// register fits: its real states, and the real and the imaginary parts of its complex ones; then position, attitude
-/// quaternion, v, ω, q, q̇.
+/// Where each part of the state stands. First the inflow of groups of eight strips, so that each group's numbers begin
+/// where a register fits: the real states of all groups, the real parts of their complex ones, the imaginary parts. Then
+/// position, attitude quaternion, v, ω, q, q̇.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StateLayout {
     modes: usize,

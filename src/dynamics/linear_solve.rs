@@ -82,17 +82,17 @@ impl WithSimd for CholeskySolution<'_> {
             matrix[(row, n)] = b;
         }
         // Small widths written out, so that their loops are unrolled.
-        let rows = matrix.rows_mut();
-        let regular = match rows.len() / n.max(1) / LANES {
+        let (width, rows) = (matrix.width(), matrix.rows_mut());
+        let regular = match width / LANES {
             1 => factorise(simd, rows, LANES),
             2 => factorise(simd, rows, 2 * LANES),
             3 => factorise(simd, rows, 3 * LANES),
-            eights => factorise(simd, rows, eights * LANES),
+            _ => factorise(simd, rows, width),
         };
-        for (row, b) in b.iter_mut().enumerate() {
-            *b = matrix[(row, n)];
-        }
         if regular {
+            for (row, b) in b.iter_mut().enumerate() {
+                *b = matrix[(row, n)];
+            }
             substitute_back(matrix, b);
         }
         regular
@@ -233,7 +233,7 @@ mod tests {
 
     #[test]
     fn both_solvers_solve() {
-        for n in [1, 5, 6, 7, 8, 9, 15, 16, 17] {
+        for n in [1, 5, 6, 7, 8, 9, 15, 16, 17, 23, 31, 39] {
             let (a, b) = sample(n);
             for solve in [solve_cholesky, solve] {
                 let mut x = b.clone();

@@ -38,7 +38,7 @@ pub(super) struct Group {
     pub(super) section: Section,
     /// Flap angle per angle of a kind of surfaces, for those kinds that move any flap here.
     gains: Vec<(usize, Eight)>,
-    /// Whether all strips stay in the mirror plane.
+    /// Whether motion and all strips stay in the mirror plane.
     pub(super) in_plane: bool,
     /// Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z of each mode.
     pub(super) shapes: Vec<[Eight; 6]>,
@@ -254,4 +254,11 @@ impl Group {
             }
         }
     }
+}
+
+/// The first lane whose lifting strip meets the air from behind.
+#[cold]
+pub(super) fn first_reversed<S: Simd>(chordwise: Lanes<S>, lift_slope: Lanes<S>) -> Option<usize> {
+    let mut strips = chordwise.numbers().iter().zip(lift_slope.numbers());
+    strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
 }

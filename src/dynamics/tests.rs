@@ -4,7 +4,9 @@ use nalgebra::Vector3;
 use pulp::Arch;
 
 use super::{Configuration, Controls, EquationsOfMotion, Fidelity, StateLayout, Workspace};
-use crate::structure::{Counterpart, SymmetricHalf};
+use crate::aircraft::{ControlGains, Flap};
+use crate::lanes::LANES;
+use crate::structure::{Counterpart, ReducedModel, SymmetricHalf};
 use crate::variables::tests::jet;
 
 fn configuration(fidelity: Fidelity) -> Configuration {
@@ -71,13 +73,36 @@ fn symmetric_state(
 
 #[test]
 fn in_symmetric_motion_half_the_aircraft_moves_as_the_whole_one() {
-    let whole_model = jet().select(&[0, 1, 2, 3, 4, 5, 6, 7]);
-    let half = SymmetricHalf::find(&whole_model).unwrap();
+    let model = jet().select(&[0, 1, 2, 3, 4, 5, 6, 7]);
+    half_moves_as(&model);
+    half_moves_as(&with_lifting_body(model));
+}
+
+/// With flaps and cambered sections along the body, and without the outermost strips: others on the right then share a
+/// group with some in the plane.
+fn with_lifting_body(mut model: ReducedModel) -> ReducedModel {
+    let outermost = model.strips.iter().map(|strip| strip.position.y).fold(0.0, f64::max);
+    model.strips.retain(|strip| strip.position.y.abs() < outermost - 1e-6);
+    let mut altered = 0;
+    for strip in model.strips.iter_mut().filter(|strip| strip.position.y == 0.0 && strip.span.y.abs() > 0.9) {
+        let gains = ControlGains { elevator: 0.5, aileron_symmetric: -0.3, ..ControlGains::default() };
+        strip.flap = Some(Flap { lift_slope: 4.0, hinge: 0.7, gains });
+        strip.zero_lift_offset = 0.03;
+        altered += 1;
+    }
+    assert!(
+        altered > LANES && SymmetricHalf::find(&model).unwrap().model.strips.len() % LANES != altered % LANES
+    );
+    model
+}
+
+fn half_moves_as(whole_model: &ReducedModel) {
+    let half = SymmetricHalf::find(whole_model).unwrap();
     let mut controls = Controls::neutral(2);
     (controls.elevator, controls.aileron_symmetric, controls.thrust) = (-0.2, 0.05, vec![2e4; 2]);
     (controls.wind, controls.wind_rate) = (Vector3::new(3.0, 0.0, -4.0), Vector3::new(1.0, 0.0, 2.0));
     for fidelity in Fidelity::ALL {
-        let whole = EquationsOfMotion::new(&whole_model, &configuration(fidelity));
+        let whole = EquationsOfMotion::new(whole_model, &configuration(fidelity));
         let halved = EquationsOfMotion::of_half(&half, &configuration(fidelity));
         let q: Vec<f64> = (0..halved.layout().modes()).map(|mode| 20.0 / (1.0 + mode as f64)).collect();
         let mut whole_q = vec![0.0; whole.layout().modes()];

@@ -23,7 +23,7 @@ pub struct Workspace {
     pub(super) system: LinearSystem,
     /// Whether it has one.
     pub(super) regular: bool,
-    /// Their accelerations.
+    /// Forces on them, then their accelerations.
     pub(super) solution: Vec<f64>,
     /// Loads and apparent mass of the strips.
     pub(super) strip_sums: StripSums,

@@ -54,8 +54,9 @@ pub(super) struct Path {
     /// Where the cell begins, unless that is the present.
     origin: Point,
     begins_here: bool,
-    /// What present and origin were before the call, should it fail.
+    /// What present and origin were when they were last kept.
     before: [Point; 2],
+    /// Whether the cell began at the present then.
     began_here: bool,
 }
 
@@ -97,13 +98,10 @@ impl Path {
         (&mut self.origin, &mut self.present)
     }
 
-    /// Goes back to where the last cell set off, all of which then was at the present.
+    /// Undoes the last cell, which set off from what then was the present.
     pub fn turn_back(&mut self) {
-        if !self.begins_here {
-            swap(&mut self.origin, &mut self.present);
-            self.begins_here = true;
-        }
-        self.present.slope_is_fresh = false;
+        swap(&mut self.origin, &mut self.present);
+        self.begins_here = true;
     }
 
     /// Keeps everything as it is now.

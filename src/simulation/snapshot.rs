@@ -62,13 +62,16 @@ impl Simulation {
         Some(f64::from_le_bytes(*time))
     }
 
-    /// Whether a snapshot of some length is of half or of all of the aircraft, and the length of its states.
-    fn airframe_of(&self, size: usize) -> Option<(bool, usize)> {
-        let airframes = [(false, Some(self.airframes.whole())), (true, self.airframes.half())];
-        let lengths = airframes.into_iter().filter_map(|(is_half, airframe)| {
-            airframe.map(|airframe| (is_half, airframe.equations.layout().len()))
-        });
-        lengths.into_iter().find(|(_, state)| size == self.size_with(*state))
+    /// Whether a snapshot is of half or of all of the aircraft, and the length of its states, if its mark says one of the
+    /// two and its own length is that of such a snapshot.
+    fn airframe_of(&self, bytes: &[u8]) -> Option<(bool, usize)> {
+        let (is_half, airframe) = match bytes.get(HEADER - 4..HEADER)? {
+            [0, 0, 0, 0] => (false, self.airframes.whole()),
+            [1, 0, 0, 0] => (true, self.airframes.half()?),
+            _ => return None,
+        };
+        let states = airframe.equations.layout().len();
+        (bytes.len() == self.size_with(states)).then_some((is_half, states))
     }
 
     /// Length of a snapshot with states of some length.
@@ -83,7 +86,7 @@ impl Simulation {
     /// When the bytes are damaged or of another model, settings or version; nothing changes then.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SimulationError> {
         let refuse = |reason| Err(SimulationError::Snapshot(reason));
-        let Some((is_half, length)) = self.airframe_of(bytes.len()) else {
+        let Some((is_half, length)) = self.airframe_of(bytes) else {
             return refuse("its length is not that of this model and these settings");
         };
         let (content, hash) = bytes.split_at(bytes.len() - 16);
@@ -103,9 +106,6 @@ impl Simulation {
         let (anchor_substeps, substeps) = (counts.next().unwrap_or(0), counts.next().unwrap_or(0));
         if [anchor_substeps, substeps].iter().any(|count| !(1..=MAX_SUBSTEPS).contains(count)) {
             return refuse("its number of sub-steps is out of range");
-        }
-        if counts.next() != Some(u32::from(is_half)) {
-            return refuse("its mark of symmetry does not fit its length");
         }
         // PROOF: as above.
         let mut numbers = content[HEADER..]

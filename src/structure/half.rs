@@ -2,7 +2,7 @@
 //!
 //! In such motion antisymmetric modes rest, left and right carry the same loads, and what the left half does is known
 //! from the right one. The half keeps the symmetric modes, the strips on the right at twice their width and those in
-//! the plane as they are; integrals over the mass and strain energy stay those of the whole aircraft. Strips in the
+//! the plane, laid into it exactly; integrals over the mass and strain energy stay those of the whole aircraft. Strips in the
 //! plane whose normal points sideways, such as a fin's, meet the flow edge-on: only their drag remains.
 
 use nalgebra::Vector3;
@@ -17,7 +17,7 @@ const SYMMETRIC: f64 = 1e-9;
 /// What symmetric motion needs of an aircraft with a mirror plane.
 #[derive(Clone, Debug)]
 pub struct SymmetricHalf {
-    /// The half's strips but those edge-on, the symmetric modes, all engines and stations.
+    /// The half's strips but those edge-on, those in the plane last; the symmetric modes, all engines and stations.
     pub model: ReducedModel,
     /// The strips that meet the flow edge-on.
     pub edge_on: Vec<ReducedStrip>,

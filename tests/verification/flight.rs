@@ -220,6 +220,22 @@ fn leaving_the_models_validity_is_an_error_and_leaves_the_flight_as_it_was() {
     }
     flight.set_inputs(&Inputs::zero(2), &Inputs::zero(2));
     flight.advance_to(1.0).unwrap();
+    assert!(flight.is_symmetric());
+
+    // Where the whole aircraft takes over in the refused step, and where the step begins inside a cell.
+    inputs.aileron = 0.05;
+    flight.set_inputs(&inputs, &Inputs::zero(2));
+    let bytes = snapshot(&flight);
+    flight.advance_to(1.01).unwrap_err();
+    assert!(flight.is_symmetric());
+    assert_eq!(snapshot(&flight), bytes);
+    let mut rates = Inputs::zero(2);
+    rates.wind.x = 3e4;
+    flight.set_inputs(&Inputs::zero(2), &rates);
+    flight.advance_to(1.001).unwrap();
+    let bytes = snapshot(&flight);
+    flight.advance_to(1.01).unwrap_err();
+    assert_eq!(snapshot(&flight), bytes);
 }
 
 #[test]
