@@ -85,14 +85,14 @@ mod tests {
         let entry = |row: usize, column: usize| {
             if column == 2 { 0.0 } else { (1 + row) as f64 - 0.1 * (column * column) as f64 }
         };
-        let matrix = Columns::new(11, 4, entry);
-        assert_eq!((matrix.room(), matrix.kept()), (16, 6));
-        let vector = [0.3, -1.0, 7.0, 2.0];
+        let matrix = Columns::new(11, 11, entry);
+        assert_eq!((matrix.room(), matrix.kept()), (16, 20));
+        let vector = [0.3, -1.0, 7.0, 2.0, 0.1, -0.2, 0.05, 0.4, -0.3, 0.02, 0.6];
         let mut product = vec![f64::NAN; matrix.room()];
         matrix.times(pulp::Scalar::new(), &vector, &mut product);
         for (row, product) in product.into_iter().enumerate() {
             let expected: f64 =
-                if row < 11 { (0..4).map(|column| entry(row, column) * vector[column]).sum() } else { 0.0 };
+                if row < 11 { (0..11).map(|column| entry(row, column) * vector[column]).sum() } else { 0.0 };
             assert!((product - expected).abs() < 1e-13, "{row}");
         }
     }

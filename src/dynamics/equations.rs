@@ -361,7 +361,7 @@ impl EquationsOfMotion {
         let RigidMotion { velocity, rate } = self.motion(state);
         let wind = attitude.body_from_inertial * self.air_motion(controls);
         Surroundings {
-            airspeed: velocity - wind,
+            air_velocity: velocity - wind,
             rate,
             air_transport: rate.cross(&wind) - attitude.body_from_inertial * controls.wind_rate,
             q,

@@ -5,7 +5,6 @@
 
 use pulp::Simd;
 
-use crate::aerodynamics::LocalFlow;
 use crate::lane_vectors::{Arrow, PlaneVector};
 use crate::lanes::{Eight, Lanes, Place};
 
@@ -61,11 +60,11 @@ impl<S: Simd> PlaneMotion<S> {
         }
         let position = at_rest + PlaneVector { x, z };
         let elastic_velocity = PlaneVector { x: x_rate, z: z_rate };
-        let airspeed = PlaneVector::splat(place, &around.airspeed);
+        let air_velocity = PlaneVector::splat(place, &around.air_velocity);
         PlaneMotion {
             position,
             forward: turned_about_y(turn, forward),
-            velocity: airspeed + position.turned_by(place.splat(around.rate.y)) + elastic_velocity,
+            velocity: air_velocity + position.turned_by(place.splat(around.rate.y)) + elastic_velocity,
             elastic_velocity,
             elastic_rate: turn_rate,
         }
@@ -92,27 +91,21 @@ impl Group {
         let PlaneMotion { forward, velocity, elastic_velocity, elastic_rate, .. } = motion;
         let span = place.load(&self.span.y);
         let normal = forward.turned_by(-span);
-        let zero_lift_offset = place.load(&self.zero_lift_offset);
-        let zero_lift_normal = if SYMMETRIC { normal } else { normal + forward * zero_lift_offset };
+        let zero_lift_normal = self.zero_lift_normal::<S, _, SYMMETRIC>(place, [normal, forward]);
 
         let rate = place.splat(around.rate.y);
         let transport = PlaneVector::splat(place, &around.air_transport) + elastic_velocity.turned_by(rate);
-        let (chordwise, across) = (forward.dot(&velocity), normal.dot(&velocity));
-        let upwash = if SYMMETRIC { across } else { across + chordwise * zero_lift_offset };
-        let pitch_rate = span * (rate + elastic_rate);
-        let flow = LocalFlow {
-            density: place.splat(around.density),
-            chordwise,
-            normal: across,
-            upwash,
-            pitch_rate,
-            w3: self.section.three_quarter_chord_upwash(place, upwash, pitch_rate),
-            upwash_drift: zero_lift_normal.dot(&transport) + elastic_rate * zero_lift_normal.cross(&velocity),
-            pitch_drift: place.splat(0.0),
-            induced: place.splat(0.0),
-        };
+        let upwash_drift =
+            zero_lift_normal.dot(&transport) + elastic_rate * zero_lift_normal.cross(&velocity);
+        let zero = place.splat(0.0);
+        let flow = self.flow::<S, SYMMETRIC>(
+            place,
+            around.density,
+            [forward.dot(&velocity), normal.dot(&velocity), span * (rate + elastic_rate)],
+            [upwash_drift, zero],
+        );
         let motion = PlaneSections { motion, span, normal, zero_lift_normal };
-        MovingSections { motion, flow, unforced: place.splat(0.0) }
+        MovingSections { motion, flow, unforced: zero }
     }
 
     /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.

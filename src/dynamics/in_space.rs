@@ -9,7 +9,6 @@
 
 use pulp::Simd;
 
-use crate::aerodynamics::LocalFlow;
 use crate::lane_vectors::{Arrow, LaneVector};
 use crate::lanes::Place;
 
@@ -47,28 +46,20 @@ impl Group {
         let position = LaneVector::load(place, &self.position) + displacement;
         let rate = LaneVector::splat(place, &around.rate);
         let air_velocity =
-            LaneVector::splat(place, &around.airspeed) + rate.cross(&position) + elastic_velocity;
+            LaneVector::splat(place, &around.air_velocity) + rate.cross(&position) + elastic_velocity;
         let transport = LaneVector::splat(place, &around.air_transport) + rate.cross(&elastic_velocity);
         let spin = rate + elastic_rate;
-        let zero_lift_offset = place.load(&self.zero_lift_offset);
-        let zero_lift_normal = if SYMMETRIC { normal } else { normal + forward * zero_lift_offset };
+        let zero_lift_normal = self.zero_lift_normal::<S, _, SYMMETRIC>(place, [normal, forward]);
 
-        let (chordwise, across) = (forward.dot(&air_velocity), normal.dot(&air_velocity));
         // (ω × m)·V = ω·(m × V): how w and Ω change with the spin of the triad.
         let (by_spin, pitch_by_spin) = (zero_lift_normal.cross(&air_velocity), span.cross(&spin));
-        let upwash = if SYMMETRIC { across } else { across + chordwise * zero_lift_offset };
-        let pitch_rate = span.dot(&spin);
-        let flow = LocalFlow {
-            density: place.splat(around.density),
-            chordwise,
-            normal: across,
-            upwash,
-            pitch_rate,
-            w3: self.section.three_quarter_chord_upwash(place, upwash, pitch_rate),
-            upwash_drift: zero_lift_normal.dot(&transport) + elastic_rate.dot(&by_spin),
-            pitch_drift: elastic_rate.dot(&pitch_by_spin),
-            induced: place.splat(0.0),
-        };
+        let upwash_drift = zero_lift_normal.dot(&transport) + elastic_rate.dot(&by_spin);
+        let flow = self.flow::<S, SYMMETRIC>(
+            place,
+            around.density,
+            [forward.dot(&air_velocity), normal.dot(&air_velocity), span.dot(&spin)],
+            [upwash_drift, elastic_rate.dot(&pitch_by_spin)],
+        );
         let excess = turn.excess_spin(&elastic_rate);
         let unforced =
             self.section.three_quarter_chord_upwash(place, excess.dot(&by_spin), excess.dot(&pitch_by_spin));

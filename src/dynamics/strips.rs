@@ -34,7 +34,7 @@ pub(super) struct Group {
     per_root_mass: Eight,
     /// 1/b.
     pub(super) per_semichord: Eight,
-    pub(super) zero_lift_offset: Eight,
+    zero_lift_offset: Eight,
     pub(super) section: Section,
     /// Flap angle per angle of a kind of surfaces, for those kinds that move any flap here.
     gains: Vec<(usize, Eight)>,
@@ -61,7 +61,7 @@ pub struct Strips {
 /// The state of the aircraft and of the air that all strips share.
 pub struct Surroundings<'a> {
     /// Velocity of O relative to the air, body axes, m/s.
-    pub airspeed: Vector3<f64>,
+    pub air_velocity: Vector3<f64>,
     /// ω, body axes, rad/s.
     pub rate: Vector3<f64>,
     /// ω × W − C_bI Ẇ of the velocity W of the air, m/s².
@@ -209,6 +209,40 @@ impl Group {
             gains: gains.filter(|(_, gain)| *gain != Eight::ZERO).collect(),
             in_plane: false,
             shapes: (0..modes).map(|mode| std::array::from_fn(|row| shape(mode, row))).collect(),
+        }
+    }
+
+    /// m = n + α0 f.
+    #[inline(always)]
+    pub(super) fn zero_lift_normal<S: Simd, V: Arrow<S>, const SYMMETRIC: bool>(
+        &self,
+        place: Place<S>,
+        [normal, forward]: [V; 2],
+    ) -> V {
+        if SYMMETRIC { normal } else { normal + forward * place.load(&self.zero_lift_offset) }
+    }
+
+    /// The flow by f·V, n·V and Ω, and by those parts of ẇ and Ω̇ that no acceleration makes; the induced velocity is left
+    /// at zero.
+    #[inline(always)]
+    pub(super) fn flow<S: Simd, const SYMMETRIC: bool>(
+        &self,
+        place: Place<S>,
+        density: f64,
+        [chordwise, normal, pitch_rate]: [Lanes<S>; 3],
+        [upwash_drift, pitch_drift]: [Lanes<S>; 2],
+    ) -> LocalFlow<S> {
+        let upwash = if SYMMETRIC { normal } else { normal + chordwise * place.load(&self.zero_lift_offset) };
+        LocalFlow {
+            density: place.splat(density),
+            chordwise,
+            normal,
+            upwash,
+            pitch_rate,
+            w3: self.section.three_quarter_chord_upwash(place, upwash, pitch_rate),
+            upwash_drift,
+            pitch_drift,
+            induced: place.splat(0.0),
         }
     }
 

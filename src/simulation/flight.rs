@@ -64,6 +64,7 @@ pub struct Simulation {
     pub(super) airframes: Airframes,
     pub(super) course: Course,
     pub(super) steering: Steering,
+    /// Where the flight is and where its cell of time begins.
     pub(super) path: Path,
     /// Absolute controls at the last evaluation.
     pub(super) controls: Controls,

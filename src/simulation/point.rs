@@ -53,6 +53,7 @@ pub(super) struct Path {
     pub present: Point,
     /// Where the cell begins, unless that is the present.
     origin: Point,
+    /// Whether it is.
     begins_here: bool,
     /// What present and origin were when they were last kept.
     before: [Point; 2],
