@@ -7,8 +7,7 @@
 //! η̃' = −(U/b) μ (η̃ + w₃),      λ₀ = Σ weight · (η̃ + w₃).
 //! ```
 //!
-//! The state is η̃: no acceleration on the right-hand side, and a jump of the flow makes no impulse. Where the
-//! wake is forced by less than the true rate of w₃, η̃' loses the difference.
+//! The state is η̃: no acceleration on the right-hand side, and a jump of the flow makes no impulse.
 //! Complex eigenvalues come in pairs; the real and the imaginary part of one of them are stored.
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
@@ -104,8 +103,7 @@ impl PetersInflow {
         induced
     }
 
-    /// Rates of the states of strips, m/s²; `passing` is U/b, 1/s, and `unforced` the part of dw₃/dt that does not
-    /// force the wake, m/s².
+    /// Rates of the states of strips, m/s².
     #[inline(always)]
     pub fn write_rates<S: Simd>(
         &self,
@@ -114,18 +112,17 @@ impl PetersInflow {
         wake: &WakeFlow<S>,
         rates: &mut InflowStates<&mut [f64]>,
     ) {
-        let WakeFlow { w3, passing, unforced } = *wake;
+        let WakeFlow { w3, passing } = *wake;
         let real = states.real.chunks_exact(LANES).zip(rates.real.chunks_exact_mut(LANES));
         for (lag, (state, rate)) in self.lags.iter().zip(real) {
-            let slope = -(passing * lag.rate * (place.load_slice(state) + w3)) - unforced;
-            place.store_slice(rate, slope);
+            place.store_slice(rate, -(passing * lag.rate * (place.load_slice(state) + w3)));
         }
         let complex = states.re.chunks_exact(LANES).zip(states.im.chunks_exact(LANES));
         let complex_rates = rates.re.chunks_exact_mut(LANES).zip(rates.im.chunks_exact_mut(LANES));
         for ((pair, (re, im)), (re_rate, im_rate)) in self.pairs.iter().zip(complex).zip(complex_rates) {
             let (re, im) = (place.load_slice(re) + w3, place.load_slice(im));
             let (decay, frequency) = (pair.decay, pair.frequency);
-            place.store_slice(re_rate, -(passing * (re * decay - im * frequency)) - unforced);
+            place.store_slice(re_rate, -(passing * (re * decay - im * frequency)));
             place.store_slice(im_rate, -(passing * (re * frequency + im * decay)));
         }
     }
@@ -165,8 +162,6 @@ pub struct WakeFlow<S: Simd> {
     pub w3: Lanes<S>,
     /// U/b, 1/s.
     pub passing: Lanes<S>,
-    /// The part of dw₃/dt that does not force the wake, m/s².
-    pub unforced: Lanes<S>,
 }
 
 /// The inflow states of a group of strips, or something that stands for each of them.
@@ -285,7 +280,7 @@ mod tests {
         let inflow = PetersInflow::new(5);
         let place = Place::all(pulp::Scalar::new()).next().unwrap();
         let w3 = place.splat(3.5);
-        let wake = WakeFlow { w3, passing: place.splat(100.0), unforced: place.splat(0.0) };
+        let wake = WakeFlow { w3, passing: place.splat(100.0) };
         let (mut states, mut rates) = ([[0.0; 3 * LANES]; 3], [[1.0; 3 * LANES]; 3]);
         let [real, re, im] = &mut states;
         inflow.settle(place, w3, &mut InflowStates { real, re: &mut re[..LANES], im: &mut im[..LANES] });

@@ -22,10 +22,12 @@ pub struct Section<T = Eight> {
     pub lift_slope: T,
     /// CD0.
     pub profile_drag: T,
-    /// η.
-    pub leading_edge_suction: T,
+    /// 1 − η: the share of the leading-edge suction that is lost; zero where CLα = 0.
+    pub suction_loss: T,
     /// CLδ c1, 1/rad, see [`FlapEffect`](super::FlapEffect); zero without a flap.
     pub flap_lift: T,
+    /// (1 − η)(CLδ c1)²/CLα, 1/rad; zero where CLα = 0.
+    pub flap_drag: T,
     /// CLδ c4, 1/rad.
     pub flap_moment: T,
 }
@@ -53,9 +55,13 @@ pub struct LocalFlow<S: Simd> {
     pub induced: Lanes<S>,
 }
 
-/// Loads of flaps at the elastic axis per unit width and radian of δ.
+/// Loads of flaps at the elastic axis per unit width: per radian of δ, and a drag per radian squared.
 #[derive(Clone, Copy, Debug)]
 pub struct FlapLoads<S: Simd> {
+    /// Along f, N/m.
+    pub forward: Lanes<S>,
+    /// Along −f per δ², N/m.
+    pub drag: Lanes<S>,
     /// Along n, N/m.
     pub down: Lanes<S>,
     /// About s, nose-up, N.
@@ -82,8 +88,9 @@ impl Section {
             elastic_axis_aft_of_midchord: place.load(&self.elastic_axis_aft_of_midchord),
             lift_slope: place.load(&self.lift_slope),
             profile_drag: place.load(&self.profile_drag),
-            leading_edge_suction: place.load(&self.leading_edge_suction),
+            suction_loss: place.load(&self.suction_loss),
             flap_lift: place.load(&self.flap_lift),
+            flap_drag: place.load(&self.flap_drag),
             flap_moment: place.load(&self.flap_moment),
         }
     }
@@ -98,6 +105,14 @@ impl Section {
     ) -> Lanes<S> {
         let (b, d) = (place.load(&self.semichord), place.load(&self.elastic_axis_aft_of_midchord));
         upwash + (half(b) - d) * pitch_rate
+    }
+}
+
+impl<S: Simd> LocalFlow<S> {
+    /// An upwash at the elastic axis as mid-chord meets it, d ahead, less the induced velocity, m/s.
+    #[inline(always)]
+    fn at_midchord(&self, d: Lanes<S>, upwash: Lanes<S>) -> Lanes<S> {
+        upwash - d * self.pitch_rate - self.induced
     }
 }
 
@@ -120,8 +135,10 @@ impl<S: Simd> Section<Lanes<S>> {
                 - half(b) * chordwise * pitch_rate
                 - (d * d + b * b * 0.125) * flow.pitch_drift);
 
-        let suction_velocity = upwash - d * pitch_rate - induced;
-        let suction = self.leading_edge_suction * lift_by_upwash * suction_velocity * suction_velocity;
+        let suction_velocity = flow.at_midchord(d, normal);
+        let incidence_velocity = flow.at_midchord(d, upwash);
+        let suction =
+            lift_by_upwash * incidence_velocity * (suction_velocity - self.suction_loss * incidence_velocity);
         let drag_per_velocity = self.profile_drag * rho_b * (chordwise * chordwise + normal * normal).sqrt();
 
         SectionLoads {
@@ -131,13 +148,21 @@ impl<S: Simd> Section<Lanes<S>> {
         }
     }
 
-    /// What the flaps add per radian: the loads are linear in δ.
+    /// What the flaps add: the loads are linear in δ but for a drag, which is proportional to δ².
     #[inline(always)]
     pub fn flap_loads(&self, flow: &LocalFlow<S>) -> FlapLoads<S> {
         let (b, d) = (self.semichord, self.elastic_axis_aft_of_midchord);
-        let pressure = flow.density * b * flow.chordwise * flow.chordwise;
+        let momentum = flow.density * b * flow.chordwise;
+        let (pressure, lift_by_velocity) = (momentum * flow.chordwise, momentum * self.flap_lift);
         let lift = pressure * self.flap_lift;
-        FlapLoads { down: -lift, pitching: (half(b) + d) * lift + pressure * b * self.flap_moment }
+        let suction_velocity = flow.at_midchord(d, flow.normal);
+        let incidence_velocity = flow.at_midchord(d, flow.upwash);
+        FlapLoads {
+            forward: lift_by_velocity * (suction_velocity - self.suction_loss * incidence_velocity * 2.0),
+            drag: pressure * self.flap_drag,
+            down: -lift,
+            pitching: (half(b) + d) * lift + pressure * b * self.flap_moment,
+        }
     }
 }
 

@@ -81,7 +81,7 @@ fn follow_wake<S: Simd, Motion>(
     place: Place<S>,
     (index, group): (usize, &Group),
     around: &Surroundings,
-    MovingSections { flow, unforced, .. }: &mut MovingSections<S, Motion>,
+    MovingSections { flow, .. }: &mut MovingSections<S, Motion>,
     (states, rates): (&InflowStates<&[f64]>, &mut InflowStates<&mut [f64]>),
     sums: &mut StripSums,
 ) {
@@ -90,7 +90,7 @@ fn follow_wake<S: Simd, Motion>(
         sums.reversed = lane.map(|lane| index * LANES + place.lane(lane));
     }
     let passing = flow.chordwise * place.load(&group.per_semichord);
-    let wake = WakeFlow { w3: flow.w3, passing, unforced: *unforced };
+    let wake = WakeFlow { w3: flow.w3, passing };
     flow.induced = around.inflow.induced_velocity(place, states, flow.w3);
     around.inflow.write_rates(place, states, &wake, rates);
 }

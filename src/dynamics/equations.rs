@@ -15,7 +15,7 @@ use crate::structure::{
 
 use super::air_loads::SumLoads;
 use super::attitude::{Attitude, quaternion_rate};
-use super::controls::Controls;
+use super::controls::{Controls, FlapFactor};
 use super::fidelity::{Fidelity, Terms};
 use super::freedom::RigidFreedom;
 use super::inertia::{DeformedInertia, RigidMotion, add};
@@ -309,6 +309,11 @@ impl EquationsOfMotion {
     /// Room for the loads of the strips of these equations.
     pub(super) fn strip_sums(&self) -> StripSums {
         StripSums::new(&self.strips, self.freedom, self.layout.modes(), self.symmetric)
+    }
+
+    /// What the loads of the flaps are proportional to.
+    pub(super) fn flap_factors(&self) -> &[FlapFactor] {
+        &self.strips.factors
     }
 
     /// Altitude of O, m.

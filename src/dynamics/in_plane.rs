@@ -1,7 +1,7 @@
 //! Strips in the mirror plane while all motion is in it [4.1; physics.md §4].
 //!
-//! Everything is in x and z but rates and turns, which are about y. The triad turns about a fixed axis: Ψᵠq̇ is its true
-//! spin in the body, and the true ẇ₃ forces the wake. Symbols as in `in_space`.
+//! Everything is in x and z but rates and turns, which are about y. The triad turns about a fixed axis: Ψᵠq̇ is its
+//! spin in the body. Symbols as in `in_space`.
 
 use pulp::Simd;
 
@@ -97,15 +97,14 @@ impl Group {
         let transport = PlaneVector::splat(place, &around.air_transport) + elastic_velocity.turned_by(rate);
         let upwash_drift =
             zero_lift_normal.dot(&transport) + elastic_rate * zero_lift_normal.cross(&velocity);
-        let zero = place.splat(0.0);
         let flow = self.flow::<S, SYMMETRIC>(
             place,
             around.density,
             [forward.dot(&velocity), normal.dot(&velocity), span * (rate + elastic_rate)],
-            [upwash_drift, zero],
+            [upwash_drift, place.splat(0.0)],
         );
         let motion = PlaneSections { motion, span, normal, zero_lift_normal };
-        MovingSections { motion, flow, unforced: zero }
+        MovingSections { motion, flow }
     }
 
     /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.

@@ -1,11 +1,8 @@
 //! How strips move with the deformed aircraft and where their loads go [4.1; physics.md §4].
 //!
 //! Symbols: f, s, n the deformed triad, R = r + Ψᵘq, V the velocity relative to the air, m = n + α0 f, and
-//! the rows G_w = nᵀ[1, −R×, Ψᵘ], G_Ω = sᵀ[0, 1, Ψᵠ] on ν = [v; ω; q̇].
-//!
-//! **Caveat.** physics.md §4 turns the triad by the finite rotation exp((Ψᵠq)×) but lets it spin at Ψᵠq̇ in ẇ
-//! and Ω̇, which is the true spin only for small rotations. The inflow is forced by that ẇ, so its states,
-//! which count from the true w₃, take the difference (`unforced`) off again.
+//! the rows G_w = nᵀ[1, −R×, Ψᵘ], G_Ω = sᵀ[0, 1, Ψᵠ] on ν = [v; ω; q̇]. The triad turns by the finite rotation
+//! exp((Ψᵠq)×) and spins accordingly: ẇ and Ω̇ are the rates of w and Ω.
 
 use pulp::Simd;
 
@@ -51,20 +48,18 @@ impl Group {
         let spin = rate + elastic_rate;
         let zero_lift_normal = self.zero_lift_normal::<S, _, SYMMETRIC>(place, [normal, forward]);
 
-        // (ω × m)·V = ω·(m × V): how w and Ω change with the spin of the triad.
-        let (by_spin, pitch_by_spin) = (zero_lift_normal.cross(&air_velocity), span.cross(&spin));
-        let upwash_drift = zero_lift_normal.dot(&transport) + elastic_rate.dot(&by_spin);
+        // (σ × m)·V = σ·(m × V): how w and Ω change with the spin of the triad.
+        let triad_spin = elastic_rate + turn.excess_spin(&elastic_rate);
+        let upwash_drift =
+            zero_lift_normal.dot(&transport) + triad_spin.dot(&zero_lift_normal.cross(&air_velocity));
         let flow = self.flow::<S, SYMMETRIC>(
             place,
             around.density,
             [forward.dot(&air_velocity), normal.dot(&air_velocity), span.dot(&spin)],
-            [upwash_drift, elastic_rate.dot(&pitch_by_spin)],
+            [upwash_drift, triad_spin.dot(&span.cross(&spin))],
         );
-        let excess = turn.excess_spin(&elastic_rate);
-        let unforced =
-            self.section.three_quarter_chord_upwash(place, excess.dot(&by_spin), excess.dot(&pitch_by_spin));
         let motion = SpaceMotion { forward, span, normal, zero_lift_normal, position };
-        MovingSections { motion, flow, unforced }
+        MovingSections { motion, flow }
     }
 
     /// Ψᵘq, Ψᵠq, Ψᵘq̇ and Ψᵠq̇.

@@ -37,14 +37,18 @@ pub struct Resultants<V, const SYMMETRIC: bool> {
     force: V,
     /// √(πb²Δy) m.
     acceleration: V,
+    /// f, along which flaps drag.
+    forward: V,
 }
 
-/// Resultants of the flaps per radian, the force in parts of the heave of [`Resultants`].
+/// Resultants of the flaps: forces in parts of the heave and of the forward axis of [`Resultants`].
 pub struct FlapResultants<S: Simd> {
-    /// N per √kg.
-    force: Lanes<S>,
-    /// N·m.
+    /// Per radian: N per √kg along heave, N along f, N·m.
+    heave: Lanes<S>,
+    forward: Lanes<S>,
     moment: Lanes<S>,
+    /// Per radian squared: N along −f.
+    drag: Lanes<S>,
 }
 
 /// Properties of whole strips that distributing their loads needs.
@@ -67,6 +71,8 @@ pub struct Displacement<S: Simd> {
     force: Lanes<S>,
     /// √(πb²Δy) m·δu.
     acceleration: Lanes<S>,
+    /// f·δu.
+    forward: Lanes<S>,
     /// δθ.
     turn: Lanes<S>,
 }
@@ -85,6 +91,7 @@ impl<S: Simd, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETRIC> {
                 heave,
                 force: *normal * (loads.down * sizes.width) + *forward * (loads.forward * sizes.width),
                 acceleration: if SYMMETRIC { heave } else { *zero_lift_normal * sizes.root_mass },
+                forward: *forward,
             },
             moment: loads.pitching * sizes.width,
             heave_by_turn: -(sizes.elastic_axis_aft_of_midchord * sizes.root_mass),
@@ -95,7 +102,7 @@ impl<S: Simd, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETRIC> {
     /// The entries of a component of ν, flaps neutral.
     #[inline(always)]
     pub fn on(&self, displacement: &Displacement<S>) -> RowEntry<S> {
-        let Displacement { heave, force, acceleration, turn } = *displacement;
+        let Displacement { heave, force, acceleration, turn, .. } = *displacement;
         let by_turn = turn * self.heave_by_turn;
         let heave = heave + by_turn;
         RowEntry {
@@ -119,6 +126,7 @@ impl<V, const SYMMETRIC: bool> Resultants<V, SYMMETRIC> {
             heave,
             force: self.force.dot(translation),
             acceleration: if SYMMETRIC { heave } else { self.acceleration.dot(translation) },
+            forward: self.forward.dot(translation),
             turn,
         }
     }
@@ -133,6 +141,7 @@ impl<S: Simd, const SYMMETRIC: bool> Resultants<LaneVector<S>, SYMMETRIC> {
             heave,
             force: arm.cross(&self.force),
             acceleration: if SYMMETRIC { heave } else { position.cross(&self.acceleration) },
+            forward: arm.cross(&self.forward),
         }
     }
 
@@ -143,6 +152,7 @@ impl<S: Simd, const SYMMETRIC: bool> Resultants<LaneVector<S>, SYMMETRIC> {
             heave: self.heave.component(axis),
             force: self.force.component(axis),
             acceleration: self.acceleration.component(axis),
+            forward: self.forward.component(axis),
             turn,
         }
     }
@@ -153,19 +163,23 @@ impl<S: Simd, const SYMMETRIC: bool> Resultants<PlaneVector<S>, SYMMETRIC> {
     /// `turn`; loads act at `arm`, accelerations at `position`.
     #[inline(always)]
     pub fn in_plane(&self, [arm, position]: [&PlaneVector<S>; 2], turn: Lanes<S>) -> [Displacement<S>; 3] {
-        let Resultants { heave, force, acceleration } = self;
-        let still = turn.splat(0.0);
+        let Resultants { heave, force, acceleration, forward } = self;
+        let along = |component: fn(&PlaneVector<S>) -> Lanes<S>| Displacement {
+            heave: component(heave),
+            force: component(force),
+            acceleration: component(acceleration),
+            forward: component(forward),
+            turn: turn.splat(0.0),
+        };
         let heave_about = arm.cross(heave);
-        [
-            Displacement { heave: heave.x, force: force.x, acceleration: acceleration.x, turn: still },
-            Displacement { heave: heave.z, force: force.z, acceleration: acceleration.z, turn: still },
-            Displacement {
-                heave: heave_about,
-                force: arm.cross(force),
-                acceleration: if SYMMETRIC { heave_about } else { position.cross(acceleration) },
-                turn,
-            },
-        ]
+        let about = Displacement {
+            heave: heave_about,
+            force: arm.cross(force),
+            acceleration: if SYMMETRIC { heave_about } else { position.cross(acceleration) },
+            forward: arm.cross(forward),
+            turn,
+        };
+        [along(|vector| vector.x), along(|vector| vector.z), about]
     }
 }
 
@@ -174,14 +188,22 @@ impl<S: Simd> FlapResultants<S> {
     #[inline(always)]
     pub fn new(loads: &FlapLoads<S>, sizes: &StripSizes<S>, per_root_mass: Lanes<S>) -> Self {
         FlapResultants {
-            force: loads.down * sizes.width * per_root_mass,
+            heave: loads.down * sizes.width * per_root_mass,
+            forward: loads.forward * sizes.width,
             moment: loads.pitching * sizes.width,
+            drag: loads.drag * sizes.width,
         }
     }
 
     /// The generalised force along a component of ν, per radian.
     #[inline(always)]
-    pub fn on(&self, displacement: &Displacement<S>) -> Lanes<S> {
-        displacement.heave * self.force + displacement.turn * self.moment
+    pub fn on(&self, Displacement { heave, forward, turn, .. }: &Displacement<S>) -> Lanes<S> {
+        *heave * self.heave + *forward * self.forward + *turn * self.moment
+    }
+
+    /// The generalised force along a component of ν, per radian squared.
+    #[inline(always)]
+    pub fn drag_on(&self, displacement: &Displacement<S>) -> Lanes<S> {
+        -(displacement.forward * self.drag)
     }
 }

@@ -8,7 +8,6 @@ use pulp::Simd;
 
 use crate::lanes::{Eight, Lanes, Place};
 
-use super::controls::SURFACES;
 use super::forces::GeneralisedForces;
 use super::freedom::RigidFreedom;
 use super::square_matrix::{SPARE, SquareMatrix};
@@ -25,8 +24,6 @@ pub struct StripSums {
     moving: Vec<usize>,
     /// How many of them, the first, are translations of the whole aircraft.
     translations: usize,
-    /// Kinds of surfaces that move any flap.
-    surfaces: Vec<usize>,
     /// Whether X and Y are the same.
     symmetric: bool,
     /// Padded to whole blocks.
@@ -42,8 +39,8 @@ pub struct StripSums {
 pub struct Row {
     /// Generalised force with the flaps neutral, per lane.
     force: Eight,
-    /// Generalised force per radian of each kind of surfaces, per lane.
-    effects: [Eight; SURFACES],
+    /// Generalised force per unit of each factor of the flaps' loads, per lane.
+    effects: Vec<Eight>,
     /// Of X and Y, of every group.
     pitch: Vec<Eight>,
     /// Of X, of every group.
@@ -69,13 +66,12 @@ impl StripSums {
     /// Room for the sums of some strips; of the generalised forces and masses those of the components of ν that move.
     pub fn new(strips: &Strips, freedom: RigidFreedom, modes: usize, symmetric: bool) -> Self {
         let moving = freedom.moving(modes);
-        let row = Row::new(strips.groups(), symmetric);
+        let row = Row::new(strips.groups(), strips.factors.len(), symmetric);
         StripSums {
             rows: vec![row; moving.len().next_multiple_of(BLOCK)],
             product: SquareMatrix::new(moving.len()),
             moving,
             translations: freedom.translations(),
-            surfaces: strips.surfaces.clone(),
             symmetric,
             reversed: None,
         }
@@ -96,9 +92,7 @@ impl StripSums {
     pub fn clear(&mut self) {
         for row in &mut self.rows {
             row.force = Eight::ZERO;
-            for &surface in &self.surfaces {
-                row.effects[surface] = Eight::ZERO;
-            }
+            row.effects.fill(Eight::ZERO);
         }
         self.reversed = None;
     }
@@ -109,8 +103,8 @@ impl StripSums {
         self.rows[..self.moving.len()].iter_mut()
     }
 
-    /// Adds the forces to those on ν and to those per radian of each kind of surfaces, and ρXᵀY to the mass matrix of the
-    /// components that move; of a symmetric one only the upper triangle.
+    /// Adds the forces to those on ν and to those of the flaps, and ρXᵀY to the mass matrix of the components that move;
+    /// of a symmetric one only the upper triangle.
     #[inline(always)]
     pub fn add_to<S: Simd>(
         &mut self,
@@ -124,10 +118,9 @@ impl StripSums {
         for (&component, row) in rows() {
             passive[component] += row.force.sum();
         }
-        for &surface in &self.surfaces {
-            let effect = forces.of_surface_mut(surface);
+        for (factor, effect) in forces.of_flaps_mut().enumerate() {
             for (&component, row) in rows() {
-                effect[component] += row.effects[surface].sum();
+                effect[component] += row.effects[factor].sum();
             }
         }
         let size = self.moving.len();
@@ -202,12 +195,12 @@ fn add_products<S: Simd, const ROWS: usize, const ON_DIAGONAL: bool>(
 }
 
 impl Row {
-    /// Of so many groups; `symmetric` where accelerations are distributed as loads are.
-    fn new(groups: usize, symmetric: bool) -> Self {
+    /// Of so many groups and factors of the flaps' loads; `symmetric` where accelerations are distributed as loads are.
+    fn new(groups: usize, factors: usize, symmetric: bool) -> Self {
         let zeros = vec![Eight::ZERO; groups];
         Row {
             force: Eight::ZERO,
-            effects: [Eight::ZERO; SURFACES],
+            effects: vec![Eight::ZERO; factors],
             pitch: zeros.clone(),
             heave: zeros.clone(),
             acceleration: if symmetric { Vec::new() } else { zeros },
@@ -242,10 +235,10 @@ impl Row {
         add_to(place, &mut self.force, force);
     }
 
-    /// Adds the generalised force per radian of a kind of surfaces.
+    /// Adds the generalised force per unit of a factor of the flaps' loads.
     #[inline(always)]
-    pub fn add_effect<S: Simd>(&mut self, place: Place<S>, surface: usize, effect: Lanes<S>) {
-        add_to(place, &mut self.effects[surface], effect);
+    pub fn add_effect<S: Simd>(&mut self, place: Place<S>, factor: usize, effect: Lanes<S>) {
+        add_to(place, &mut self.effects[factor], effect);
     }
 }
 

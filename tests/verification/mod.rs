@@ -18,6 +18,8 @@ mod rigid_modes;
 mod sensors;
 mod spin_up;
 mod strain_energy;
+mod strip_loads;
+mod suction;
 mod symmetry;
 mod trim;
 mod wind_tunnel;
