@@ -22,6 +22,8 @@ pub struct Section<T = Eight> {
     pub lift_slope: T,
     /// CD0.
     pub profile_drag: T,
+    /// 2 c_m0.
+    pub zero_lift_moment: T,
     /// 1 − η: the share of the leading-edge suction that is lost; zero where CLα = 0.
     pub suction_loss: T,
     /// CLδ c1, 1/rad, see [`FlapEffect`](super::FlapEffect); zero without a flap.
@@ -88,6 +90,7 @@ impl Section {
             elastic_axis_aft_of_midchord: place.load(&self.elastic_axis_aft_of_midchord),
             lift_slope: place.load(&self.lift_slope),
             profile_drag: place.load(&self.profile_drag),
+            zero_lift_moment: place.load(&self.zero_lift_moment),
             suction_loss: place.load(&self.suction_loss),
             flap_lift: place.load(&self.flap_lift),
             flap_drag: place.load(&self.flap_drag),
@@ -135,6 +138,8 @@ impl<S: Simd> Section<Lanes<S>> {
                 - half(b) * chordwise * pitch_rate
                 - (d * d + b * b * 0.125) * flow.pitch_drift);
 
+        let zero_lift_moment = self.zero_lift_moment * rho_b * b * chordwise * chordwise;
+
         let suction_velocity = flow.at_midchord(d, normal);
         let incidence_velocity = flow.at_midchord(d, upwash);
         let suction =
@@ -144,7 +149,7 @@ impl<S: Simd> Section<Lanes<S>> {
         SectionLoads {
             forward: suction - drag_per_velocity * chordwise,
             down: -(lift + apparent_lift) - drag_per_velocity * normal,
-            pitching: (half(b) + d) * lift + apparent_moment,
+            pitching: (half(b) + d) * lift + apparent_moment + zero_lift_moment,
         }
     }
 

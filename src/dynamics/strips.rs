@@ -202,6 +202,7 @@ impl Group {
                 elastic_axis_aft_of_midchord: lanes(&|strip| strip.elastic_axis_aft_of_midchord, 0.0),
                 lift_slope: lanes(&|strip| strip.lift_slope, 0.0),
                 profile_drag: lanes(&|strip| strip.profile_drag, 0.0),
+                zero_lift_moment: lanes(&|strip| 2.0 * strip.zero_lift_moment, 0.0),
                 suction_loss: lanes(&suction_loss, 0.0),
                 flap_lift: flap(&|effect| effect.lift),
                 flap_drag: lanes(&flap_drag, 0.0),

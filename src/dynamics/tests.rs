@@ -88,6 +88,7 @@ fn with_lifting_body(mut model: ReducedModel) -> ReducedModel {
         let gains = ControlGains { elevator: 0.5, aileron_symmetric: -0.3, ..ControlGains::default() };
         strip.flap = Some(Flap { lift_slope: 4.0, hinge: 0.7, gains });
         strip.zero_lift_offset = 0.03;
+        strip.zero_lift_moment = -0.05;
         altered += 1;
     }
     assert!(

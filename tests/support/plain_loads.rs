@@ -159,7 +159,7 @@ impl Instant<'_> {
         let lift = PI * rho * b * b * (w_dot - d * omega_dot) + circulatory + flap_lift;
         let moment = (0.5 * b + d) * (circulatory + flap_lift)
             + PI * rho * b * b * (d * w_dot - 0.5 * b * u * omega - (d * d + b * b / 8.0) * omega_dot)
-            + rho * b * b * u * u * c4_delta;
+            + rho * b * b * u * u * (c4_delta + 2.0 * strip.zero_lift_moment);
         let w_s = across - d * omega;
         let n1 = strip.lift_slope * (w_s + u * strip.zero_lift_offset) + c1_delta * u;
         let lost = if strip.lift_slope == 0.0 {

@@ -9,7 +9,7 @@ use super::record::Record;
 use crate::support::plain_loads::{Instant, point};
 use crate::support::{derivative, jet, random};
 
-/// The jet with twelve modes; `altered` gives its strips camber, a moment at zero lift, suction, and flaps that all
+/// The jet with twelve modes; `altered` gives its strips camber, moments at zero lift, suction, and flaps that all
 /// controls turn.
 fn aircraft(altered: bool) -> ReducedModel {
     let mut model = jet().select(&(0..12).collect::<Vec<_>>());
@@ -17,6 +17,7 @@ fn aircraft(altered: bool) -> ReducedModel {
         let mut next = random(7);
         for strip in &mut model.strips {
             strip.zero_lift_offset = 0.05 * next();
+            strip.zero_lift_moment = 0.1 * next();
             strip.leading_edge_suction = 0.5 + 0.5 * next();
             if let Some(flap) = &mut strip.flap {
                 let gains = &mut flap.gains;
@@ -113,7 +114,7 @@ fn the_loads_of_all_strips_are_the_plain_sum_of_the_formulas_at_every_level() {
     let mut record = Record::new(
         "strip-loads",
         "Generalised forces of all strips at ten random states, sections turned by up to 1 rad, in a changing wind: largest difference to the plain sum, over the largest force",
-        "physics.md §4, summed strip by strip in `support/plain_loads.rs`; the altered jet has camber, suction, and flaps that all controls turn",
+        "physics.md §4, summed strip by strip in `support/plain_loads.rs`; the altered jet has camber, moments at zero lift, suction, and flaps that all controls turn",
     );
     for (name, model) in [("jet", aircraft(false)), ("altered jet", aircraft(true))] {
         for fidelity in Fidelity::ALL.into_iter().filter(|fidelity| *fidelity != Fidelity::Rigid) {
