@@ -12,7 +12,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::lanes::{Eight, LANES, Lanes, Place};
 
@@ -85,7 +85,7 @@ impl PetersInflow {
 
     /// λ₀, m/s, of strips from their states and w₃ = w + (b/2 − d)Ω.
     #[inline(always)]
-    pub fn induced_velocity<S: Simd>(
+    pub fn induced_velocity<S: Arithmetic>(
         &self,
         place: Place<S>,
         states: &InflowStates<&[f64]>,
@@ -105,7 +105,7 @@ impl PetersInflow {
 
     /// Rates of the states of strips, m/s².
     #[inline(always)]
-    pub fn write_rates<S: Simd>(
+    pub fn write_rates<S: Arithmetic>(
         &self,
         place: Place<S>,
         states: &InflowStates<&[f64]>,
@@ -145,7 +145,12 @@ impl PetersInflow {
     }
 
     /// Sets the states of strips to a wake long at rest: λ = 0.
-    pub fn settle<S: Simd>(&self, place: Place<S>, w3: Lanes<S>, states: &mut InflowStates<&mut [f64]>) {
+    pub fn settle<S: Arithmetic>(
+        &self,
+        place: Place<S>,
+        w3: Lanes<S>,
+        states: &mut InflowStates<&mut [f64]>,
+    ) {
         for state in states.real.chunks_exact_mut(LANES).chain(states.re.chunks_exact_mut(LANES)) {
             place.store_slice(state, -w3);
         }
@@ -157,7 +162,7 @@ impl PetersInflow {
 
 /// The flow that drives the wakes of strips.
 #[derive(Clone, Copy, Debug)]
-pub struct WakeFlow<S: Simd> {
+pub struct WakeFlow<S: Arithmetic> {
     /// w₃, m/s.
     pub w3: Lanes<S>,
     /// U/b, 1/s.

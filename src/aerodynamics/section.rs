@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::lanes::{Eight, Lanes, Place};
 
@@ -36,7 +36,7 @@ pub struct Section<T = Eight> {
 
 /// The air as the sections meet it.
 #[derive(Clone, Copy, Debug)]
-pub struct LocalFlow<S: Simd> {
+pub struct LocalFlow<S: Arithmetic> {
     /// ρ, kg/m³.
     pub density: Lanes<S>,
     /// U = f·V, m/s.
@@ -59,7 +59,7 @@ pub struct LocalFlow<S: Simd> {
 
 /// Loads of flaps at the elastic axis per unit width: per radian of δ, and a drag per radian squared.
 #[derive(Clone, Copy, Debug)]
-pub struct FlapLoads<S: Simd> {
+pub struct FlapLoads<S: Arithmetic> {
     /// Along f, N/m.
     pub forward: Lanes<S>,
     /// Along −f per δ², N/m.
@@ -72,7 +72,7 @@ pub struct FlapLoads<S: Simd> {
 
 /// Loads at the elastic axis per unit width, flaps neutral.
 #[derive(Clone, Copy, Debug)]
-pub struct SectionLoads<S: Simd> {
+pub struct SectionLoads<S: Arithmetic> {
     /// Along f, N/m.
     pub forward: Lanes<S>,
     /// Along n ("down" for a wing), N/m.
@@ -84,7 +84,7 @@ pub struct SectionLoads<S: Simd> {
 impl Section {
     /// The sections at a place of the group.
     #[inline(always)]
-    pub fn at<S: Simd>(&self, place: Place<S>) -> Section<Lanes<S>> {
+    pub fn at<S: Arithmetic>(&self, place: Place<S>) -> Section<Lanes<S>> {
         Section {
             semichord: place.load(&self.semichord),
             elastic_axis_aft_of_midchord: place.load(&self.elastic_axis_aft_of_midchord),
@@ -100,7 +100,7 @@ impl Section {
 
     /// w₃ = w + (b/2 − d) Ω: the upwash at three-quarter chord, m/s.
     #[inline(always)]
-    pub fn three_quarter_chord_upwash<S: Simd>(
+    pub fn three_quarter_chord_upwash<S: Arithmetic>(
         &self,
         place: Place<S>,
         upwash: Lanes<S>,
@@ -111,7 +111,7 @@ impl Section {
     }
 }
 
-impl<S: Simd> LocalFlow<S> {
+impl<S: Arithmetic> LocalFlow<S> {
     /// An upwash at the elastic axis as mid-chord meets it, d ahead, less the induced velocity, m/s.
     #[inline(always)]
     fn at_midchord(&self, d: Lanes<S>, upwash: Lanes<S>) -> Lanes<S> {
@@ -119,7 +119,7 @@ impl<S: Simd> LocalFlow<S> {
     }
 }
 
-impl<S: Simd> Section<Lanes<S>> {
+impl<S: Arithmetic> Section<Lanes<S>> {
     /// The loads with the flaps neutral, without the apparent-mass terms in the accelerations.
     #[inline(always)]
     pub fn loads(&self, flow: &LocalFlow<S>) -> SectionLoads<S> {
@@ -172,6 +172,6 @@ impl<S: Simd> Section<Lanes<S>> {
 }
 
 #[inline(always)]
-fn half<S: Simd>(value: Lanes<S>) -> Lanes<S> {
+fn half<S: Arithmetic>(value: Lanes<S>) -> Lanes<S> {
     value * 0.5
 }

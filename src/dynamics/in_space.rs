@@ -4,7 +4,7 @@
 //! the rows G_w = nᵀ[1, −R×, Ψᵘ], G_Ω = sᵀ[0, 1, Ψᵠ] on ν = [v; ω; q̇]. The triad turns by the finite rotation
 //! exp((Ψᵠq)×) and spins accordingly: ẇ and Ω̇ are the rates of w and Ω.
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::lane_vectors::{Arrow, LaneVector};
 use crate::lanes::Place;
@@ -15,7 +15,7 @@ use super::strip_sums::{Row, StripSums};
 use super::strips::{Group, Loads, MovingSections, Surroundings};
 
 /// How sections stand.
-pub(super) struct SpaceMotion<S: Simd> {
+pub(super) struct SpaceMotion<S: Arithmetic> {
     forward: LaneVector<S>,
     span: LaneVector<S>,
     normal: LaneVector<S>,
@@ -28,7 +28,7 @@ pub(super) struct SpaceMotion<S: Simd> {
 impl Group {
     /// Deforms the sections and finds their flow; the induced velocity is left at zero.
     #[inline(always)]
-    pub(super) fn deform<S: Simd, const SYMMETRIC: bool>(
+    pub(super) fn deform<S: Arithmetic, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         around: &Surroundings,
@@ -64,7 +64,7 @@ impl Group {
 
     /// Ψᵘq, Ψᵠq, Ψᵘq̇ and Ψᵠq̇.
     #[inline(always)]
-    fn combine<S: Simd>(&self, place: Place<S>, q: &[f64], q_dot: &[f64]) -> [LaneVector<S>; 4] {
+    fn combine<S: Arithmetic>(&self, place: Place<S>, q: &[f64], q_dot: &[f64]) -> [LaneVector<S>; 4] {
         let (mut sums, mut rates) = ([place.splat(0.0); 6], [place.splat(0.0); 6]);
         for (shape, (&q, &q_dot)) in self.shapes.iter().zip(q.iter().zip(q_dot)) {
             for row in 0..6 {
@@ -85,7 +85,7 @@ impl Group {
 
     /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
     #[inline(always)]
-    pub(super) fn distribute<S: Simd, const SYMMETRIC: bool>(
+    pub(super) fn distribute<S: Arithmetic, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         index: usize,
@@ -115,7 +115,7 @@ impl Group {
 
     /// Adds the rows of translations along axes and of rotations about axes.
     #[inline(always)]
-    fn add_rigid_rows<'a, S: Simd, const SYMMETRIC: bool>(
+    fn add_rigid_rows<'a, S: Arithmetic, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         RigidRows { index, arms, span }: &RigidRows<S>,
@@ -137,7 +137,7 @@ impl Group {
 }
 
 /// What the rows of the rigid motion of a group of strips need.
-struct RigidRows<'a, S: Simd> {
+struct RigidRows<'a, S: Arithmetic> {
     /// The group.
     index: usize,
     /// At which loads act, and at which accelerations.

@@ -9,7 +9,7 @@
 //!
 //! heave and pitch times the root of their apparent mass or inertia.
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::aerodynamics::{FlapLoads, SectionLoads};
 use crate::lane_vectors::{Arrow, LaneVector, PlaneVector};
@@ -18,7 +18,7 @@ use crate::lanes::Lanes;
 use super::strip_sums::RowEntry;
 
 /// Resultants on whole strips, vectors of kind `V`; `SYMMETRIC` where accelerations are distributed as loads are.
-pub struct StripLoads<S: Simd, V, const SYMMETRIC: bool> {
+pub struct StripLoads<S: Arithmetic, V, const SYMMETRIC: bool> {
     /// What translations meet.
     pub resultants: Resultants<V, SYMMETRIC>,
     /// M, N·m.
@@ -42,7 +42,7 @@ pub struct Resultants<V, const SYMMETRIC: bool> {
 }
 
 /// Resultants of the flaps: forces in parts of the heave and of the forward axis of [`Resultants`].
-pub struct FlapResultants<S: Simd> {
+pub struct FlapResultants<S: Arithmetic> {
     /// Per radian: N per √kg along heave, N along f, N·m.
     heave: Lanes<S>,
     forward: Lanes<S>,
@@ -52,7 +52,7 @@ pub struct FlapResultants<S: Simd> {
 }
 
 /// Properties of whole strips that distributing their loads needs.
-pub struct StripSizes<S: Simd> {
+pub struct StripSizes<S: Arithmetic> {
     /// Δy, m.
     pub width: Lanes<S>,
     /// d, m.
@@ -64,7 +64,7 @@ pub struct StripSizes<S: Simd> {
 }
 
 /// How a component of ν moves strips.
-pub struct Displacement<S: Simd> {
+pub struct Displacement<S: Arithmetic> {
     /// √(πb²Δy) n·δu.
     heave: Lanes<S>,
     /// F·δu.
@@ -77,7 +77,7 @@ pub struct Displacement<S: Simd> {
     turn: Lanes<S>,
 }
 
-impl<S: Simd, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETRIC> {
+impl<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETRIC> {
     /// Of strips with their axes n, f and m.
     #[inline(always)]
     pub fn new(
@@ -117,7 +117,7 @@ impl<S: Simd, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETRIC> {
 impl<V, const SYMMETRIC: bool> Resultants<V, SYMMETRIC> {
     /// Of a component of ν that moves the attachment along a vector and turns the strips.
     #[inline(always)]
-    pub fn displaced<S: Simd>(&self, translation: &V, turn: Lanes<S>) -> Displacement<S>
+    pub fn displaced<S: Arithmetic>(&self, translation: &V, turn: Lanes<S>) -> Displacement<S>
     where
         V: Arrow<S>,
     {
@@ -132,7 +132,7 @@ impl<V, const SYMMETRIC: bool> Resultants<V, SYMMETRIC> {
     }
 }
 
-impl<S: Simd, const SYMMETRIC: bool> Resultants<LaneVector<S>, SYMMETRIC> {
+impl<S: Arithmetic, const SYMMETRIC: bool> Resultants<LaneVector<S>, SYMMETRIC> {
     /// Those that rotations about O meet: of forces at `arm`, of accelerations at `position`.
     #[inline(always)]
     pub fn about(&self, [arm, position]: [&LaneVector<S>; 2]) -> Self {
@@ -158,7 +158,7 @@ impl<S: Simd, const SYMMETRIC: bool> Resultants<LaneVector<S>, SYMMETRIC> {
     }
 }
 
-impl<S: Simd, const SYMMETRIC: bool> Resultants<PlaneVector<S>, SYMMETRIC> {
+impl<S: Arithmetic, const SYMMETRIC: bool> Resultants<PlaneVector<S>, SYMMETRIC> {
     /// Of units of motion in the mirror plane: along x, along z, and about y through O, which turns the strips by
     /// `turn`; loads act at `arm`, accelerations at `position`.
     #[inline(always)]
@@ -183,7 +183,7 @@ impl<S: Simd, const SYMMETRIC: bool> Resultants<PlaneVector<S>, SYMMETRIC> {
     }
 }
 
-impl<S: Simd> FlapResultants<S> {
+impl<S: Arithmetic> FlapResultants<S> {
     /// Of the flaps of strips.
     #[inline(always)]
     pub fn new(loads: &FlapLoads<S>, sizes: &StripSizes<S>, per_root_mass: Lanes<S>) -> Self {

@@ -4,7 +4,7 @@
 //! ρXᵀY of two rows per strip, each scaled by the root of its mass in air of unit density. Each entry is summed lane
 //! by lane over the groups of strips, then over the lanes: always in the same order.
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::lanes::{Eight, Lanes, Place};
 
@@ -51,7 +51,7 @@ pub struct Row {
 
 /// One component of ν of the rows of some strips, and the force along it.
 #[derive(Clone, Copy, Debug)]
-pub struct RowEntry<S: Simd> {
+pub struct RowEntry<S: Arithmetic> {
     /// √(πb²Δy) (G_w − dG_Ω).
     pub heave: Lanes<S>,
     /// √(πb⁴Δy/8) G_Ω.
@@ -106,7 +106,7 @@ impl StripSums {
     /// Adds the forces to those on ν and to those of the flaps, and ρXᵀY to the mass matrix of the components that move;
     /// of a symmetric one only the upper triangle.
     #[inline(always)]
-    pub fn add_to<S: Simd>(
+    pub fn add_to<S: Arithmetic>(
         &mut self,
         simd: S,
         density: f64,
@@ -138,7 +138,7 @@ impl StripSums {
     /// Writes the block of XᵀY that begins at a row and a column; of one on the diagonal of a symmetric product, only
     /// the upper triangle counts.
     #[inline(always)]
-    fn multiply<S: Simd, const ON_DIAGONAL: bool>(&mut self, simd: S, row: usize, column: usize) {
+    fn multiply<S: Arithmetic, const ON_DIAGONAL: bool>(&mut self, simd: S, row: usize, column: usize) {
         let (x, y) = (&self.rows[row..row + BLOCK], &self.rows[column..column + BLOCK]);
         // Translations turn nothing: their pitch is zero.
         let translations = |first: usize| self.translations.saturating_sub(first);
@@ -176,7 +176,7 @@ impl StripSums {
 /// Adds the products of the last `ROWS` rows of a block of X with a block of Y, summed over the groups; on the diagonal
 /// only the upper triangle.
 #[inline(always)]
-fn add_products<S: Simd, const ROWS: usize, const ON_DIAGONAL: bool>(
+fn add_products<S: Arithmetic, const ROWS: usize, const ON_DIAGONAL: bool>(
     place: Place<S>,
     [x0, x1, x2]: [&Vec<Eight>; BLOCK],
     [y0, y1, y2]: [&Vec<Eight>; BLOCK],
@@ -215,7 +215,7 @@ impl Row {
 
     /// Sets what a group's strips have in this row of X and Y, and adds their force.
     #[inline(always)]
-    pub fn add<S: Simd, const SYMMETRIC: bool>(
+    pub fn add<S: Arithmetic, const SYMMETRIC: bool>(
         &mut self,
         place: Place<S>,
         group: usize,
@@ -231,18 +231,18 @@ impl Row {
 
     /// Adds a generalised force.
     #[inline(always)]
-    pub fn add_force<S: Simd>(&mut self, place: Place<S>, force: Lanes<S>) {
+    pub fn add_force<S: Arithmetic>(&mut self, place: Place<S>, force: Lanes<S>) {
         add_to(place, &mut self.force, force);
     }
 
     /// Adds the generalised force per unit of a factor of the flaps' loads.
     #[inline(always)]
-    pub fn add_effect<S: Simd>(&mut self, place: Place<S>, factor: usize, effect: Lanes<S>) {
+    pub fn add_effect<S: Arithmetic>(&mut self, place: Place<S>, factor: usize, effect: Lanes<S>) {
         add_to(place, &mut self.effects[factor], effect);
     }
 }
 
 #[inline(always)]
-fn add_to<S: Simd>(place: Place<S>, sum: &mut Eight, lanes: Lanes<S>) {
+fn add_to<S: Arithmetic>(place: Place<S>, sum: &mut Eight, lanes: Lanes<S>) {
     place.store(sum, place.load(sum) + lanes);
 }

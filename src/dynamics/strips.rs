@@ -5,7 +5,9 @@
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
-use pulp::{Arch, Scalar, Simd};
+use pulp::Scalar;
+
+use crate::arithmetic::Arithmetic;
 
 use crate::aerodynamics::{FlapEffect, LocalFlow, PetersInflow, Section};
 use crate::aircraft::Flap;
@@ -56,8 +58,6 @@ pub struct Strips {
     pub(super) factors: Vec<FlapFactor>,
     /// Those that only drag.
     pub(super) edge_on: EdgeOnStrips,
-    /// How wide this machine's vectors are.
-    pub(super) arch: Arch,
 }
 
 /// The state of the aircraft and of the air that all strips share.
@@ -83,7 +83,7 @@ pub struct Surroundings<'a> {
 }
 
 /// Sections in their flow, with what is known of their motion.
-pub(super) struct MovingSections<S: Simd, Motion> {
+pub(super) struct MovingSections<S: Arithmetic, Motion> {
     pub(super) motion: Motion,
     pub(super) flow: LocalFlow<S>,
 }
@@ -107,7 +107,6 @@ impl Strips {
             groups: model.strips.chunks(LANES).map(group).collect(),
             factors,
             edge_on: EdgeOnStrips::new(edge_on, modes),
-            arch: Arch::new(),
         }
     }
 
@@ -217,7 +216,7 @@ impl Group {
 
     /// m = n + α0 f.
     #[inline(always)]
-    pub(super) fn zero_lift_normal<S: Simd, V: Arrow<S>, const SYMMETRIC: bool>(
+    pub(super) fn zero_lift_normal<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         [normal, forward]: [V; 2],
@@ -228,7 +227,7 @@ impl Group {
     /// The flow by f·V, n·V and Ω, and by those parts of ẇ and Ω̇ that no acceleration makes; the induced velocity is left
     /// at zero.
     #[inline(always)]
-    pub(super) fn flow<S: Simd, const SYMMETRIC: bool>(
+    pub(super) fn flow<S: Arithmetic, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         density: f64,
@@ -251,7 +250,7 @@ impl Group {
 
     /// The loads on the strips in a flow, by their axes n, f and m.
     #[inline(always)]
-    pub(super) fn loads<S: Simd, V: Arrow<S>, const SYMMETRIC: bool>(
+    pub(super) fn loads<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         flow: &LocalFlow<S>,
@@ -275,7 +274,7 @@ impl Group {
 
     /// Adds what the loads and the flaps contribute to one component of ν.
     #[inline(always)]
-    pub(super) fn add_row<S: Simd, V: Arrow<S>, const SYMMETRIC: bool>(
+    pub(super) fn add_row<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         index: usize,
@@ -326,7 +325,7 @@ fn coefficient(strip: &ReducedStrip, factor: FlapFactor) -> f64 {
 
 /// The first lane whose lifting strip meets the air from behind.
 #[cold]
-pub(super) fn first_reversed<S: Simd>(chordwise: Lanes<S>, lift_slope: Lanes<S>) -> Option<usize> {
+pub(super) fn first_reversed<S: Arithmetic>(chordwise: Lanes<S>, lift_slope: Lanes<S>) -> Option<usize> {
     let mut strips = chordwise.numbers().iter().zip(lift_slope.numbers());
     strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
 }
