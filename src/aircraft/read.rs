@@ -5,7 +5,7 @@ use toml::de::DeTable;
 
 use super::allowed::{
     AIRSPEED, ALTITUDE, ANGLE_DEG, ANY, Allowed, BEAM_STIFFNESS, CHORDS, DRAG, FLAP_LIFT_SLOPE, FRACTION,
-    GAIN, GRAVITY, GYRATION, INERTIA, INERTIA_PRODUCT, INSIDE_THE_CHORD, LENGTH, LIFT_SLOPE, MASS,
+    GAIN, GRAVITY, GYRATION, INERTIA, INERTIA_PRODUCT, INSIDE_THE_CHORD, LENGTH, LIFT_SLOPE, MASS, MOMENT,
     NEAR_THE_CHORD, POSITIVE_LENGTH, SHARE,
 };
 use super::document::{Located, Table, Value};
@@ -72,6 +72,7 @@ const SURFACE: &[&str] = &[
     "width_m",
     "lift_slope_per_rad",
     "zero_lift_offset_deg",
+    "zero_lift_moment",
     "profile_drag",
     "leading_edge_suction",
     "flap",
@@ -307,6 +308,7 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
         incidence: number_or(table, "incidence_deg", &ANGLE_DEG, 0.0).to_radians(),
         width: law("width_m", &POSITIVE_LENGTH),
         zero_lift_offset: number_or(table, "zero_lift_offset_deg", &ANGLE_DEG, 0.0).to_radians(),
+        zero_lift_moment: law("zero_lift_moment", &MOMENT),
         leading_edge_suction: number_or(table, "leading_edge_suction", &FRACTION, 0.0),
         flap: flap.and_then(|v| read_flap(&v)),
         controls: controls.into_iter().collect::<Option<_>>()?,

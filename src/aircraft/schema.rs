@@ -102,6 +102,7 @@ pub(super) struct SurfaceSpec {
     pub(super) lift_slope: Law,
     /// rad.
     pub(super) zero_lift_offset: f64,
+    pub(super) zero_lift_moment: Option<Law>,
     pub(super) profile_drag: Law,
     pub(super) leading_edge_suction: f64,
     pub(super) flap: Option<FlapSpec>,

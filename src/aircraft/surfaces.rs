@@ -24,10 +24,15 @@ pub(super) fn strips(spec: &SurfaceSpec, line: &Line, laws: &Laws) -> Option<Vec
     };
     let widths = spec.width.as_ref().map(|law| laws.values(law, &points));
     let lift_slopes = laws.values(&spec.lift_slope, &points);
+    let moments = match &spec.zero_lift_moment {
+        Some(law) => laws.values(law, &points),
+        None => Some(vec![0.0; points.len()]),
+    };
     let drags = laws.values(&spec.profile_drag, &points);
     let axes: Option<Vec<_>> = points.iter().map(|p| axes(spec, line, *p, laws.report)).collect();
     let gains = gains(&spec.controls, &points, laws.report);
-    let (chords, lift_slopes, drags, axes, gains) = (chords?, lift_slopes?, drags?, axes?, gains?);
+    let (chords, lift_slopes, moments, drags) = (chords?, lift_slopes?, moments?, drags?);
+    let (axes, gains) = (axes?, gains?);
     let mut strips = Vec::with_capacity(points.len());
     for (i, point) in points.iter().enumerate() {
         let (forward, span) = axes[i];
@@ -44,6 +49,7 @@ pub(super) fn strips(spec: &SurfaceSpec, line: &Line, laws: &Laws) -> Option<Vec
             width,
             lift_slope: lift_slopes[i],
             zero_lift_offset: spec.zero_lift_offset,
+            zero_lift_moment: moments[i],
             profile_drag: drags[i],
             leading_edge_suction: spec.leading_edge_suction,
             flap: spec.flap.map(|f| Flap { lift_slope: f.lift_slope, hinge: f.hinge, gains: gains[i] }),

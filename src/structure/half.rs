@@ -207,6 +207,7 @@ impl Mirror {
         };
         let alike = numbers(strip).into_iter().zip(numbers(image)).all(|(a, b)| are_alike(a, b))
             && are_alike(strip.zero_lift_offset, sign * image.zero_lift_offset)
+            && are_alike(strip.zero_lift_moment, sign * image.zero_lift_moment)
             && flaps_mirror(flap.as_ref(), image.flap.as_ref(), sign)
             && self.maps_shapes(shapes, &image.shapes);
         alike.then_some(sign)
@@ -305,6 +306,8 @@ mod tests {
         assert!(!has_half(|jet| drop(jet.strips.remove(0))));
         let fin = jet().strips.iter().position(|strip| strip.component == "vtail").unwrap();
         assert!(!has_half(|jet| jet.strips[fin].zero_lift_offset = 0.01));
+        assert!(!has_half(|jet| jet.strips[fin].zero_lift_moment = 0.01));
+        assert!(!has_half(|jet| jet.strips[3].zero_lift_moment = -0.1));
     }
 
     #[test]

@@ -87,6 +87,8 @@ pub struct ReducedStrip {
     pub lift_slope: f64,
     /// α0, rad.
     pub zero_lift_offset: f64,
+    /// c_m0: the section's moment coefficient about its aerodynamic centre.
+    pub zero_lift_moment: f64,
     /// CD0.
     pub profile_drag: f64,
     /// η.
@@ -220,6 +222,7 @@ fn reduced_strips(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedSt
         width: strip.width,
         lift_slope: strip.lift_slope,
         zero_lift_offset: strip.zero_lift_offset,
+        zero_lift_moment: strip.zero_lift_moment,
         profile_drag: strip.profile_drag,
         leading_edge_suction: strip.leading_edge_suction,
         flap: strip.flap,

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Problem, Strip};
+use flexible_aircraft::structure::ReducedModel;
 use nalgebra::Vector3;
 
 use super::{GOOD, edited};
@@ -86,6 +87,18 @@ fn laws_are_evaluated_at_the_middle_of_each_element() {
     near(root.torsional_stiffness, 2.0 * root.bending_stiffness_y);
     near(root.bending_stiffness_z, 3e6 - 0.125 * 2e6);
     near(aircraft.beams[10].bending_stiffness_z, 8e6);
+}
+
+#[test]
+fn zero_lift_moment_is_a_law_and_comes_with_the_reduced_strip_through_its_bytes() {
+    let moments = "profile_drag = 0.01\nzero_lift_moment = { at = [0, 1], values = [-0.08, -0.04] }";
+    let model = ReducedModel::new(&aircraft(&[("profile_drag = 0.01", moments)]), 4).unwrap();
+    let model = ReducedModel::from_bytes(&model.to_bytes()).unwrap();
+    for (strip, expected) in model.strips.iter().zip([-0.075, -0.065, -0.055, -0.045].repeat(2)) {
+        assert!((strip.zero_lift_moment - expected).abs() < 1e-16, "{strip:?}");
+    }
+    let without = ReducedModel::new(&aircraft(&[]), 4).unwrap();
+    assert!(without.strips.iter().all(|strip| strip.zero_lift_moment == 0.0));
 }
 
 #[test]

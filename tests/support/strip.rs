@@ -42,6 +42,7 @@ impl PrescribedStrip {
             width: 1.0,
             lift_slope: std::f64::consts::TAU,
             zero_lift_offset: 0.0,
+            zero_lift_moment: 0.0,
             profile_drag: 0.0,
             leading_edge_suction: suction,
             flap: Some(flap),
