@@ -5,6 +5,7 @@ mod bad_airframes;
 mod bad_fields;
 mod good_files;
 mod jet;
+mod mirrors;
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 
