@@ -6,6 +6,7 @@ mod bad_fields;
 mod good_files;
 mod jet;
 mod mirrors;
+mod ranges;
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 
