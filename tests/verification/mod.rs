@@ -1,6 +1,7 @@
 //! Physics: each file holds one claim against a source that is not this program.
 
 mod beam;
+mod coincident_nodes;
 mod conservation;
 mod eigenvalues;
 mod energy_balance;
