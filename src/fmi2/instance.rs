@@ -87,7 +87,7 @@ impl Experiment {
             let allowed = format!("allowed is -{LATEST:e} to {LATEST:e} s: {GRID_REASON}");
             return Some(format!("start time: found {start}, {allowed}"));
         }
-        let found = stop.filter(|stop| !(*stop >= start))?;
+        let found = stop.filter(|stop| stop.is_nan() || *stop < start)?;
         Some(format!("stop time: found {found}, allowed is the start time {start} s or later"))
     }
 }
