@@ -140,7 +140,8 @@ fn a_gust_by_its_rate_as_an_input_has_the_bits_of_one_by_the_derivative() {
     assert_eq!(fmu.outputs(), other.outputs());
 }
 
-/// Measured with the jet: 23 % without, 0.2 % with it (steps of 5 ms, peak of load factor, against steps of 0.5 ms).
+/// Measured, peak change of the jet's load factor against steps of 0.5 ms with the rate: 18 % off without it in
+/// the same steps, 1.4 % with it in steps of 5 ms.
 #[test]
 fn a_gust_without_its_rate_is_a_fifth_wrong_in_load_factor_and_with_it_right() {
     let peak = |size, set: fn(&Fmu, f64, f64)| {
