@@ -144,6 +144,8 @@ fn fly(
             write!(sink, ",{:e}", slot.get(outputs, &trim))?;
         }
         writeln!(sink)?;
+        // Where a row sets the rate of the wind alone, the wind goes on from what it is.
+        flight.write_inputs(&mut inputs);
         schedule.write(point, &mut inputs, &mut rates);
         flight.set_inputs(&inputs, &rates);
     }
@@ -188,5 +190,24 @@ mod tests {
         let (lines, flown) = lines("time,wind_north\n0,0\n0.01,400\n0.02,0\n");
         assert!(matches!(flown, Err(Interruption::Flight(SimulationError::ReverseFlow { .. }))), "{flown:?}");
         assert_eq!(lines.len(), 3);
+    }
+
+    #[test]
+    fn a_gust_by_wind_rate_is_one_by_its_derivative_and_goes_on_where_only_its_rate_is_given() {
+        let [by_rate, by_derivative] = ["wind_rate_down", "der(wind_down)"].map(|rate| {
+            let (lines, flown) = lines(&format!("time,wind_down,{rate}\n0,0,-5\n0.1,-0.5,2\n0.2,-0.3,0\n"));
+            flown.unwrap();
+            lines
+        });
+        assert!(by_rate == by_derivative);
+        let (rate_alone, flown) = lines("time,wind_rate_down\n0,-5\n0.1,2\n0.2,0\n");
+        flown.unwrap();
+        for row in 0..3 {
+            let [alone, with] =
+                [&rate_alone, &by_rate].map(|lines| value(lines, "deflection.wing_tip_right.up", row));
+            assert!((alone - with).abs() < 1e-12 * with, "{row}: {alone} {with}");
+        }
+        let rise = |lines: &[String]| value(lines, "air.alpha", 1) - value(lines, "air.alpha", 0);
+        assert!(rise(&rate_alone) > 0.5 / 127.0 / 2.0, "{}", rise(&rate_alone));
     }
 }
