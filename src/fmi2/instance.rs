@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::life_cycle::{Function, State};
 use super::logger::Logger;
 use super::types::Status;
-use super::{RESOURCE_FILE, guid, identity, resource};
+use super::{RESOURCE_FILE, guid_of, identity, resource};
 use crate::simulation::{Inputs, LATEST, Settings, Simulation};
 use crate::structure::{ReducedModel, StructureError};
 use crate::variables::{VariableTable, start_settings};
@@ -137,11 +137,11 @@ impl Instance {
             std::fs::read(&path).map_err(|source| InstantiationError::Read { path: path.clone(), source })?;
         let model =
             ReducedModel::from_bytes(&bytes).map_err(|source| InstantiationError::Model { path, source })?;
-        let expected = guid(&model);
+        let instance = Instance::of_model(model, logger);
+        let expected = guid_of(instance.identity);
         if given_guid != expected {
             return Err(InstantiationError::Guid { found: given_guid.to_owned(), expected });
         }
-        let instance = Instance::of_model(model, logger);
         instance.logger.log(Status::Ok, &format!("instantiated the aircraft `{}`", instance.model.name));
         Ok(instance)
     }
@@ -254,8 +254,9 @@ impl Instance {
         if let Err(error) = self.flight()?.advance_to(end) {
             return Err(Refusal::error(format!("in the step from t = {began} s to {end} s: {error}")));
         }
-        // The simulation knows that the inputs have ramped; this is for reading them.
-        self.inputs.add(end - began, &self.rates);
+        if let Some(flight) = &self.flight {
+            flight.write_inputs(&mut self.inputs);
+        }
         self.time = end;
         Ok(())
     }

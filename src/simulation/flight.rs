@@ -1,6 +1,6 @@
 //! The simulation of one flight.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use nalgebra::Vector3;
 
@@ -59,8 +59,10 @@ type Wind = (Vector3<f64>, Vector3<f64>);
 #[derive(Clone, Debug)]
 pub struct Simulation {
     pub(super) model: Arc<ReducedModel>,
-    /// Tells apart models and settings in snapshots.
-    pub(super) identity: u128,
+    /// Tells settings apart in snapshots.
+    pub(super) settings_hash: u128,
+    /// Tells apart models and settings, once a snapshot has been asked for.
+    pub(super) identity: OnceLock<u128>,
     pub(super) airframes: Airframes,
     pub(super) course: Course,
     pub(super) steering: Steering,
@@ -90,7 +92,8 @@ impl Simulation {
         let engines = model.engines.len();
         let room = airframes.whole().equations.layout().len();
         Ok(Simulation {
-            identity: super::snapshot::identity(&model, settings),
+            settings_hash: super::snapshot::settings_hash(settings),
+            identity: OnceLock::new(),
             steering: Steering::new(TrimPoint { pitch, elevator, thrust }, settings, engines, start),
             course: Course::new(settings.heading),
             path: Path::new(start, &state, room),
@@ -112,6 +115,16 @@ impl Simulation {
     /// The trim found at construction.
     pub fn trim(&self) -> &TrimPoint {
         &self.steering.trim
+    }
+
+    /// Writes the inputs as they stand now: what was set last, and what its rates have made of it since.
+    pub fn write_inputs(&self, inputs: &mut Inputs) {
+        self.steering.write_inputs(self.path.present.time, inputs);
+    }
+
+    /// Per second, as set last.
+    pub fn input_rates(&self) -> &Inputs {
+        &self.steering.rates
     }
 
     /// Sets the inputs that act from now on, and their rates of change (zero: held constant).

@@ -66,7 +66,7 @@ impl Inputs {
     }
 
     /// All numbers, to be changed.
-    pub(super) fn values_mut(&mut self) -> impl Iterator<Item = &mut f64> {
+    pub(crate) fn values_mut(&mut self) -> impl Iterator<Item = &mut f64> {
         let Inputs { elevator, aileron, aileron_symmetric, rudder, thrust, wind } = self;
         [elevator, aileron, aileron_symmetric, rudder].into_iter().chain(thrust).chain(wind.iter_mut())
     }

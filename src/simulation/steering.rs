@@ -40,6 +40,12 @@ impl Steering {
         true
     }
 
+    /// Writes the inputs as they stand at a time (s): what was set, and what its rates have made of it.
+    pub fn write_inputs(&self, time: f64, inputs: &mut Inputs) {
+        inputs.clone_from(&self.inputs);
+        inputs.add(time - self.since, &self.rates);
+    }
+
     /// Whether everything acts alike on both sides, and will; `images` has the mirror image of each engine.
     pub fn is_symmetric(&self, images: &[usize]) -> bool {
         [&self.inputs, &self.rates].into_iter().all(|inputs| {
