@@ -8,7 +8,7 @@ use super::life_cycle::{Function, State};
 use super::logger::Logger;
 use super::types::Status;
 use super::{RESOURCE_FILE, guid_of, identity, resource};
-use crate::simulation::{Inputs, LATEST, Settings, Simulation};
+use crate::simulation::{Inputs, LATEST, Neighbours, Settings, Simulation};
 use crate::structure::{ReducedModel, StructureError};
 use crate::variables::{VariableTable, start_settings};
 
@@ -117,6 +117,8 @@ pub struct Instance {
     pub(super) time: f64,
     /// Made when first needed, for it must be trimmed; made anew when a parameter changes.
     pub(super) flight: Option<Simulation>,
+    /// For derivatives by parameters, once they have been asked for, until the initialisation ends.
+    pub(super) neighbours: Option<Neighbours>,
 }
 
 /// Communication points may differ by this fraction (of the time, at least of 1 s): masters add up steps.
@@ -160,6 +162,7 @@ impl Instance {
             rates: Inputs::zero(engines),
             time: 0.0,
             flight: None,
+            neighbours: None,
             model: Arc::new(model),
         }
     }
@@ -208,6 +211,7 @@ impl Instance {
     /// `fmi2ExitInitializationMode`: trims, unless an output has been read already.
     pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
         self.flight()?;
+        self.neighbours = None;
         self.state = State::StepComplete;
         Ok(())
     }
@@ -228,6 +232,7 @@ impl Instance {
         self.rates = Inputs::zero(engines);
         self.time = 0.0;
         self.flight = None;
+        self.neighbours = None;
         self.logger.log(Status::Ok, "reset");
     }
 

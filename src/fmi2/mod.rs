@@ -5,7 +5,7 @@
 //! | `exports` | the functions of the C header: pointers in, safe Rust types out, nothing else |
 //! | `instance` | an instance: life cycle, experiment, steps, in safe Rust |
 //! | `values` | getting and setting variables of an instance |
-//! | `derivatives` | directional derivatives of outputs with respect to inputs |
+//! | `derivatives` | directional derivatives of outputs by inputs and, at the initialisation, parameters |
 //! | `saved_state` | the state of an instance as bytes |
 //! | `life_cycle` | which function may be called in which state |
 //! | `logger` | messages to the importer |

@@ -46,7 +46,7 @@ pub(super) fn settings_hash(settings: &Settings) -> u128 {
 }
 
 impl Simulation {
-    /// Appends the complete state as bytes; allocates only when `bytes` lacks room.
+    /// Appends the complete state as bytes; allocates only when `bytes` lacks room, and the first time, to hash the model.
     pub fn snapshot(&self, bytes: &mut Vec<u8>) {
         sealed::seal(bytes, &MARK, self.identity(), |writer| self.write_state(writer));
     }

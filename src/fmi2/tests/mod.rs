@@ -6,6 +6,7 @@ mod endurance;
 mod flight;
 mod identity;
 mod importers;
+mod initial_derivatives;
 mod instantiation;
 mod life_cycle;
 mod mutated;

@@ -254,7 +254,7 @@ fn a_state_in_flight_without_a_flight_is_refused() {
 }
 
 /// The shortest of many times that something took, s.
-fn shortest(mut action: impl FnMut(u32)) -> f64 {
+pub(super) fn shortest(mut action: impl FnMut(u32)) -> f64 {
     let once = |i| {
         let begun = std::time::Instant::now();
         action(i);
