@@ -39,6 +39,11 @@ impl Columns {
         matrix
     }
 
+    /// Multiplies all entries by a factor.
+    pub fn scale(&mut self, factor: f64) {
+        self.entries.iter_mut().flat_map(|Eight(entries)| entries).for_each(|entry| *entry *= factor);
+    }
+
     /// Length of a product: the number of rows, filled up to whole groups.
     pub fn room(&self) -> usize {
         self.rows.next_multiple_of(LANES)

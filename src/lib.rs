@@ -27,6 +27,8 @@ pub mod dynamics;
 pub mod fmi2;
 mod lane_vectors;
 mod lanes;
+#[cfg_attr(not(feature = "fmi"), expect(dead_code, reason = "the states of instances ask for more"))]
+mod sealed;
 pub mod simulation;
 pub mod stability;
 pub mod structure;

@@ -12,7 +12,7 @@ const HEADER: usize = 32;
 fuzz_target!(init: support::seed("reduced_model", &support::wing().to_bytes()[HEADER..]), |payload: &[u8]| {
     let mut bytes = b"FLXAIR03".to_vec();
     bytes.extend((payload.len() as u64).to_le_bytes());
-    bytes.extend(support::fnv1a(payload).to_le_bytes());
+    bytes.extend(support::hash(payload).to_le_bytes());
     bytes.extend(payload);
     if let Ok(model) = ReducedModel::from_bytes(&bytes) {
         assert!(ReducedModel::from_bytes(&model.to_bytes()).is_ok());

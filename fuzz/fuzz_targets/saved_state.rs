@@ -1,4 +1,4 @@
-//! Any bytes as a serialised state, with lengths, identities and checksums that fit: they are refused, or the
+//! Any bytes as a serialised state, with a length, an identity and a checksum that fit: they are refused, or the
 //! flight goes on from there; a refused state leaves the instance as it was.
 
 #![no_main]
@@ -11,7 +11,7 @@ use flexible_aircraft::fmi2;
 use flexible_aircraft::variables::{Slot, Type, VariableTable};
 use flexible_aircraft_fuzz as support;
 use libfuzzer_sys::fuzz_target;
-use support::{fnv1a, wing};
+use support::{hash, wing};
 
 /// `fmi2Component` or `fmi2FMUstate`.
 type Handle = *mut c_void;
@@ -153,11 +153,10 @@ impl Drop for Fmu {
     }
 }
 
-/// Puts into `data`, where there is room, what only a checksum would find: marks, length and identity of a good
-/// state, the same of the flight in it, and both checksums.
+/// Puts into `data`, where there is room, what only a checksum would find: mark, length and identity of a good state, and the
+/// checksum.
 fn fitted(data: &[u8], good: &[u8]) -> Vec<u8> {
     const HEADER: usize = 32;
-    const FLIGHT_HEADER: usize = 24;
     const CHECKSUM: usize = 16;
     let mut bytes = data.to_vec();
     let length = bytes.len();
@@ -166,14 +165,8 @@ fn fitted(data: &[u8], good: &[u8]) -> Vec<u8> {
     }
     bytes[..HEADER].copy_from_slice(&good[..HEADER]);
     bytes[8..16].copy_from_slice(&(length as u64).to_le_bytes());
-    let flight = good.windows(6).position(|window| window == b"FLXSNP").unwrap();
     let end = length - CHECKSUM;
-    if end >= flight + FLIGHT_HEADER + CHECKSUM {
-        bytes[flight..flight + FLIGHT_HEADER].copy_from_slice(&good[flight..flight + FLIGHT_HEADER]);
-        let checksum = fnv1a(&bytes[flight..end - CHECKSUM]);
-        bytes[end - CHECKSUM..end].copy_from_slice(&checksum.to_le_bytes());
-    }
-    let checksum = fnv1a(&bytes[..end]);
+    let checksum = hash(&bytes[..end]);
     bytes[end..].copy_from_slice(&checksum.to_le_bytes());
     bytes
 }

@@ -8,6 +8,7 @@ use flexible_aircraft::fmi2;
 use flexible_aircraft::simulation::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::start_settings;
+use twox_hash::XxHash3_128;
 
 /// The smallest of the shipped aircraft: one strip on one beam.
 pub const WING: &str = include_str!("../../aircraft/typical-section.toml");
@@ -38,9 +39,7 @@ pub fn fly(model: ReducedModel) {
     }
 }
 
-/// The checksum of models and states (RFC 9923).
-pub fn fnv1a(bytes: &[u8]) -> u128 {
-    const OFFSET_BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
-    const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
-    bytes.iter().fold(OFFSET_BASIS, |hash, &byte| (hash ^ u128::from(byte)).wrapping_mul(PRIME))
+/// The checksum of models and states.
+pub fn hash(bytes: &[u8]) -> u128 {
+    XxHash3_128::oneshot(bytes)
 }

@@ -57,13 +57,13 @@ pub struct EquationsOfMotion {
     strain_energy: StrainEnergy,
     /// ∂U/∂q of the orders that the level keeps.
     pub(super) elastic_forces: ElasticForces,
-    stiffness_scale: f64,
+    pub(super) stiffness_scale: f64,
     /// 2ζω_k.
-    damping: Vec<f64>,
+    pub(super) damping: Vec<f64>,
     strips: Strips,
     engines: Engines,
     inflow: PetersInflow,
-    tunnel_flow: Vector3<f64>,
+    pub(super) tunnel_flow: Vector3<f64>,
     symmetric: bool,
     /// How wide this machine's vectors are.
     arch: Arch,
@@ -207,6 +207,8 @@ impl EquationsOfMotion {
         rates: &mut [f64],
         workspace: &mut Workspace,
     ) {
+        #[cfg(test)]
+        super::evaluations::count();
         let layout = &self.layout;
         let attitude = Attitude::from_quaternion(&state[layout.attitude()]);
         self.assemble(machine, (state, &attitude), controls, rates, workspace);

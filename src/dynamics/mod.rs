@@ -5,6 +5,8 @@ mod attitude;
 mod controls;
 mod edge_on;
 mod equations;
+#[cfg(test)]
+pub(crate) mod evaluations;
 mod fidelity;
 mod forces;
 mod free_modes;
@@ -25,6 +27,7 @@ mod strip_sums;
 mod strips;
 mod structural_forces;
 mod trim;
+mod trim_tangent;
 mod workspace;
 
 pub use attitude::Attitude;
@@ -39,6 +42,7 @@ pub use mechanics::Mechanics;
 pub(crate) use propulsion::combine;
 pub use sensors::{BodyMotion, Sensors};
 pub use trim::{Trim, TrimCondition, TrimError, TrimFailure};
+pub use trim_tangent::{TrimTangents, WIDTHS, slope};
 pub use workspace::Workspace;
 
 #[cfg(test)]

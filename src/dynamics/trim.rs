@@ -46,6 +46,8 @@ pub struct Trim {
     pub thrust: f64,
     /// The complete state, wake at rest.
     pub state: Vec<f64>,
+    /// What the search changed, in its own units and order.
+    pub unknowns: Vec<f64>,
 }
 
 impl Trim {
@@ -127,17 +129,12 @@ impl EquationsOfMotion {
         let mut search = Search::new(self.with_steady_inflow(), *condition);
         let end = search.run();
         search.check_balance(end)?;
-        let mut state = vec![0.0; self.layout().len()];
-        let steady = search.equations.layout().structure();
-        state[self.layout().structure()].copy_from_slice(&search.state[steady]);
-        self.settle_inflow(&mut state, &search.controls);
-        let [pitch, elevator, thrust] = search.flight();
-        Ok(Trim { pitch, elevator, thrust, state })
+        Ok(search.trim_of(self))
     }
 }
 
 /// Newton's method on the unknowns [pitch, elevator, thrust / weight, q] in free flight, q in a tunnel.
-struct Search {
+pub(super) struct Search {
     equations: EquationsOfMotion,
     condition: TrimCondition,
     unknowns: Vec<f64>,
@@ -163,6 +160,28 @@ impl Search {
             workspace: Workspace::new(&equations),
             equations,
         }
+    }
+
+    /// At unknowns of a trim.
+    pub fn resume(equations: EquationsOfMotion, condition: TrimCondition, unknowns: &[f64]) -> Self {
+        let mut search = Search::new(equations, condition);
+        search.unknowns.copy_from_slice(unknowns);
+        search
+    }
+
+    /// Goes elsewhere.
+    pub fn set_unknowns(&mut self, unknowns: impl Iterator<Item = f64>) {
+        self.unknowns.iter_mut().zip(unknowns).for_each(|(place, unknown)| *place = unknown);
+    }
+
+    /// What was found at the last evaluation, for equations that may have an inflow.
+    pub fn trim_of(&self, equations: &EquationsOfMotion) -> Trim {
+        let mut state = vec![0.0; equations.layout().len()];
+        let steady = self.equations.layout().structure();
+        state[equations.layout().structure()].copy_from_slice(&self.state[steady]);
+        equations.settle_inflow(&mut state, &self.controls);
+        let [pitch, elevator, thrust] = self.flight();
+        Trim { pitch, elevator, thrust, state, unknowns: self.unknowns.clone() }
     }
 
     /// Number of unknowns before q.
@@ -203,7 +222,7 @@ impl Search {
     }
 
     /// The generalised forces that must vanish: along x and z, about y, and on each q.
-    fn residual(&mut self, out: &mut [f64]) {
+    pub fn residual(&mut self, out: &mut [f64]) {
         self.evaluate();
         let flight = self.flight_unknowns();
         let forces = self.workspace.forces();
@@ -240,7 +259,7 @@ impl Search {
     }
 
     /// Derivatives of the residual by central differences, row-major.
-    fn jacobian(&mut self, jacobian: &mut [f64]) {
+    pub fn jacobian(&mut self, jacobian: &mut [f64]) {
         let n = self.unknowns.len();
         let (mut ahead, mut behind) = (vec![0.0; n], vec![0.0; n]);
         for column in 0..n {

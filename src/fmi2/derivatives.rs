@@ -1,22 +1,34 @@
-//! Directional derivatives: how the outputs at an instant change with the inputs, the states held.
+//! Directional derivatives: how the outputs at an instant change with the inputs, the states held, and at the initialisation
+//! with the parameters too, the trim following.
 //!
-//! Between a state and its outputs the inputs act through forces and the flow at O, all smooth and most of them
-//! linear, so central differences with two widths (Richardson's extrapolation) are exact to rounding.
+//! Inputs act on the outputs of an instant through forces and the flow at O, parameters through the trim; all that is smooth
+//! and most of it linear, so that central differences of fourth order over small changes are exact to rounding.
+
+use std::f64::consts::TAU;
 
 use super::instance::{Instance, Refusal};
+use super::life_cycle::State;
 use super::types::ValueReference;
 use super::values::Family;
-use crate::simulation::Inputs;
-use crate::variables::{InputSlot, OutputSlot, Slot};
+use crate::dynamics::{WIDTHS, slope};
+use crate::simulation::{Neighbours, Settings};
+use crate::variables::{InputSlot, OutputSlot, ParameterSlot, Slot, Value};
 
-/// Shifts of the inputs over which the outputs bend little, yet far beyond rounding: rad, N, m/s, m/s².
-const SURFACE_SHIFT: f64 = 0.01;
-const THRUST_SHIFT: f64 = 1000.0;
-const WIND_SHIFT: f64 = 0.1;
-const WIND_RATE_SHIFT: f64 = 1.0;
+/// Changes over which the outputs bend little, yet far beyond rounding: rad, N, m/s, m/s², m, rad, parts of the parameter.
+const SURFACE_CHANGE: f64 = 0.01;
+const THRUST_CHANGE: f64 = 1000.0;
+const WIND_CHANGE: f64 = 0.1;
+const WIND_RATE_CHANGE: f64 = 1.0;
+const ALTITUDE_CHANGE: f64 = 1.0;
+const HEADING_CHANGE: f64 = 1e-3;
+const SHARE_CHANGED: f64 = 1e-3;
+
+/// The values of some outputs at [`WIDTHS`] of a change.
+type Sample = [Vec<f64>; 4];
 
 impl Instance {
-    /// `fmi2GetDirectionalDerivative`: the changes of the unknown outputs along a direction of known inputs.
+    /// `fmi2GetDirectionalDerivative`: the changes of the unknown outputs along a direction of known inputs and, in
+    /// initialisation mode, parameters.
     pub fn derivatives(
         &mut self,
         unknowns: &[ValueReference],
@@ -24,60 +36,85 @@ impl Instance {
         direction: &[f64],
     ) -> Result<Vec<f64>, Refusal> {
         let outputs = unknowns.iter().map(|unknown| self.output(*unknown)).collect::<Result<Vec<_>, _>>()?;
-        let mut change = Inputs::zero(self.model.engines.len());
-        let mut largest = 0.0_f64;
-        for (known, component) in knowns.iter().zip(direction) {
-            let slot = self.input(*known)?;
-            if !component.is_finite() {
-                let name = &self.variable(*known, Family::Real)?.name;
-                return Err(Refusal::error(format!(
-                    "`{name}`: found the change {component}, allowed are finite ones"
-                )));
+        let (mut inputs, mut parameters) = (Vec::new(), Vec::new());
+        for (known, &component) in knowns.iter().zip(direction) {
+            match self.known(*known, component)? {
+                Slot::Input(slot) => inputs.push((slot, component)),
+                Slot::Parameter(slot) => parameters.push((slot, component)),
+                Slot::Output(_) => {}
             }
-            *slot.of(&mut change) += component;
-            largest = largest.max((slot.of(&mut change).abs()) / usual_shift(slot));
         }
         self.flight()?;
-        if largest == 0.0 {
-            return Ok(vec![0.0; outputs.len()]);
+        let mut derivatives = vec![0.0; outputs.len()];
+        // How many times as long the direction is as the usual change.
+        let length = longest(inputs.iter().map(|(slot, component)| component / usual_change(*slot)));
+        if length > 0.0 {
+            let sample = self.sample_inputs(&outputs, &inputs, 1.0 / length)?;
+            add_slopes(&mut derivatives, &outputs, &sample, length);
         }
-        let wide = self.central_differences(&outputs, &change, 1.0 / largest)?;
-        let narrow = self.central_differences(&outputs, &change, 0.5 / largest)?;
-        let extrapolated: Vec<f64> =
-            narrow.iter().zip(wide).map(|(narrow, wide)| (4.0 * narrow - wide) / 3.0).collect();
-        if extrapolated.iter().all(|derivative| derivative.is_finite()) {
-            Ok(extrapolated)
+        let share = |(slot, component): &(ParameterSlot, f64)| component / self.usual_change(*slot);
+        let length = longest(parameters.iter().map(share));
+        if length > 0.0 {
+            let sample = self.sample_parameters(&outputs, &parameters, 1.0 / length)?;
+            add_slopes(&mut derivatives, &outputs, &sample, length);
+        }
+        if derivatives.iter().all(|derivative| derivative.is_finite()) {
+            Ok(derivatives)
         } else {
-            Err(Refusal::error(format!("the derivatives are not finite at t = {}", self.time)))
+            Err(Refusal::error(format!("the derivatives are not finite at t = {} s", self.time)))
         }
     }
 
-    /// (y(u + width · change) − y(u − width · change)) / (2 · width).
-    fn central_differences(
+    /// The outputs while the inputs change by some widths of their components.
+    fn sample_inputs(
         &mut self,
         outputs: &[OutputSlot],
-        change: &Inputs,
-        width: f64,
-    ) -> Result<Vec<f64>, Refusal> {
-        let ahead = self.outputs_after(outputs, change, width)?;
-        let behind = self.outputs_after(outputs, change, -width)?;
-        Ok(ahead.iter().zip(behind).map(|(ahead, behind)| (ahead - behind) / (2.0 * width)).collect())
+        components: &[(InputSlot, f64)],
+        scale: f64,
+    ) -> Result<Sample, Refusal> {
+        let (inputs, rates) = (self.inputs.clone(), self.rates.clone());
+        let flight = self.flight()?;
+        Ok(WIDTHS.map(|width| {
+            let mut changed = inputs.clone();
+            for (slot, component) in components {
+                *slot.of(&mut changed) += width * scale * component;
+            }
+            flight.outputs_under(&changed, &rates, |present, trim| {
+                outputs.iter().map(|slot| slot.get(present, trim)).collect()
+            })
+        }))
     }
 
-    /// The outputs with the inputs shifted by width · change; computed on a copy of the flight.
-    fn outputs_after(
+    /// The outputs at the initialisation while the parameters change by some widths of their components.
+    fn sample_parameters(
         &mut self,
         outputs: &[OutputSlot],
-        change: &Inputs,
-        width: f64,
-    ) -> Result<Vec<f64>, Refusal> {
-        let mut shifted = self.inputs.clone();
-        shifted.add(width, change);
-        let mut flight = self.flight()?.clone();
-        flight.set_inputs(&shifted, &self.rates);
-        let trim = *flight.trim();
-        let present = flight.outputs();
-        Ok(outputs.iter().map(|slot| slot.get(present, &trim)).collect())
+        components: &[(ParameterSlot, f64)],
+        scale: f64,
+    ) -> Result<Sample, Refusal> {
+        let changed = WIDTHS.map(|width| {
+            let mut settings = self.settings.clone();
+            for (slot, component) in components {
+                if let Value::Real(value) = slot.get(&settings) {
+                    slot.set(&mut settings, Value::Real(value + width * scale * component));
+                }
+            }
+            settings
+        });
+        let kept = self.neighbours.take().filter(|neighbours| neighbours.are_around(&self.settings));
+        let neighbours = match kept {
+            Some(neighbours) => neighbours,
+            None => {
+                let settings = self.settings.clone();
+                Neighbours::new(self.flight()?, &settings)
+            }
+        };
+        let sample = self.neighbours.insert(neighbours).read(
+            &changed,
+            (&self.inputs, &self.rates),
+            |present, trim| outputs.iter().map(|slot| slot.get(present, trim)).collect(),
+        );
+        sample.ok_or_else(|| Refusal::error("the trim does not depend smoothly on these parameters"))
     }
 
     fn output(&self, reference: ValueReference) -> Result<OutputSlot, Refusal> {
@@ -87,15 +124,73 @@ impl Instance {
             _ => Err(Refusal::error(format!("`{}` is not an output: it has no derivatives", variable.name))),
         }
     }
+
+    /// The place of a variable by which there are derivatives now.
+    fn known(&self, reference: ValueReference, component: f64) -> Result<Slot, Refusal> {
+        let variable = self.variable(reference, Family::Real)?;
+        let reason = match variable.slot {
+            Slot::Output(_) => {
+                "is neither an input nor a parameter: there are no derivatives by it".to_owned()
+            }
+            Slot::Parameter(_) if self.state != State::InitializationMode => {
+                "is a fixed parameter, not an input: there are derivatives by it only in initialisation mode"
+                    .to_owned()
+            }
+            _ if !component.is_finite() => {
+                format!("has the component {component} in the direction, allowed are finite numbers")
+            }
+            slot => return Ok(slot),
+        };
+        Err(Refusal::error(format!("`{}` {reason}", variable.name)))
+    }
+
+    /// A change of a parameter, without end where nothing depends on it.
+    fn usual_change(&self, parameter: ParameterSlot) -> f64 {
+        let Settings { airspeed, stiffness_scale, .. } = self.settings;
+        match parameter {
+            ParameterSlot::Airspeed => SHARE_CHANGED * airspeed.max(1.0),
+            ParameterSlot::Altitude => ALTITUDE_CHANGE,
+            ParameterSlot::Heading => HEADING_CHANGE,
+            ParameterSlot::StiffnessScale => SHARE_CHANGED * stiffness_scale,
+            ParameterSlot::StructuralDamping
+            | ParameterSlot::Tolerance
+            | ParameterSlot::InputReference
+            | ParameterSlot::Model
+            | ParameterSlot::ModeFamily
+            | ParameterSlot::ModeCount
+            | ParameterSlot::InflowStates => f64::INFINITY,
+        }
+    }
 }
 
-fn usual_shift(input: InputSlot) -> f64 {
+/// A change of an input.
+fn usual_change(input: InputSlot) -> f64 {
     match input {
         InputSlot::Elevator | InputSlot::Aileron | InputSlot::AileronSymmetric | InputSlot::Rudder => {
-            SURFACE_SHIFT
+            SURFACE_CHANGE
         }
-        InputSlot::Thrust(_) => THRUST_SHIFT,
-        InputSlot::Wind(_) => WIND_SHIFT,
-        InputSlot::WindRate(_) => WIND_RATE_SHIFT,
+        InputSlot::Thrust(_) => THRUST_CHANGE,
+        InputSlot::Wind(_) => WIND_CHANGE,
+        InputSlot::WindRate(_) => WIND_RATE_CHANGE,
+    }
+}
+
+fn longest(lengths: impl Iterator<Item = f64>) -> f64 {
+    lengths.fold(0.0, |longest, length| longest.max(length.abs()))
+}
+
+/// Adds the derivatives of outputs along a direction that is so many times as long as the change that was sampled.
+fn add_slopes(derivatives: &mut [f64], outputs: &[OutputSlot], sample: &Sample, length: f64) {
+    for (place, (derivative, output)) in derivatives.iter_mut().zip(outputs).enumerate() {
+        let values = sample.each_ref().map(|values| values[place]);
+        *derivative += length * slope(smooth(*output, values));
+    }
+}
+
+/// Values of an output without the jumps of an angle by a whole turn.
+fn smooth(output: OutputSlot, values: [f64; 4]) -> [f64; 4] {
+    match output {
+        OutputSlot::Attitude(_) => values.map(|angle| values[0] + libm::remainder(angle - values[0], TAU)),
+        _ => values,
     }
 }

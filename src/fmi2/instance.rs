@@ -7,8 +7,8 @@ use std::sync::Arc;
 use super::life_cycle::{Function, State};
 use super::logger::Logger;
 use super::types::Status;
-use super::{RESOURCE_FILE, guid, identity, resource};
-use crate::simulation::{Inputs, LATEST, Settings, Simulation, resolution};
+use super::{RESOURCE_FILE, guid_of, identity, resource};
+use crate::simulation::{Inputs, LATEST, Neighbours, Settings, Simulation, resolution};
 use crate::structure::{ReducedModel, StructureError};
 use crate::variables::{Slot, VariableTable, start_settings};
 
@@ -136,6 +136,8 @@ pub struct Instance {
     pub(super) flight: Option<Simulation>,
     /// What the call in progress will warn of.
     warnings: Vec<String>,
+    /// For derivatives by parameters, once they have been asked for, until the initialisation ends.
+    pub(super) neighbours: Option<Neighbours>,
 }
 
 impl Instance {
@@ -153,11 +155,11 @@ impl Instance {
             std::fs::read(&path).map_err(|source| InstantiationError::Read { path: path.clone(), source })?;
         let model =
             ReducedModel::from_bytes(&bytes).map_err(|source| InstantiationError::Model { path, source })?;
-        let expected = guid(&model);
+        let instance = Instance::of_model(model, logger);
+        let expected = guid_of(instance.identity);
         if given_guid != expected {
             return Err(InstantiationError::Guid { found: given_guid.to_owned(), expected });
         }
-        let instance = Instance::of_model(model, logger);
         instance.logger.log(Status::Ok, &format!("instantiated the aircraft `{}`", instance.model.name));
         Ok(instance)
     }
@@ -181,6 +183,7 @@ impl Instance {
             time: 0.0,
             flight: None,
             warnings: Vec::new(),
+            neighbours: None,
             model: Arc::new(model),
         }
     }
@@ -241,6 +244,7 @@ impl Instance {
     /// `fmi2ExitInitializationMode`: trims, unless an output has been read already.
     pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
         self.flight()?;
+        self.neighbours = None;
         self.state = State::StepComplete;
         Ok(())
     }
@@ -262,6 +266,7 @@ impl Instance {
         self.rate_is_new.fill(false);
         self.time = 0.0;
         self.flight = None;
+        self.neighbours = None;
         self.logger.log(Status::Ok, "reset");
     }
 

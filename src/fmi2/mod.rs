@@ -5,7 +5,7 @@
 //! | `exports` | the functions of the C header: pointers in, safe Rust types out, nothing else |
 //! | `instance` | an instance: life cycle, experiment, steps, in safe Rust |
 //! | `values` | getting and setting variables of an instance |
-//! | `derivatives` | directional derivatives of outputs with respect to inputs |
+//! | `derivatives` | directional derivatives of outputs by inputs and, at the initialisation, parameters |
 //! | `saved_state` | the state of an instance as bytes |
 //! | `life_cycle` | which function may be called in which state |
 //! | `logger` | messages to the importer |
@@ -28,7 +28,8 @@ mod saved_state;
 mod types;
 mod values;
 
-use crate::structure::{ReducedModel, fnv1a};
+use crate::sealed;
+use crate::structure::ReducedModel;
 
 pub use build_mark::{BUILD_MARK, BUILD_MARK_BEGINNING};
 
@@ -47,7 +48,10 @@ pub fn function_names() -> impl Iterator<Item = &'static str> {
 /// The guid of the FMU of an aircraft: the same for the same aircraft, variables and version of this
 /// crate, and another one when any of them changes.
 pub fn guid(model: &ReducedModel) -> String {
-    let id = identity(model);
+    guid_of(identity(model))
+}
+
+fn guid_of(id: u128) -> String {
     let group = |shift: u32, digits: u32| (id >> shift) & ((1 << (4 * digits)) - 1);
     format!(
         "{{{:08x}-{:04x}-{:04x}-{:04x}-{:012x}}}",
@@ -63,7 +67,7 @@ pub fn guid(model: &ReducedModel) -> String {
 /// that an importer relies on.
 fn identity(model: &ReducedModel) -> u128 {
     let description = model_description::with_guid(model, "");
-    fnv1a(&[&model.content_hash().to_le_bytes(), description.as_bytes()].concat())
+    sealed::hash(&[&model.content_hash().to_le_bytes(), description.as_bytes()].concat())
 }
 
 #[cfg(test)]

@@ -70,7 +70,7 @@ impl Airframes {
         let halved = EquationsOfMotion::of_half(&half, &configuration);
         let trim = halved.trim(&settings.trim_condition())?;
         let unfolding = Unfolding::new(&half, halved.layout(), equations.layout());
-        let mut unfolded = Trim { state: Vec::new(), ..trim };
+        let mut unfolded = Trim { state: Vec::new(), ..trim.clone() };
         unfolding.unfold(&trim.state, &mut unfolded.state);
         let half_modes = half.modes.iter().map(|&mode| modes[mode]).collect();
         let whole = Airframe::new(equations, &reduced, modes, settings, &unfolded);
@@ -130,6 +130,15 @@ impl Airframes {
     pub fn unfold(&self, state: &[f64], whole: &mut Vec<f64>) {
         if let Some(half) = &self.half {
             half.unfolding.unfold(state, whole);
+        }
+    }
+
+    /// Takes other equations of the same layout, and those of the half, if there are, to fly by.
+    pub fn take_equations(&mut self, whole: EquationsOfMotion, half: Option<EquationsOfMotion>) {
+        self.whole.equations = whole;
+        self.is_half = half.is_some();
+        if let (Some(half), Some(equations)) = (&mut self.half, half) {
+            half.airframe.equations = equations;
         }
     }
 

@@ -1,6 +1,6 @@
 //! The simulation of one flight.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use nalgebra::Vector3;
 
@@ -34,6 +34,12 @@ pub struct TrimPoint {
     pub thrust: f64,
 }
 
+impl From<&Trim> for TrimPoint {
+    fn from(trim: &Trim) -> Self {
+        TrimPoint { pitch: trim.pitch, elevator: trim.elevator, thrust: trim.thrust }
+    }
+}
+
 /// A state and slope of the whole aircraft while the half flies.
 #[derive(Clone, Debug)]
 pub(super) struct View {
@@ -54,9 +60,13 @@ type Wind = (Vector3<f64>, Vector3<f64>);
 #[derive(Clone, Debug)]
 pub struct Simulation {
     pub(super) model: Arc<ReducedModel>,
-    /// Tells apart models and settings in snapshots.
-    pub(super) identity: u128,
+    /// Tells settings apart in snapshots.
+    pub(super) settings_hash: u128,
+    /// Tells apart models and settings, once a snapshot has been asked for.
+    pub(super) identity: OnceLock<u128>,
     pub(super) airframes: Airframes,
+    /// How the flight began.
+    pub(super) trimmed: Trim,
     pub(super) course: Course,
     /// Time at which the flight begins, s.
     pub(super) start: f64,
@@ -81,23 +91,23 @@ impl Simulation {
     /// When a setting or the time is out of range or no trim exists.
     pub fn new(model: Arc<ReducedModel>, settings: &Settings, start: f64) -> Result<Self, SimulationError> {
         check_time(start)?;
-        let along_course = Settings { heading: 0.0, ..settings.clone() };
-        let (airframes, trim) = Airframes::new(&model, &along_course)?;
-        let Trim { pitch, elevator, thrust, state } = trim;
+        let (airframes, trimmed) = Airframes::new(&model, &settings.along_course())?;
         let engines = model.engines.len();
         let room = airframes.whole().equations.layout().len();
         Ok(Simulation {
-            identity: super::snapshot::identity(&model, settings),
-            steering: Steering::new(TrimPoint { pitch, elevator, thrust }, settings, engines),
+            settings_hash: super::snapshot::settings_hash(settings),
+            identity: OnceLock::new(),
+            steering: Steering::new(TrimPoint::from(&trimmed), settings, engines),
             course: Course::new(settings.heading),
             start,
-            path: Path::new(Moment::START, &state, room),
+            path: Path::new(Moment::START, &trimmed.state, room),
             controls: Controls::neutral(engines),
             evaluated_in: None,
             view: View { state: Vec::with_capacity(room), slope: vec![0.0; room], is_fresh: false },
             outputs: Outputs::new(&model),
             outputs_are_fresh: false,
             airframes,
+            trimmed,
             model,
         })
     }
@@ -122,15 +132,25 @@ impl Simulation {
         self.steering.write_inputs(self.path.present.time, inputs);
     }
 
+    /// Per second, as set last.
+    pub fn input_rates(&self) -> &Inputs {
+        &self.steering.rates
+    }
+
     /// Sets the inputs that act from now on, and their rates of change (zero: held constant, the wind but for its
     /// `wind_rate`).
     pub fn set_inputs(&mut self, inputs: &Inputs, rates: &Inputs) {
         if self.steering.set(inputs, rates, self.path.present.time) {
-            self.path.present.slope_is_fresh = false;
             self.path.begin_here();
-            self.view.is_fresh = false;
-            self.outputs_are_fresh = false;
+            self.take_inputs();
         }
+    }
+
+    /// Has the present evaluated anew under the inputs that act now.
+    fn take_inputs(&mut self) {
+        self.path.present.slope_is_fresh = false;
+        self.view.is_fresh = false;
+        self.outputs_are_fresh = false;
     }
 
     /// Flies to `end` (s, ≥ [`time`](Self::time)), without allocating.
@@ -204,6 +224,23 @@ impl Simulation {
             self.outputs_are_fresh = true;
         }
         &self.outputs
+    }
+
+    /// Reads the outputs as they would be at the present time and state under other inputs, and leaves the flight as it was.
+    pub fn outputs_under<T>(
+        &mut self,
+        inputs: &Inputs,
+        rates: &Inputs,
+        read: impl FnOnce(&Outputs, &TrimPoint) -> T,
+    ) -> T {
+        let acting = self.steering.clone();
+        self.steering.set(inputs, rates, self.path.present.time);
+        self.take_inputs();
+        self.outputs();
+        let read = read(&self.outputs, &acting.trim);
+        self.steering = acting;
+        self.take_inputs();
+        read
     }
 
     /// Whether half the aircraft flies for the whole, since the motion is symmetric.

@@ -76,7 +76,7 @@ impl Inputs {
     }
 
     /// All numbers, to be changed.
-    pub(super) fn values_mut(&mut self) -> impl Iterator<Item = &mut f64> {
+    pub(crate) fn values_mut(&mut self) -> impl Iterator<Item = &mut f64> {
         let Inputs { elevator, aileron, aileron_symmetric, rudder, thrust, wind, wind_rate } = self;
         let surfaces = [elevator, aileron, aileron_symmetric, rudder].into_iter();
         surfaces.chain(thrust).chain(wind.iter_mut()).chain(wind_rate.iter_mut())

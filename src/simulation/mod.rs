@@ -9,6 +9,7 @@ mod flight;
 mod inputs;
 mod integrator;
 mod moment;
+mod neighbours;
 mod outputs;
 mod point;
 mod settings;
@@ -21,6 +22,7 @@ pub use error::SimulationError;
 pub use flight::{LONGEST_STEP, Simulation, TrimPoint};
 pub use inputs::Inputs;
 pub use moment::{LATEST, resolution};
+pub use neighbours::Neighbours;
 pub use outputs::{AirData, Deflection, Outputs};
 pub use settings::{InputReference, ModeSelection, Settings};
 

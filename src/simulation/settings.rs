@@ -124,6 +124,11 @@ impl Settings {
         Ok(half.map(|half| EquationsOfMotion::of_half(&half, &self.configuration(&reduced))))
     }
 
+    /// The same, with the heading along the course.
+    pub(super) fn along_course(&self) -> Self {
+        Settings { heading: 0.0, ..self.clone() }
+    }
+
     /// The flight to be trimmed.
     pub fn trim_condition(&self) -> TrimCondition {
         TrimCondition { airspeed: self.airspeed, altitude: self.altitude, heading: self.heading }

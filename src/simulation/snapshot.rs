@@ -1,87 +1,62 @@
 //! The complete state of a flight as bytes: restoring them continues bit for bit.
 //!
-//! Layout, little-endian: 8 bytes of magic with the format's version, identity of model and settings (u128),
-//! sub-steps of anchor and present and whether half the aircraft flies (1) or all (0) (u32 each), the numbers (f64,
-//! times as cells of the grid and a part of one), FNV-1a hash of all before (u128).
+//! Content of the [sealed] bytes: whether half the aircraft flies and whether the cell of time begins at the present (a
+//! byte each), sub-steps of anchor and present (u32), then numbers (f64): when present and anchor are and when the inputs
+//! were set, each as cells of the grid and a part of one, start time, reference airspeed, inputs, their rates, the present's
+//! state and, where the cell begins elsewhere, the anchor's.
 
-use crate::structure::{ReducedModel, fnv1a};
+use std::iter::from_fn;
+
+use crate::sealed::{self, BrokenSeal, CHECKSUM, HEADER, Mark, Reader, Writer};
 
 use super::integrator::MAX_SUBSTEPS;
 use super::moment::{LATEST, Moment};
 use super::{Settings, Simulation, SimulationError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXSNP05";
+const MARK: Mark = *b"FLXSNP05";
 
-/// Bytes before the numbers.
-const HEADER: usize = 8 + 16 + 3 * 4;
+/// Bytes of the content before its numbers.
+const FLAGS_AND_COUNTS: usize = 2 + 2 * size_of::<u32>();
 
-/// Identifies the model and the settings that a snapshot belongs to.
-pub(super) fn identity(model: &ReducedModel, settings: &Settings) -> u128 {
-    let description = format!("{:032x} {settings:?}", model.content_hash());
-    fnv1a(description.as_bytes())
+/// Tells settings apart: a hash of their values.
+pub(super) fn settings_hash(settings: &Settings) -> u128 {
+    let Settings {
+        fidelity,
+        airspeed,
+        altitude,
+        heading,
+        stiffness_scale,
+        structural_damping,
+        mode_selection,
+        mode_count,
+        inflow_states,
+        tolerance,
+        input_reference,
+    } = *settings;
+    let mut bytes = Vec::new();
+    let mut writer = Writer::new(&mut bytes);
+    for choice in [fidelity as u8, mode_selection as u8, input_reference as u8] {
+        writer.byte(choice);
+    }
+    for count in [mode_count, inflow_states] {
+        writer.count(u32::try_from(count).unwrap_or(u32::MAX));
+    }
+    writer.reals([airspeed, altitude, heading, stiffness_scale, structural_damping, tolerance]);
+    sealed::hash(&bytes)
 }
 
 impl Simulation {
-    /// Appends the complete state as bytes; allocates only when `bytes` lacks room.
+    /// Appends the complete state as bytes; allocates only when `bytes` lacks room, and the first time, to hash the model.
     pub fn snapshot(&self, bytes: &mut Vec<u8>) {
-        let start = bytes.len();
-        bytes.extend_from_slice(MAGIC);
-        bytes.extend_from_slice(&self.identity.to_le_bytes());
-        let is_half = u32::from(self.airframes.is_half());
-        let (anchor, present) = (self.path.anchor(), &self.path.present);
-        for count in [anchor.substeps, present.substeps, is_half] {
-            bytes.extend_from_slice(&count.to_le_bytes());
-        }
-        let reference_airspeed = self.airframes.flying().reference_airspeed;
-        let times = [present.time, anchor.time, self.steering.since].into_iter().flat_map(Moment::numbers);
-        for number in times.chain([self.start, reference_airspeed]) {
-            bytes.extend_from_slice(&number.to_le_bytes());
-        }
-        let inputs = self.steering.inputs.values().chain(self.steering.rates.values());
-        let states = anchor.state.iter().chain(&present.state).copied();
-        for number in inputs.chain(states) {
-            bytes.extend_from_slice(&number.to_le_bytes());
-        }
-        let hash = fnv1a(&bytes[start..]);
-        bytes.extend_from_slice(&hash.to_le_bytes());
+        sealed::seal(bytes, &MARK, self.identity(), |writer| self.write_state(writer));
     }
 
-    /// Length of a snapshot in bytes; it grows when the whole aircraft takes over from its half.
+    /// Length of a snapshot in bytes. It is longer for the whole aircraft than for its half, and longer inside a cell of
+    /// time than at its beginning.
     pub fn snapshot_size(&self) -> usize {
-        self.size_with(self.path.present.state.len())
-    }
-
-    /// Length of a snapshot in bytes when the whole aircraft flies.
-    pub fn largest_snapshot_size(&self) -> usize {
-        self.size_with(self.airframes.whole().equations.layout().len())
-    }
-
-    /// The time, s, at which a snapshot was taken, if it is one; what else it says is not checked.
-    pub fn time_of_snapshot(bytes: &[u8]) -> Option<f64> {
-        let number = |place: usize| {
-            bytes.get(HEADER + 8 * place..)?.first_chunk().map(|bytes| f64::from_le_bytes(*bytes))
-        };
-        let [present, start] = [Moment::from_numbers([number(0)?, number(1)?])?.seconds(), number(6)?];
-        Some(start + present)
-    }
-
-    /// Whether a snapshot is of half or of all of the aircraft, and the length of its states, if its mark says one of the
-    /// two and its own length is that of such a snapshot.
-    fn airframe_of(&self, bytes: &[u8]) -> Option<(bool, usize)> {
-        let (is_half, airframe) = match bytes.get(HEADER - 4..HEADER)? {
-            [0, 0, 0, 0] => (false, self.airframes.whole()),
-            [1, 0, 0, 0] => (true, self.airframes.half()?),
-            _ => return None,
-        };
-        let states = airframe.equations.layout().len();
-        (bytes.len() == self.size_with(states)).then_some((is_half, states))
-    }
-
-    /// Length of a snapshot with states of some length.
-    fn size_with(&self, state: usize) -> usize {
-        let numbers = 8 + 2 * self.steering.inputs.values().count() + 2 * state;
-        HEADER + 8 * numbers + 16
+        let points = if self.path.begins_here() { 1 } else { 2 };
+        HEADER + self.content_size(points * self.path.present.state.len()) + CHECKSUM
     }
 
     /// Goes back to a snapshot taken of a simulation of the same model with the same settings.
@@ -89,42 +64,89 @@ impl Simulation {
     /// # Errors
     /// When the bytes are damaged or of another model, settings or version; nothing changes then.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SimulationError> {
+        let content = sealed::open(bytes, &MARK, self.identity()).map_err(|seal| {
+            SimulationError::Snapshot(match seal {
+                BrokenSeal::Mark => "it does not begin with the mark of this version",
+                BrokenSeal::Length { .. } => "its length is not the recorded one",
+                BrokenSeal::Checksum => "its checksum is not the recorded one",
+                BrokenSeal::Identity => "it was taken of another aircraft or with other parameters",
+            })
+        })?;
+        self.read_state(content)
+    }
+
+    /// Identifies the model and the settings that a snapshot belongs to.
+    fn identity(&self) -> u128 {
+        *self.identity.get_or_init(|| {
+            let parts = [self.model.content_hash(), self.settings_hash].map(u128::to_le_bytes);
+            sealed::hash(parts.as_flattened())
+        })
+    }
+
+    /// Writes the complete state.
+    pub(crate) fn write_state(&self, writer: &mut Writer) {
+        // Room for the largest, the whole aircraft inside a cell, so that it never has to grow.
+        writer.reserve(self.content_size(2 * self.airframes.whole().equations.layout().len()));
+        let (anchor, present) = (self.path.anchor(), &self.path.present);
+        writer.flag(self.airframes.is_half());
+        writer.flag(self.path.begins_here());
+        writer.count(anchor.substeps);
+        writer.count(present.substeps);
+        let reference_airspeed = self.airframes.flying().reference_airspeed;
+        let times = [present.time, anchor.time, self.steering.since].into_iter().flat_map(Moment::numbers);
+        writer.reals(times.chain([self.start, reference_airspeed]));
+        writer.reals(self.steering.inputs.values().chain(self.steering.rates.values()));
+        writer.reals(present.state.iter().copied());
+        if !self.path.begins_here() {
+            writer.reals(anchor.state.iter().copied());
+        }
+    }
+
+    fn content_size(&self, states: usize) -> usize {
+        let numbers = 8 + 2 * self.steering.inputs.values().count() + states;
+        FLAGS_AND_COUNTS + size_of::<f64>() * numbers
+    }
+
+    /// The time, s, of what [`write_state`](Self::write_state) wrote; what else it says is not checked.
+    #[cfg(feature = "fmi")]
+    pub(crate) fn time_of_state(mut state: Reader) -> Option<f64> {
+        state.skip(FLAGS_AND_COUNTS)?;
+        let [cells, part, _, _, _, _, start] = [(); 7].map(|()| state.real());
+        Some(start? + Moment::from_numbers([cells?, part?])?.seconds())
+    }
+
+    /// Goes back to what [`write_state`](Self::write_state) wrote of a simulation of the same model and settings, or
+    /// changes nothing.
+    pub(crate) fn read_state(&mut self, mut state: Reader) -> Result<(), SimulationError> {
         let refuse = |reason| Err(SimulationError::Snapshot(reason));
-        let Some((is_half, length)) = self.airframe_of(bytes) else {
-            return refuse("its length is not that of this model and these settings");
+        let length = state.left();
+        let (Some(is_half), Some(begins_here)) = (state.flag(), state.flag()) else {
+            return refuse("it does not say which equations fly");
         };
-        let (content, hash) = bytes.split_at(bytes.len() - 16);
-        if !content.starts_with(MAGIC) {
-            return refuse("it does not begin with the mark of this version");
+        let airframe = if is_half { self.airframes.half() } else { Some(self.airframes.whole()) };
+        let places = airframe.map_or(0, |airframe| airframe.equations.layout().len());
+        let points = if begins_here { 1 } else { 2 };
+        let (Some(anchor_substeps), Some(substeps)) = (state.count(), state.count()) else {
+            return refuse("it ends too early");
+        };
+        if places == 0 || length != self.content_size(points * places) {
+            return refuse("its length is not that of this model and these settings");
         }
-        if hash != fnv1a(content).to_le_bytes() {
-            return refuse("its checksum is not the recorded one");
-        }
-        if content[8..24] != self.identity.to_le_bytes() {
-            return refuse("it was taken of another aircraft or with other parameters");
-        }
-        // PROOF: chunks_exact(n) yields slices of n bytes only, here and below.
-        let mut counts = content[24..HEADER]
-            .chunks_exact(4)
-            .map(|bytes| u32::from_le_bytes(bytes.try_into().expect("4 bytes")));
-        let (anchor_substeps, substeps) = (counts.next().unwrap_or(0), counts.next().unwrap_or(0));
         if [anchor_substeps, substeps].iter().any(|count| !(1..=MAX_SUBSTEPS).contains(count)) {
             return refuse("its number of sub-steps is out of range");
         }
-        // PROOF: as above.
-        let mut numbers = content[HEADER..]
-            .chunks_exact(8)
-            .map(|bytes| f64::from_le_bytes(bytes.try_into().expect("8 bytes")));
-        if numbers.clone().any(|number| !number.is_finite()) {
+        let mut all = state;
+        if from_fn(|| all.real()).any(|number| !number.is_finite()) {
             return refuse("it holds numbers that are not finite");
         }
-        let mut next = || numbers.next().unwrap_or(f64::NAN);
+        let mut next = || state.real().unwrap_or(f64::NAN);
         let times = [(); 3].map(|()| Moment::from_numbers([next(), next()]));
         let [start, reference_airspeed] = [next(), next()];
         let [Some(present), Some(anchor), Some(since)] = times else {
             return refuse("its times are out of range");
         };
-        let is_in_cell = (anchor..=anchor.cell_end()).contains(&present) && since <= present;
+        let latest = if begins_here { anchor } else { anchor.cell_end() };
+        let is_in_cell = (anchor..=latest).contains(&present) && since <= present;
         let is_in_time = start.abs() <= LATEST && (start + present.seconds()).abs() <= LATEST;
         if !is_in_cell || !is_in_time || reference_airspeed < 0.0 {
             return refuse("its times or its airspeed are out of range");
@@ -135,14 +157,56 @@ impl Simulation {
             *number = next();
         }
         let [present_point, anchor_point] = self.path.points_mut();
-        for point in [anchor_point, present_point] {
-            point.resize(length);
-            point.state.fill_with(&mut next);
+        for point in [&mut *present_point, &mut *anchor_point] {
+            point.resize(places);
+        }
+        present_point.state.fill_with(&mut next);
+        if !begins_here {
+            anchor_point.state.fill_with(&mut next);
         }
         self.path.stand([(anchor, anchor_substeps), (present, substeps)]);
         self.forget_evaluation();
         self.airframes.choose(is_half);
         self.airframes.flying_mut().take_reference_airspeed(reference_airspeed);
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_identity_of_a_snapshot_depends_on_every_setting_and_on_no_name() {
+        let settings = Settings::default();
+        let change = |change: fn(&mut Settings)| {
+            let mut changed = settings.clone();
+            change(&mut changed);
+            settings_hash(&changed)
+        };
+        let mut hashes = vec![
+            settings_hash(&settings),
+            change(|s| s.fidelity = super::super::Fidelity::Rigid),
+            change(|s| s.airspeed += 1.0),
+            change(|s| s.altitude += 1.0),
+            change(|s| s.heading += 1.0),
+            change(|s| s.stiffness_scale += 1.0),
+            change(|s| s.structural_damping += 1.0),
+            change(|s| s.mode_selection = super::super::ModeSelection::Symmetric),
+            change(|s| s.mode_count += 1),
+            change(|s| s.inflow_states += 1),
+            change(|s| s.tolerance *= 2.0),
+            change(|s| s.input_reference = super::super::InputReference::Absolute),
+        ];
+        let count = hashes.len();
+        hashes.sort_unstable();
+        hashes.dedup();
+        assert_eq!(hashes.len(), count);
+        // Written out by hand: one byte for each choice, counts, then the real numbers.
+        let mut bytes = vec![0, 0, 0, 12, 0, 0, 0, 5, 0, 0, 0];
+        for number in [127.0_f64, 7620.0, 0.0, 1.0, 0.0, 1e-5] {
+            bytes.extend(number.to_le_bytes());
+        }
+        assert_eq!(settings_hash(&settings), sealed::hash(&bytes));
     }
 }

@@ -1,10 +1,11 @@
 //! The reduced model as bytes, for the FMU's `resources/`.
 //!
 //! Layout, little-endian: 8 bytes of magic with the format's version, the payload's length (u64), its
-//! 128-bit FNV-1a hash, the payload (postcard).
+//! 128-bit XXH3 hash, the payload (postcard).
 
 use crate::aerodynamics::PetersInflow;
 use crate::aircraft::{AIRSPEEDS, ALTITUDES};
+use crate::sealed::hash;
 
 use super::{ModeShapes, ReducedModel, StructureError};
 
@@ -21,7 +22,7 @@ impl ReducedModel {
         let mut bytes = Vec::with_capacity(HEADER + payload.len());
         bytes.extend_from_slice(MAGIC);
         bytes.extend_from_slice(&(payload.len() as u64).to_le_bytes());
-        bytes.extend_from_slice(&fnv1a(&payload).to_le_bytes());
+        bytes.extend_from_slice(&hash(&payload).to_le_bytes());
         bytes.extend_from_slice(&payload);
         bytes
     }
@@ -33,14 +34,14 @@ impl ReducedModel {
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, StructureError> {
         let (header, payload) = bytes.split_at_checked(HEADER).ok_or(StructureError::Bytes("too short"))?;
         let (magic, rest) = header.split_at(8);
-        let (length, hash) = rest.split_at(8);
+        let (length, recorded) = rest.split_at(8);
         if magic != MAGIC {
             return Err(StructureError::Bytes("it does not begin with the mark of this version"));
         }
         if length != (payload.len() as u64).to_le_bytes() {
             return Err(StructureError::Bytes("its length is not the recorded one"));
         }
-        if hash != fnv1a(payload).to_le_bytes() {
+        if recorded != hash(payload).to_le_bytes() {
             return Err(StructureError::Bytes("its checksum is not the recorded one"));
         }
         let model: ReducedModel = postcard::from_bytes(payload)
@@ -54,9 +55,9 @@ impl ReducedModel {
         Ok(model)
     }
 
-    /// 128-bit content hash: equal models, equal hashes.
+    /// 128-bit content hash: equal models, equal hashes. Computed anew by every call.
     pub fn content_hash(&self) -> u128 {
-        fnv1a(&self.payload())
+        hash(&self.payload())
     }
 
     fn payload(&self) -> Vec<u8> {
@@ -88,24 +89,5 @@ impl ReducedModel {
             && self.strips.iter().all(|strip| fits(&strip.shapes))
             && self.engines.iter().all(|engine| fits(&engine.shapes))
             && self.stations.iter().all(|station| fits(&station.shapes))
-    }
-}
-
-/// The 128-bit FNV-1a hash (Fowler, Noll, Vo; RFC 9923).
-pub fn fnv1a(bytes: &[u8]) -> u128 {
-    const OFFSET_BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
-    const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
-    bytes.iter().fold(OFFSET_BASIS, |hash, &byte| (hash ^ u128::from(byte)).wrapping_mul(PRIME))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_hash_is_fnv1a() {
-        // RFC 9923, appendix with test vectors: FNV-1a 128 of "a".
-        assert_eq!(fnv1a(b""), 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d);
-        assert_eq!(fnv1a(b"a"), 0xd228_cb69_6f1a_8caf_7891_2b70_4e4a_8964);
     }
 }

@@ -112,6 +112,11 @@ impl ElasticForces {
         ElasticForces { pairs, mode_rows, stiffness_rows, matrix }
     }
 
+    /// Multiplies U by a factor.
+    pub fn scale(&mut self, factor: f64) {
+        self.matrix.scale(factor);
+    }
+
     /// Scratch memory for the evaluation.
     pub fn scratch(&self) -> ElasticScratch {
         ElasticScratch {

@@ -14,7 +14,6 @@ mod particles;
 mod reduced;
 mod strain_energy;
 
-pub(crate) use archive::fnv1a;
 pub use assembly::Structure;
 pub use beam::{BeamGeometry, Gradients, NodalMap, NodalRow};
 pub use elastic_forces::{ElasticForces, ElasticScratch};

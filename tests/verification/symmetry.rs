@@ -154,7 +154,7 @@ fn bring_the_half_back(settings: &Settings, grows: bool) {
     };
     let straight = go_on(&mut flight);
     set(&mut flight, |inputs| inputs.rudder = 0.05);
-    flight.advance_to(1.5).unwrap();
+    flight.advance_to(1.505).unwrap();
     assert!(!flight.is_symmetric());
     assert_eq!(flight.snapshot_size() > bytes.len(), grows);
     flight.restore(&bytes).unwrap();

@@ -43,10 +43,18 @@ unsafe fn store(place: *mut FmuState, write: impl FnOnce(&mut SavedState)) -> Ou
 /// The saved state behind a handle.
 ///
 /// # Safety
-/// As the module says of states; the result must not outlive the call into the FMU.
+/// As the module says of states, but the address of a handle is recognised; the result must not outlive the call into the
+/// FMU.
 unsafe fn saved<'a>(state: FmuState) -> Result<&'a SavedState, Refusal> {
-    // SAFETY: by the caller, what is not NULL is a leaked `Box<SavedState>`.
-    unsafe { state.cast::<SavedState>().as_ref() }.ok_or_else(|| Refusal::error("FMUstate: found NULL"))
+    // SAFETY: by the caller, what is not NULL is a leaked `Box<SavedState>`, which begins with a word, or the place of a handle.
+    match unsafe { state.cast::<usize>().as_ref() } {
+        // SAFETY: a handle is not zero, so this is the state.
+        Some(0) => Ok(unsafe { &*state.cast::<SavedState>() }),
+        Some(_) => {
+            Err(Refusal::error("FMUstate: found something else than a state, perhaps the address of one"))
+        }
+        None => Err(Refusal::error("FMUstate: found NULL")),
+    }
 }
 
 /// Goes back to a saved state.
@@ -56,7 +64,8 @@ pub unsafe extern "C" fn fmi2SetFMUstate(component: Component, state: FmuState) 
     unsafe { on(component, Function::SetFMUstate, |instance| instance.restore(saved(state)?)) }
 }
 
-/// Frees a saved state and sets the handle to NULL; NULL is ignored.
+/// Frees a saved state and sets the handle to NULL; NULL is ignored. Given a state instead of the address of its handle,
+/// it finds the null handle with which every state begins.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2FreeFMUstate(component: Component, state: *mut FmuState) -> Status {
     let body = |_: &mut Instance| {

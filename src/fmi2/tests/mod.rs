@@ -6,6 +6,7 @@ mod endurance;
 mod flight;
 mod identity;
 mod importers;
+mod initial_derivatives;
 mod input_rates;
 mod instantiation;
 mod life_cycle;

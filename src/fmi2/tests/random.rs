@@ -20,7 +20,8 @@ use super::*;
 use crate::aircraft::Aircraft;
 use crate::fmi2::instance::Instance;
 use crate::fmi2::life_cycle::{Function, State};
-use crate::structure::{ReducedModel, fnv1a};
+use crate::sealed::{CHECKSUM, HEADER, hash};
+use crate::structure::ReducedModel;
 
 const SEQUENCES: u32 = 360;
 const CALLS: usize = 360;
@@ -197,7 +198,7 @@ impl World<'_> {
         }
     }
 
-    /// The last serialised bytes, some of them replaced, cut off or not, with checksums that fit or not.
+    /// The last serialised bytes, some of them replaced, cut off or not, with a checksum that fits or not.
     fn damaged(&self, call: &Call) -> Vec<u8> {
         let mut bytes = self.bytes.clone();
         if bytes.is_empty() || call.flag(7) {
@@ -211,7 +212,7 @@ impl World<'_> {
             bytes.truncate(bytes.len() / 2);
         }
         if call.flag(4) {
-            fit_checksums(&mut bytes);
+            fit_checksum(&mut bytes);
         }
         bytes
     }
@@ -231,18 +232,14 @@ impl World<'_> {
     }
 }
 
-/// Makes the checksums of a state and of the flight in it right, so that everything else is put to the test.
-pub(super) fn fit_checksums(bytes: &mut [u8]) {
-    let Some(end) = bytes.len().checked_sub(16) else { return };
-    if let Some(flight) = bytes.windows(6).position(|window| window == b"FLXSNP").filter(|at| at + 40 < end) {
-        let checksum = fnv1a(&bytes[flight..end - 16]);
-        bytes[end - 16..end].copy_from_slice(&checksum.to_le_bytes());
-    }
+/// Makes length and checksum of a state right, so that everything else is put to the test.
+pub(super) fn fit_checksum(bytes: &mut [u8]) {
+    let Some(end) = bytes.len().checked_sub(CHECKSUM) else { return };
     let length = bytes.len() as u64;
-    if end > 16 {
+    if end >= HEADER {
         bytes[8..16].copy_from_slice(&length.to_le_bytes());
     }
-    let checksum = fnv1a(&bytes[..end]);
+    let checksum = hash(&bytes[..end]);
     bytes[end..].copy_from_slice(&checksum.to_le_bytes());
 }
 

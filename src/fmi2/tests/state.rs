@@ -1,5 +1,7 @@
 use super::endurance::{typical_section, wing};
+use super::random::fit_checksum;
 use super::*;
+use crate::sealed::HEADER;
 
 /// A saved state, freed in the end.
 pub(super) struct Saved<'a> {
@@ -108,6 +110,33 @@ fn a_buffer_too_small_and_null_states_are_refused() {
     }
 }
 
+/// As fmusim 0.0.39 does: the state itself where the address of its handle belongs, and once more the other way round.
+#[test]
+fn a_state_in_place_of_its_address_is_a_null_handle_and_the_address_is_no_state() {
+    let fmu = Fmu::flying();
+    let saved = Saved::of(&fmu);
+    let bytes = saved.bytes();
+    // SAFETY: component and state are alive, and a state begins with a word that can be read as a handle.
+    assert_eq!(unsafe { fmi2FreeFMUstate(fmu.component, saved.state.cast()) }, Status::Ok);
+    assert_eq!(saved.bytes(), bytes);
+    assert_eq!(saved.restore(), Status::Ok);
+
+    let mut handle = saved.state;
+    let address: FmuState = (&raw mut handle).cast();
+    let (mut size, mut byte) = (0, 0);
+    // SAFETY: component and state are alive; what is no state can be read as a word.
+    let statuses = unsafe {
+        [
+            fmi2SetFMUstate(fmu.component, address),
+            fmi2SerializedFMUstateSize(fmu.component, address, &mut size),
+            fmi2SerializeFMUstate(fmu.component, address, &mut byte, 1),
+        ]
+    };
+    assert_eq!(statuses, [Status::Error; 3]);
+    fmu.assert_refused(&["fmi2SerializeFMUstate", "found something else than a state"]);
+    assert_eq!(saved.restore(), Status::Ok);
+}
+
 #[test]
 fn saving_into_a_present_state_replaces_it() {
     let fmu = Fmu::initialising();
@@ -149,22 +178,23 @@ fn a_flight_goes_on_from_a_saved_state_bit_for_bit() {
     assert_eq!(other.outputs(), expected);
 }
 
-/// Where a saved state has its life-cycle state, time, start time, tolerance, stop time, first input and rate.
-const STATE: usize = 32;
+/// Where a saved state has its life-cycle state, time, start time, tolerance, stop time, flight, and where that has its time,
+/// first input and rate.
+const STATE: usize = HEADER;
 const TIME: usize = 33;
 const START: usize = 41;
 const TOLERANCE: usize = 50;
 const STOP: usize = 58;
-const INPUT: usize = 67;
-const RATE: usize = 75;
+const FLIGHT: usize = 136;
+const FLIGHT_TIME: usize = FLIGHT + 18;
+const INPUT: usize = FLIGHT + 42;
+const RATE: usize = INPUT + 9 * 8;
 
 /// Bytes with some of them replaced and a checksum that fits.
 fn forged(bytes: &[u8], at: usize, replacement: &[u8]) -> Vec<u8> {
     let mut forged = bytes.to_vec();
     forged[at..at + replacement.len()].copy_from_slice(replacement);
-    let end = forged.len() - 16;
-    let checksum = crate::structure::fnv1a(&forged[..end]);
-    forged[end..].copy_from_slice(&checksum.to_le_bytes());
+    fit_checksum(&mut forged);
     forged
 }
 
@@ -175,7 +205,9 @@ fn forged_states_with_a_right_checksum_are_refused_and_change_nothing() {
     assert_eq!(fmu.step(0.0, 0.25), Status::Ok);
     let bytes = Saved::of(&fmu).bytes();
     assert_eq!(bytes[INPUT..INPUT + 8], 0.02_f64.to_le_bytes(), "the layout has changed");
-    assert_eq!(bytes[TIME..TIME + 8], 0.25_f64.to_le_bytes(), "the layout has changed");
+    for time in [TIME, FLIGHT_TIME] {
+        assert_eq!(bytes[time..time + 8], 0.25_f64.to_le_bytes(), "the layout has changed");
+    }
     let before = fmu.outputs();
     let stop = |stop: f64| [&[1], stop.to_le_bytes().as_slice()].concat();
     for (at, replacement, reason) in [
@@ -191,8 +223,15 @@ fn forged_states_with_a_right_checksum_are_refused_and_change_nothing() {
         (STOP, stop(f64::NAN), "stop time"),
         (STOP, stop(0.1), "outside the experiment"),
         (STOP, vec![2], "damaged"),
-        (INPUT, f64::NAN.to_le_bytes().to_vec(), "inputs: found NaN"),
-        (RATE, f64::INFINITY.to_le_bytes().to_vec(), "inputs: found inf"),
+        (FLIGHT - 1, vec![2], "damaged"),
+        (FLIGHT - 1, vec![0], "damaged"),
+        (FLIGHT, vec![2], "which equations fly"),
+        (FLIGHT, vec![0], "its length"),
+        (FLIGHT + 1, vec![0], "its length"),
+        (FLIGHT + 2, vec![0, 0, 0, 0], "sub-steps"),
+        (FLIGHT_TIME, 0.5_f64.to_le_bytes().to_vec(), "at another time"),
+        (INPUT, f64::NAN.to_le_bytes().to_vec(), "not finite"),
+        (RATE, f64::INFINITY.to_le_bytes().to_vec(), "not finite"),
     ] {
         let saved = Saved::from_bytes(&fmu, &forged(&bytes, at, &replacement)).unwrap();
         assert_eq!(saved.restore(), Status::Error, "{at}: {replacement:?}");
@@ -212,4 +251,74 @@ fn a_state_in_flight_without_a_flight_is_refused() {
         assert_eq!(saved.restore(), Status::Error);
         fmu.assert_refused(&["its flight is missing"]);
     }
+}
+
+/// The shortest of many times that something took, s.
+pub(super) fn shortest(mut action: impl FnMut(u32)) -> f64 {
+    let once = |i| {
+        let begun = std::time::Instant::now();
+        action(i);
+        begun.elapsed().as_secs_f64()
+    };
+    (0..300).map(once).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn saving_a_state_costs_a_small_part_of_flying_10_ms() {
+    for aileron in [0.0, 1e-3] {
+        let fmu = Fmu::flying();
+        assert_eq!(fmu.set(&[("aileron", aileron)]), Status::Ok);
+        let [elevator] = ["elevator"].map(reference);
+        let flying = shortest(|i| {
+            let time = 0.01 * f64::from(i);
+            assert_eq!(fmu.set_references(&[elevator], &[1e-3 * f64::from(i % 2)]), Status::Ok);
+            assert_eq!(fmu.step(time, 0.01), Status::Ok);
+        });
+        let mut saved = Saved::of(&fmu);
+        let saving = shortest(|_| {
+            // SAFETY: component and state are alive.
+            assert_eq!(unsafe { fmi2GetFMUstate(fmu.component, &mut saved.state) }, Status::Ok);
+        });
+        let restoring = shortest(|_| assert_eq!(saved.restore(), Status::Ok));
+        println!(
+            "{} bytes: flying 10 ms {:.2} µs, saving {:.2} µs, restoring {:.2} µs",
+            saved.bytes().len(),
+            1e6 * flying,
+            1e6 * saving,
+            1e6 * restoring
+        );
+        assert!(saving < 0.2 * flying, "{saving} {flying}");
+    }
+}
+
+/// What a state is read into and written from: the same bytes again, before the flight, on the grid, within a cell, while inputs
+/// ramp, and when the whole aircraft flies.
+#[test]
+fn a_state_that_was_restored_is_saved_as_the_same_bytes() {
+    let fmu = Fmu::initialising();
+    assert_eq!(fmu.set(&[("wind_down", 0.3)]), Status::Ok);
+    let mut states = vec![Saved::of(&fmu).bytes()];
+    assert_eq!(fmu.exit(), Status::Ok);
+    states.push(Saved::of(&fmu).bytes());
+    let (elevator, rate) = (reference("elevator"), 0.01);
+    // SAFETY: the component is alive, the arrays have one element.
+    let rated = unsafe { fmi2SetRealInputDerivatives(fmu.component, &elevator, 1, &1, &rate) };
+    assert_eq!([rated, fmu.step(0.0, 0.013)], [Status::Ok; 2]);
+    states.push(Saved::of(&fmu).bytes());
+    assert_eq!(fmu.step(0.013, 0.007), Status::Ok);
+    states.push(Saved::of(&fmu).bytes());
+    assert_eq!(fmu.get("elevator"), 0.01 * 0.02);
+    assert_eq!([fmu.set(&[("rudder", 0.01)]), fmu.step(0.02, 0.005)], [Status::Ok; 2]);
+    states.push(Saved::of(&fmu).bytes());
+    for (i, bytes) in states.iter().enumerate().rev() {
+        for other in [&fmu, &Fmu::new()] {
+            let saved = Saved::from_bytes(other, bytes).unwrap();
+            assert_eq!(saved.restore(), Status::Ok, "{i}: {:?}", other.log);
+            assert_eq!(Saved::of(other).bytes(), *bytes, "{i}");
+        }
+    }
+    let lengths: Vec<usize> = states.iter().map(Vec::len).collect();
+    let [beside, half, half_in_cell, half_again, whole_in_cell] = lengths[..] else { panic!("{lengths:?}") };
+    assert!(beside < half && half < half_in_cell && half_in_cell < whole_in_cell, "{lengths:?}");
+    assert_eq!(half_again, half);
 }

@@ -1,0 +1,145 @@
+//! Derivatives at the initialisation by parameters, against trims found anew and closed forms.
+
+use std::f64::consts::PI;
+
+use super::endurance::{typical_section, wing};
+use super::*;
+use crate::structure::ReducedModel;
+use crate::variables::{OutputSlot, ParameterSlot, Slot, Type, Unit};
+
+/// An aircraft in initialisation mode, and how to make another one.
+struct Initialisation {
+    model: ReducedModel,
+    table: VariableTable,
+    levels: &'static [(&'static str, c_int)],
+    values: Vec<(&'static str, f64)>,
+}
+
+impl Initialisation {
+    fn new(
+        model: &ReducedModel,
+        levels: &'static [(&'static str, c_int)],
+        values: &[(&'static str, f64)],
+    ) -> Self {
+        let (model, table) = (model.clone(), VariableTable::new(model));
+        Initialisation { model, table, levels, values: values.to_vec() }
+    }
+
+    fn reference(&self, name: &str) -> u32 {
+        self.table.reference(name).unwrap()
+    }
+
+    /// With the values, some of them replaced.
+    fn fmu(&self, unpacked: &Unpacked, replaced: &[(&str, f64)]) -> Fmu {
+        let fmu = wing(unpacked, &guid(&self.model));
+        for (name, value) in self.levels {
+            // SAFETY: the component is alive, the arrays have one element.
+            assert_eq!(unsafe { fmi2SetInteger(fmu.component, &self.reference(name), 1, value) }, Status::Ok);
+        }
+        for (name, value) in self.values.iter().chain(replaced) {
+            assert_eq!(fmu.set_references(&[self.reference(name)], &[*value]), Status::Ok);
+        }
+        assert_eq!([fmu.set_up(None, 0.0, None), fmu.enter()], [Status::Ok; 2]);
+        fmu
+    }
+
+    /// Compares the derivatives of all outputs by all real parameters with differences of trims.
+    fn check(&self) {
+        let unpacked = Unpacked::of(&self.model.to_bytes(), "wing");
+        let fmu = self.fmu(&unpacked, &[]);
+        let outputs: Vec<(u32, OutputSlot, Option<Unit>)> = self
+            .table
+            .iter()
+            .filter_map(|(reference, variable)| match variable.slot {
+                Slot::Output(slot) => Some((reference, slot, variable.unit)),
+                _ => None,
+            })
+            .collect();
+        let references: Vec<u32> = outputs.iter().map(|(reference, ..)| *reference).collect();
+        let parameters = self.table.iter().filter_map(|(reference, variable)| match variable.slot {
+            Slot::Parameter(slot) if variable.kind == Type::Real => Some((reference, slot, &variable.name)),
+            _ => None,
+        });
+        for (parameter, slot, name) in parameters {
+            let derivatives = fmu.derivatives(&references, &[parameter], &[1.0]).unwrap();
+            let at = fmu.get_references(&[parameter]).unwrap()[0];
+            let step = match slot {
+                ParameterSlot::Altitude => 20.0,
+                ParameterSlot::Heading => 0.02,
+                _ => 5e-3 * at,
+            };
+            let trimmed = |steps: f64| {
+                let other = self.fmu(&unpacked, &[(name.as_str(), at + steps * step)]);
+                other.get_references(&references).unwrap()
+            };
+            if step == 0.0 {
+                assert_eq!(derivatives, vec![0.0; references.len()], "{name}");
+                continue;
+            }
+            let [far_behind, behind, ahead, far_ahead] = [-2.0, -1.0, 1.0, 2.0].map(trimmed);
+            let expected: Vec<f64> = (0..references.len())
+                .map(|i| (8.0 * (ahead[i] - behind[i]) - (far_ahead[i] - far_behind[i])) / (12.0 * step))
+                .collect();
+            for (place, (reference, slot, unit)) in outputs.iter().enumerate() {
+                let alike = outputs.iter().zip(&expected).filter(|((_, _, other), _)| other == unit);
+                let largest = alike.fold(0.0_f64, |largest, (_, expected)| largest.max(expected.abs()));
+                let magnitude = ahead[place].abs().max(1.0) / step;
+                let scale = expected[place].abs().max(1e-3 * largest).max(1e-6 * magnitude);
+                let error = (derivatives[place] - expected[place]).abs() / scale;
+                let output = &self.table.get(*reference).unwrap().name;
+                assert!(
+                    error < 1e-6,
+                    "d {output}/d {name}: {} {} ({error:.1e})",
+                    derivatives[place],
+                    expected[place]
+                );
+                let known = self.table.initial_dependencies(*slot).contains(&parameter);
+                assert!(
+                    known || derivatives[place].abs() <= 1e-9 * magnitude,
+                    "d {output}/d {name} is not declared"
+                );
+            }
+        }
+    }
+}
+
+/// Differences of trims over 0.5 % of airspeed and stiffness, 20 m and 0.02 rad: their own error is below 1e-7.
+#[test]
+fn derivatives_at_the_initialisation_by_every_parameter_are_differences_of_trims() {
+    let one_sided =
+        [("aileron", 0.01), ("rudder", -0.02), ("wind_east", 3.0), ("wind_down", -1.0), ("heading", 1.0)];
+    let soft = [("stiffness_scale", 0.1), ("elevator", 0.01)];
+    Initialisation::new(jet(), &[], &[]).check();
+    Initialisation::new(jet(), &[], &one_sided).check();
+    Initialisation::new(jet(), &[("model", 2)], &soft).check();
+    Initialisation::new(jet(), &[("input_reference", 2), ("model", 4)], &soft).check();
+    Initialisation::new(jet(), &[("model", 5)], &one_sided).check();
+    Initialisation::new(
+        &typical_section(),
+        &[],
+        &[("airspeed", 20.0), ("altitude", 0.0), ("wind_down", -0.5)],
+    )
+    .check();
+}
+
+#[test]
+fn heading_airspeed_and_altitude_are_passed_on_one_to_one_also_where_the_yaw_angle_jumps() {
+    for heading in [0.0, 1.0, PI - 1e-4, -PI, 7.0] {
+        let fmu = Fmu::initialising();
+        assert_eq!(fmu.set(&[("heading", heading)]), Status::Ok);
+        let derivatives = [
+            fmu.by("heading", &["attitude.yaw"])[0],
+            fmu.by("airspeed", &["air.speed"])[0],
+            -fmu.by("altitude", &["position.down"])[0],
+        ];
+        for derivative in derivatives {
+            assert!((derivative - 1.0).abs() < 1e-9, "{heading}: {derivatives:?}");
+        }
+        assert_eq!(fmu.by("heading", &["attitude.pitch", "trim.thrust"]), [0.0, 0.0]);
+    }
+    // Troposphere: d ln ρ/dh = (L − g₀/R)/T with L = 6.5 mK/m.
+    let fmu = Fmu::initialising();
+    let expected = (0.0065 - 9.80665 / 287.05287) / (288.15 - 0.0065 * 7620.0) * fmu.get("air.density");
+    let derivative = fmu.by("altitude", &["air.density"])[0];
+    assert!((derivative / expected - 1.0).abs() < 1e-9, "{derivative} {expected}");
+}
