@@ -119,7 +119,10 @@ impl<'a> Mirror<'a> {
         for bay in &aircraft.bays {
             bays[aircraft.beams[bay.attachment.beam].nodes[1]].push(bay);
         }
-        let alike = |one: usize, other: usize| matches!((beams[one], beams[other]), (Some(one), Some(other)) if mirror.beams(one, other));
+        let alike = |one: usize, other: usize| match (beams[one], beams[other]) {
+            (Some(one), Some(other)) => mirror.beams(one, other),
+            _ => false,
+        };
         let with_bays = |one: usize, other: usize| {
             let carried = |one: &MassBay, other: &MassBay| {
                 let apart = (one.attachment.fraction - other.attachment.fraction).abs();

@@ -30,13 +30,14 @@ pub(super) fn strips(spec: &SurfaceSpec, line: &Line, laws: &Laws) -> Option<Vec
     let optional = |law: &Option<Law>| laws.values_or_zero(law.as_ref(), &points);
     let (incidences, offsets) = (optional(&spec.incidence), optional(&spec.zero_lift_offset));
     let (moments, suctions) = (optional(&spec.zero_lift_moment), optional(&spec.leading_edge_suction));
+    let axes = incidences.and_then(|incidences| axes(spec, line, &pieces, &incidences, laws.report));
     let gains = gains(&spec.controls, &pieces, laws.report);
     let (chords, elastic_axes, lift_slopes, drags) = (chords?, elastic_axes?, lift_slopes?, drags?);
-    let (incidences, offsets, moments, suctions) = (incidences?, offsets?, moments?, suctions?);
-    let gains = gains?;
+    let (offsets, moments, suctions) = (offsets?, moments?, suctions?);
+    let (axes, gains) = (axes?, gains?);
     let mut strips = Vec::with_capacity(pieces.len());
     for (i, piece) in pieces.iter().enumerate() {
-        let (forward, span) = axes(spec, line, piece.element, incidences[i].to_radians(), laws.report)?;
+        let (forward, span) = axes[i];
         let width = match &widths {
             Some(widths) => widths.as_ref()?[i],
             None => projected_width(spec, line, piece.element, span, laws.report)?,
@@ -114,24 +115,27 @@ fn span_of(spec: &SurfaceSpec, line: &Line, element: usize) -> Option<Vector3<f6
     spec.span_axis.or_else(|| span_axis(line.span(element)))
 }
 
-/// f and s of a strip set at an incidence, rad.
+/// f and s of each strip, set at its incidence in degrees.
 fn axes(
     spec: &SurfaceSpec,
     line: &Line,
-    element: usize,
-    incidence: f64,
+    pieces: &[Piece],
+    incidences: &[f64],
     report: &Report,
-) -> Option<(Vector3<f64>, Vector3<f64>)> {
-    let span = span_of(spec, line, element);
-    let level = span.and_then(|s| (Vector3::x() - s * s.x).try_normalize(1e-6));
-    let (Some(span), Some(level)) = (span, level) else {
+) -> Option<Vec<(Vector3<f64>, Vector3<f64>)>> {
+    let axes = |(piece, incidence): (&Piece, &f64)| {
+        let span = span_of(spec, line, piece.element)?;
+        let level = (Vector3::x() - span * span.x).try_normalize(1e-6)?;
+        let span_axis = Unit::new_unchecked(span);
+        Some((UnitQuaternion::from_axis_angle(&span_axis, incidence.to_radians()) * level, span))
+    };
+    let axes: Option<_> = pieces.iter().zip(incidences).map(axes).collect();
+    if axes.is_none() {
         let found = "found a span axis along the body's x axis";
         let allowed = "a span_axis across the body's x axis is allowed, for example [0, 1, 0]";
         report.add(Problem::NoDirection, &spec.place.within("span_axis"), found, allowed);
-        return None;
-    };
-    let nose_up = UnitQuaternion::from_axis_angle(&Unit::new_unchecked(span), incidence);
-    Some((nose_up * level, span))
+    }
+    axes
 }
 
 /// The axis about which positive is nose-up for a beam along a vector: its direction across x, if it has one.

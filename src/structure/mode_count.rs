@@ -2,6 +2,10 @@
 
 use super::{ModeFamily, StructureError};
 
+/// The most modes that a model can have: the quartic strain energy then has 9 million coefficients, which are 73 MB of
+/// an FMU, and a flight with all of them needs ten times as much memory.
+pub const MOST_MODES: usize = 120;
+
 /// How many modes an aircraft is to be reduced to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModeCount {
@@ -72,7 +76,3 @@ impl std::fmt::Display for ModeKind {
         })
     }
 }
-
-/// The most modes that a model can have: the quartic strain energy then has 9 million coefficients, which are 73 MB of
-/// an FMU, and a flight with all of them needs ten times as much memory.
-pub const MOST_MODES: usize = 120;

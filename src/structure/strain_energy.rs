@@ -172,11 +172,16 @@ impl StrainEnergy {
             // Columns stand for rows of the symmetric matrix: their numbers lie side by side.
             let [of_a, of_b, of_c] = [a, b, c].map(|mode| &quadratic.as_slice()[mode * self.modes..][c..]);
             let (ab, ac, bc) = (quadratic[(a, b)], quadratic[(a, c)], quadratic[(b, c)]);
-            let factors = [c, c + 1].map(|d| 0.125 * rigidity * permutations(&[a, b, c, d]));
-            let columns = of_a.iter().zip(of_b).zip(of_c);
-            for (place, (coefficient, ((ad, bd), cd))) in row.iter_mut().zip(columns).enumerate() {
+            let factor = |d| 0.125 * rigidity * permutations(&[a, b, c, d]);
+            let add = |coefficient: &mut f64, factor: f64, ad: f64, bd: f64, cd: f64| {
                 let symmetric = ab * cd + ac * bd + ad * bc;
-                *coefficient += factors[place.min(1)] * symmetric / 3.0;
+                *coefficient += factor * symmetric / 3.0;
+            };
+            add(&mut row[0], factor(c), of_a[0], of_b[0], of_c[0]);
+            // All others have as many orders as the next.
+            let others = factor(c + 1);
+            for (((coefficient, ad), bd), cd) in row.iter_mut().zip(of_a).zip(of_b).zip(of_c).skip(1) {
+                add(coefficient, others, *ad, *bd, *cd);
             }
         }
     }

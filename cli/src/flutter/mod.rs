@@ -296,5 +296,10 @@ mod tests {
         assert!(missing.contains("none.toml: cannot read the aircraft file"), "{missing}");
         let many = report("typical-section.toml", "--from 5 --to 80 --modes 40");
         assert!(many.starts_with("error: 40 modes were asked for, the structure has "), "{many}");
+        let lopsided = report("goland-wing.toml", "--from 5 --to 80 --mode-family symmetric");
+        assert!(
+            lopsided.contains("symmetric modes were asked for, the structure has no mirror plane"),
+            "{lopsided}"
+        );
     }
 }
