@@ -48,6 +48,12 @@ pub enum SimulationError {
         /// s.
         time: f64,
     },
+    /// A rate takes an input beyond all numbers.
+    #[error("at {time} s an input is no longer finite: its rate has taken it beyond all numbers")]
+    Inputs {
+        /// s.
+        time: f64,
+    },
     /// The tolerance cannot be met.
     #[error("at {time} s steps of {step} s do not meet the relative tolerance {tolerance}")]
     Tolerance {

@@ -179,7 +179,11 @@ impl Simulation {
         let by_size = Moment::after_start(present.seconds() + size, 0.0);
         let is_coarse = size > 0.0 && resolution > ON_GRID && !end.is_on_grid();
         let keeps_to_size = is_coarse && by_size.since(end).abs() <= resolution;
-        self.fly_or_stay(if keeps_to_size { by_size } else { end })
+        let end = if keeps_to_size { by_size } else { end };
+        if !self.steering.is_finite_until(end) {
+            return Err(SimulationError::Inputs { time: self.start + end.seconds() });
+        }
+        self.fly_or_stay(end)
     }
 
     /// Flies to a time, or is as before.

@@ -50,6 +50,13 @@ impl Steering {
         inputs.ramp(time.since(self.since), &self.rates);
     }
 
+    /// Whether all inputs are numbers until a time.
+    pub(super) fn is_finite_until(&self, time: Moment) -> bool {
+        let elapsed = time.since(self.since);
+        let mut values = self.inputs.values().zip(self.rates.values());
+        values.all(|(value, rate)| (value + elapsed * rate).is_finite())
+    }
+
     /// Whether everything acts alike on both sides, but for rounding, and will; `images` has the mirror image of each
     /// engine.
     pub fn is_symmetric(&self, images: &[usize]) -> bool {

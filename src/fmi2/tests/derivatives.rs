@@ -162,7 +162,7 @@ fn derivatives_by_inputs_are_the_rates_at_which_flights_part() {
         let apart = if name.starts_with("thrust") {
             1000.0
         } else if name.starts_with("wind_rate") {
-            1.0
+            10.0
         } else if name.starts_with("wind") {
             0.1
         } else {

@@ -178,17 +178,17 @@ fn a_flight_goes_on_from_a_saved_state_bit_for_bit() {
     assert_eq!(other.outputs(), expected);
 }
 
-/// Where a saved state has its life-cycle state, time, start time, tolerance, stop time, flight, and where that has its time,
-/// first input and rate.
+/// Where a saved state has its life-cycle state, time, start time, tolerance, stop time, flight, and where that has its time
+/// in cells of 10 ms, first input and rate.
 const STATE: usize = HEADER;
 const TIME: usize = 33;
 const START: usize = 41;
 const TOLERANCE: usize = 50;
 const STOP: usize = 58;
-const FLIGHT: usize = 136;
-const FLIGHT_TIME: usize = FLIGHT + 18;
-const INPUT: usize = FLIGHT + 42;
-const RATE: usize = INPUT + 9 * 8;
+const FLIGHT: usize = 148;
+const FLIGHT_TIME: usize = FLIGHT + 10;
+const INPUT: usize = FLIGHT_TIME + 8 * 8;
+const RATE: usize = INPUT + 12 * 8;
 
 /// Bytes with some of them replaced and a checksum that fits.
 fn forged(bytes: &[u8], at: usize, replacement: &[u8]) -> Vec<u8> {
@@ -205,8 +205,8 @@ fn forged_states_with_a_right_checksum_are_refused_and_change_nothing() {
     assert_eq!(fmu.step(0.0, 0.25), Status::Ok);
     let bytes = Saved::of(&fmu).bytes();
     assert_eq!(bytes[INPUT..INPUT + 8], 0.02_f64.to_le_bytes(), "the layout has changed");
-    for time in [TIME, FLIGHT_TIME] {
-        assert_eq!(bytes[time..time + 8], 0.25_f64.to_le_bytes(), "the layout has changed");
+    for (time, number) in [(TIME, 0.25_f64), (FLIGHT_TIME, 25.0)] {
+        assert_eq!(bytes[time..time + 8], number.to_le_bytes(), "the layout has changed");
     }
     let before = fmu.outputs();
     let stop = |stop: f64| [&[1], stop.to_le_bytes().as_slice()].concat();
@@ -229,7 +229,8 @@ fn forged_states_with_a_right_checksum_are_refused_and_change_nothing() {
         (FLIGHT, vec![0], "its length"),
         (FLIGHT + 1, vec![0], "its length"),
         (FLIGHT + 2, vec![0, 0, 0, 0], "sub-steps"),
-        (FLIGHT_TIME, 0.5_f64.to_le_bytes().to_vec(), "at another time"),
+        (FLIGHT_TIME, 50_f64.to_le_bytes().to_vec(), "at another time"),
+        (FLIGHT_TIME, 0.5_f64.to_le_bytes().to_vec(), "times are out of range"),
         (INPUT, f64::NAN.to_le_bytes().to_vec(), "not finite"),
         (RATE, f64::INFINITY.to_le_bytes().to_vec(), "not finite"),
     ] {
