@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::document::Located;
 use super::error::Place;
 use super::law::Law;
+use super::limits::Limits;
 use super::model::{ModeBasis, Support};
 
 /// EA, GJ, EI_y, EI_z in the order in which [`ComponentSpec::stiffness`] holds them.
@@ -20,6 +21,7 @@ pub(super) struct FileSpec {
     pub(super) altitude: f64,
     /// Whether the structure must be its own mirror image.
     pub(super) symmetric: bool,
+    pub(super) limits: Limits,
     pub(super) components: Vec<ComponentSpec>,
     pub(super) engines: Vec<EngineSpec>,
     pub(super) stations: Vec<StationSpec>,

@@ -12,10 +12,10 @@ use crate::simulation::{Inputs, LATEST, Settings, Simulation};
 use crate::structure::{ReducedModel, StructureError};
 use crate::variables::{VariableTable, start_settings};
 
-/// Why a call is refused, and with which status.
+/// Why a call is refused, or done with a warning.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refusal {
-    /// `Error` or `Discard`.
+    /// `Error`, `Discard` or `Warning`.
     pub status: Status,
     /// For the log.
     pub reason: String,
@@ -30,6 +30,11 @@ impl Refusal {
     /// The call is right, but this slave cannot answer.
     pub fn discard(reason: impl Into<String>) -> Self {
         Refusal { status: Status::Discard, reason: reason.into() }
+    }
+
+    /// The call is done, but its caller should know something.
+    pub fn warning(reason: impl Into<String>) -> Self {
+        Refusal { status: Status::Warning, reason: reason.into() }
     }
 }
 
@@ -205,11 +210,18 @@ impl Instance {
         self.state = State::InitializationMode;
     }
 
-    /// `fmi2ExitInitializationMode`: trims, unless an output has been read already.
+    /// `fmi2ExitInitializationMode`: trims, unless an output has been read already. Warns of a trim beyond the
+    /// aircraft's limits.
     pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
-        self.flight()?;
+        let exceeded: Vec<String> =
+            self.flight()?.limits_exceeded().iter().map(ToString::to_string).collect();
         self.state = State::StepComplete;
-        Ok(())
+        if exceeded.is_empty() {
+            return Ok(());
+        }
+        let Settings { airspeed, altitude, .. } = self.settings;
+        let exceeded = exceeded.join("; ");
+        Err(Refusal::warning(format!("the trim at {airspeed} m/s and {altitude} m stands, but {exceeded}")))
     }
 
     /// `fmi2Terminate`.

@@ -12,7 +12,7 @@ use super::course::Course;
 use super::integrator::{CellEnd, MAX_SUBSTEPS};
 use super::point::{Path, Point};
 use super::steering::Steering;
-use super::{Inputs, Outputs, Settings, SimulationError, outputs};
+use super::{Inputs, LimitExceeded, Outputs, Settings, SimulationError, outputs};
 
 /// Width of a grid cell, s: the usual communication step. In the standard flight of README.md one step over it keeps
 /// pitch, wing tip and load factor within 2e-6 of their peaks; the error control halves from there.
@@ -75,6 +75,8 @@ pub struct Simulation {
     pub(super) outputs: Outputs,
     /// Whether they are those of the present under the present inputs.
     outputs_are_fresh: bool,
+    /// Of the trim.
+    limits_exceeded: Vec<LimitExceeded>,
 }
 
 impl Simulation {
@@ -86,6 +88,7 @@ impl Simulation {
         check_time(start)?;
         let along_course = Settings { heading: 0.0, ..settings.clone() };
         let (airframes, trim) = Airframes::new(&model, &along_course)?;
+        let limits_exceeded = LimitExceeded::find(&model.limits, &airframes.flying().equations, &trim);
         let Trim { pitch, elevator, thrust, state } = trim;
         let engines = model.engines.len();
         let room = airframes.whole().equations.layout().len();
@@ -99,6 +102,7 @@ impl Simulation {
             view: View { state: Vec::with_capacity(room), slope: vec![0.0; room], is_fresh: false },
             outputs: Outputs::new(&model),
             outputs_are_fresh: false,
+            limits_exceeded,
             airframes,
             model,
         })
@@ -112,6 +116,11 @@ impl Simulation {
     /// The trim found at construction.
     pub fn trim(&self) -> &TrimPoint {
         &self.steering.trim
+    }
+
+    /// Where the trim is beyond the aircraft's limits: it stands, but nobody could fly it.
+    pub fn limits_exceeded(&self) -> &[LimitExceeded] {
+        &self.limits_exceeded
     }
 
     /// Sets the inputs that act from now on, and their rates of change (zero: held constant).
