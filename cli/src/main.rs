@@ -15,6 +15,7 @@ mod check;
 mod diagnostics;
 mod flutter;
 mod manoeuvre;
+mod mark_labels;
 mod merge;
 mod package;
 mod reproduce;
