@@ -11,7 +11,7 @@ use crate::structure::ReducedModel;
 use super::losses::{At, EquilibriumLoss};
 use super::points::{Family, SkipReason, Skipped, workers};
 use super::tracks::{Branch, Crossing, Tracks};
-use super::unstable::{UnstableRange, ranges};
+use super::unstable::{Findings, UnstableRange};
 
 /// Airspeeds that each worker analyses before the branches are followed over them.
 const SHARE: usize = 8;
@@ -91,11 +91,13 @@ impl Sweep {
         let crossings = tracks.crossings(&losses);
         let Tracks { branches, analysed, .. } = tracks;
         let unreached = analysed.iter().flat_map(|at| at.unreached.iter().map(|&value| (at.airspeed, value)));
+        let findings =
+            Findings { analysed: &analysed, branches: &branches, crossings: &crossings, losses: &losses };
         Ok(Sweep {
             airspeeds: analysed.iter().map(|at| at.airspeed).collect(),
             skipped,
             unknowns,
-            unstable: ranges(&analysed, &branches, &crossings, &losses),
+            unstable: findings.ranges(),
             unreached: unreached.collect(),
             limits_exceeded,
             losses,

@@ -212,8 +212,10 @@ impl<'a> Tracks<'a> {
     }
 
     fn is_reached(&self, index: usize, eigenvalue: Complex<f64>) -> bool {
-        let roots = self.branches.iter().filter_map(|branch| branch.roots[index].as_ref());
-        roots.into_iter().any(|root| (root.eigenvalue - eigenvalue).norm() <= REACHED * eigenvalue.norm())
+        let is_it = |root: &Root| {
+            root.is_at(eigenvalue) || (root.eigenvalue - eigenvalue).norm() <= REACHED * eigenvalue.norm()
+        };
+        self.branches.iter().filter_map(|branch| branch.roots[index].as_ref()).any(is_it)
     }
 
     /// Follows a root from one point to another.

@@ -39,16 +39,62 @@ pub enum Onset {
     Unseen(f64),
 }
 
-/// All ranges, by their first airspeed.
-pub(super) fn ranges(
-    analysed: &[Analysed],
-    branches: &[Branch],
-    crossings: &[Crossing],
-    losses: &[EquilibriumLoss],
-) -> Vec<UnstableRange> {
-    let onset = |index: usize, branch: Option<usize>| {
-        let Analysed { airspeed, after_gap, .. } = analysed[index];
-        let Some(before) = index.checked_sub(1).map(|before| analysed[before].airspeed) else {
+/// What the ranges are made of.
+pub(super) struct Findings<'a> {
+    pub analysed: &'a [Analysed],
+    pub branches: &'a [Branch],
+    pub crossings: &'a [Crossing],
+    pub losses: &'a [EquilibriumLoss],
+}
+
+impl Findings<'_> {
+    /// All ranges, by their first airspeed.
+    pub fn ranges(&self) -> Vec<UnstableRange> {
+        let mut ranges = Vec::new();
+        for (index, branch) in self.branches.iter().enumerate() {
+            let unstable = |root: &Root| (root.eigenvalue.re > UNSTABLE).then_some(root.eigenvalue);
+            let growths = branch.roots.iter().map(|root| root.as_ref().and_then(unstable));
+            self.collect(Some(index), growths, &mut ranges);
+        }
+        let fastest = |at: &Analysed| at.unreached.iter().copied().max_by(|a, b| a.re.total_cmp(&b.re));
+        self.collect(None, self.analysed.iter().map(fastest), &mut ranges);
+        ranges.sort_by(|a, b| a.first.total_cmp(&b.first));
+        ranges
+    }
+
+    /// The ranges of one branch, of which the unstable eigenvalue at each airspeed is given.
+    fn collect(
+        &self,
+        branch: Option<usize>,
+        eigenvalues: impl Iterator<Item = Option<Complex<f64>>>,
+        ranges: &mut Vec<UnstableRange>,
+    ) {
+        let mut open: Option<UnstableRange> = None;
+        for ((index, at), eigenvalue) in self.analysed.iter().enumerate().zip(eigenvalues) {
+            if eigenvalue.is_none() || at.after_gap {
+                ranges.extend(open.take());
+            }
+            let Some(eigenvalue) = eigenvalue else { continue };
+            let range = open.get_or_insert_with(|| UnstableRange {
+                first: at.airspeed,
+                last: at.airspeed,
+                branch,
+                at_first: eigenvalue,
+                fastest: eigenvalue,
+                onset: self.onset(index, branch),
+            });
+            range.last = at.airspeed;
+            if eigenvalue.re > range.fastest.re {
+                range.fastest = eigenvalue;
+            }
+        }
+        ranges.extend(open);
+    }
+
+    /// How a branch came to be unstable between an airspeed and the one before it.
+    fn onset(&self, index: usize, branch: Option<usize>) -> Onset {
+        let Analysed { airspeed, after_gap, .. } = self.analysed[index];
+        let Some(before) = index.checked_sub(1).map(|before| self.analysed[before].airspeed) else {
             return Onset::FirstAnalysed;
         };
         if after_gap {
@@ -56,44 +102,12 @@ pub(super) fn ranges(
         }
         let is_here = |speed: f64| before <= speed && speed <= airspeed;
         let leads_here = |c: &&Crossing| c.is_onset && Some(c.branch) == branch && is_here(c.airspeed);
-        let is_lost_here = |loss: &&EquilibriumLoss| is_here(loss.between[0]);
-        if let Some(crossing) = crossings.iter().find(leads_here) {
+        if let Some(crossing) = self.crossings.iter().find(leads_here) {
             Onset::Crossing(crossing.airspeed)
-        } else if let Some(loss) = losses.iter().find(is_lost_here) {
+        } else if let Some(loss) = self.losses.iter().find(|loss| is_here(loss.between[0])) {
             Onset::Loss(loss.between[0])
         } else {
             Onset::Unseen(before)
         }
-    };
-    let mut ranges: Vec<UnstableRange> = Vec::new();
-    let mut collect = |branch: Option<usize>, growths: &mut dyn Iterator<Item = Option<Complex<f64>>>| {
-        let mut open: Option<UnstableRange> = None;
-        for ((index, point), growth) in analysed.iter().enumerate().zip(growths) {
-            if growth.is_none() || point.after_gap {
-                ranges.extend(open.take());
-            }
-            let Some(eigenvalue) = growth else { continue };
-            let range = open.get_or_insert_with(|| UnstableRange {
-                first: point.airspeed,
-                last: point.airspeed,
-                branch,
-                at_first: eigenvalue,
-                fastest: eigenvalue,
-                onset: onset(index, branch),
-            });
-            range.last = point.airspeed;
-            if eigenvalue.re > range.fastest.re {
-                range.fastest = eigenvalue;
-            }
-        }
-        ranges.extend(open);
-    };
-    for (branch, Branch { roots }) in branches.iter().enumerate() {
-        let unstable = |root: &Root| (root.eigenvalue.re > UNSTABLE).then_some(root.eigenvalue);
-        collect(Some(branch), &mut roots.iter().map(|root| root.as_ref().and_then(unstable)));
     }
-    let fastest = |point: &Analysed| point.unreached.iter().copied().max_by(|a, b| a.re.total_cmp(&b.re));
-    collect(None, &mut analysed.iter().map(fastest));
-    ranges.sort_by(|a, b| a.first.total_cmp(&b.first));
-    ranges
 }

@@ -21,7 +21,7 @@ mod roots;
 /// Modes that take part unless the user says otherwise, if the aircraft has so many.
 const USUAL_MODES: usize = 12;
 
-/// More airspeeds than this are a slip of the pen: the jet would take a day.
+/// More airspeeds than this are a slip of the pen: the jet would take hours.
 const MOST_POINTS: usize = 100_000;
 
 /// Options of `flexair flutter`.

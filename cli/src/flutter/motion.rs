@@ -90,7 +90,7 @@ pub fn name(branch: &Branch, analysis: &Analysis) -> String {
     if oscillates(root) {
         format!("{motion}, {} Hz", significant(frequency(root)))
     } else {
-        format!("{motion}, aperiodic {}/s", significant(root.eigenvalue.re))
+        format!("{motion}, aperiodic {}/s", significant(root.eigenvalue.re).replace('-', "−"))
     }
 }
 
