@@ -6,8 +6,10 @@
 use kuva::plot::LinePlot;
 use kuva::plot::line::LineStyle;
 use kuva::render::annotations::{ReferenceLine, ShadedRegion};
-use kuva::render::layout::{Layout, TickFormat};
+use kuva::render::layout::{ComputedLayout, Layout, TickFormat};
 use kuva::render::plots::Plot;
+
+use crate::mark_labels::upright_labels;
 
 /// Size of a chart, px of its view box; it scales.
 const WIDTH: f64 = 720.0;
@@ -99,8 +101,8 @@ struct Style {
 pub enum Mark {
     /// At a value of x.
     Vertical(f64, String),
-    /// At a value of y.
-    Horizontal(f64, String),
+    /// At a value of y that parts what is in order from what is not: stronger, without a label.
+    Limit(f64),
 }
 
 impl Window {
@@ -125,15 +127,29 @@ impl Chart {
     pub fn to_svg(&self) -> String {
         let plots: Vec<Plot> = self.curves.iter().enumerate().map(|(i, curve)| self.plot(i, curve)).collect();
         let layout = self.layout(&plots);
+        let computed = ComputedLayout::from_layout(&layout);
+        let frame = [computed.margin_top, HEIGHT - computed.margin_bottom];
         let drawing = kuva::render_to_svg(plots, layout);
         let (legend, legend_height) = self.legend();
         let height = HEIGHT + legend_height;
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" \
              height=\"{height}\" role=\"img\" font-family=\"{FONT}\">\
-             <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>{drawing}{}{legend}</svg>\n",
-            self.upright_label()
+             <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>{drawing}{}{}{legend}</svg>\n",
+            self.upright_label(),
+            self.mark_labels(frame)
         )
+    }
+
+    /// What the vertical marks are, written at their lines.
+    fn mark_labels(&self, top_and_bottom: [f64; 2]) -> String {
+        let (left, right) = (MARGINS.0, WIDTH - MARGINS.1);
+        let place = |x: f64| left + (x - self.x.window.min) / self.x.window.width() * (right - left);
+        let lines = self.marks.iter().filter_map(|mark| match mark {
+            Mark::Vertical(x, label) => Some((place(*x), label.as_str())),
+            Mark::Limit(_) => None,
+        });
+        upright_labels(&lines.collect::<Vec<_>>(), [left, right], top_and_bottom)
     }
 
     /// The label of the vertical axis, where no tick label reaches.
@@ -192,7 +208,7 @@ impl Chart {
             .with_box_axes()
             .with_force_margins(MARGINS.0, MARGINS.1)
             .with_tick_format(TickFormat::Custom(std::sync::Arc::new(tick_label)))
-            .with_title_size(20)
+            .with_title_size(title_size(&self.title))
             .with_label_size(17)
             .with_tick_size(15)
             .with_font_family(FONT);
@@ -236,6 +252,12 @@ pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
+/// The size, px, at which a title of some letters fits over the axes.
+fn title_size(title: &str) -> u32 {
+    let letters = title.chars().count().max(1) as f64;
+    (1080.0 / letters).clamp(11.0, 20.0) as u32
+}
+
 /// Grey where the chart shows more than the frame, and the frame's edges.
 fn shade_outside(layout: Layout, shown: &Window, frame: &Window) -> Layout {
     let regions = [(shown.min, frame.min), (frame.max, shown.max)];
@@ -251,10 +273,12 @@ fn shade_outside(layout: Layout, shown: &Window, frame: &Window) -> Layout {
 
 fn draw_mark(layout: Layout, mark: &Mark) -> Layout {
     let line = match mark {
-        Mark::Vertical(x, label) => ReferenceLine::vertical(*x).with_label(label),
-        Mark::Horizontal(y, label) => ReferenceLine::horizontal(*y).with_label(label),
+        Mark::Vertical(x, _) => ReferenceLine::vertical(*x).with_color(MARK_COLOUR).with_dasharray("5 3"),
+        Mark::Limit(y) => {
+            ReferenceLine::horizontal(*y).with_color("#000000").with_stroke_width(2.2).with_dasharray("none")
+        }
     };
-    layout.with_reference_line(line.with_color(MARK_COLOUR).with_dasharray("5 3"))
+    layout.with_reference_line(line)
 }
 
 /// A number as one would write it on an axis: no superfluous zeros, a true minus.

@@ -12,6 +12,7 @@ use flexible_aircraft::aircraft::Support;
 use flexible_aircraft_packaging::FmuError;
 use flexible_aircraft_packaging::c_abi::Fmu;
 
+use crate::diagnostics;
 use crate::manoeuvre::Manoeuvre;
 
 /// Time constant of the actuator, s.
@@ -74,6 +75,11 @@ impl CheckFlight {
 
         let mut aircraft = fmu.instantiate("check")?;
         aircraft.initialise(0.0, None)?;
+        for line in aircraft.take_log().lines() {
+            if let Some(warning) = line.strip_prefix("[logStatusWarning] fmi2ExitInitializationMode: ") {
+                diagnostics::warn(warning);
+            }
+        }
         let mut trim = [0.0; 3];
         aircraft.get_real(&fmu.variables(&["trim.pitch", "trim.elevator", "trim.thrust"])?, &mut trim)?;
         let mut history = vec![vec![0.0; watched.len()]; STEPS as usize + 1];

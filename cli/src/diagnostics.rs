@@ -1,6 +1,6 @@
 //! Mistakes in an aircraft file, shown with the lines they are in and carets under them.
 
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use flexible_aircraft::aircraft::AircraftFileError;
@@ -9,6 +9,11 @@ use flexible_aircraft::aircraft::AircraftFileError;
 pub fn render(error: &AircraftFileError) -> String {
     let coloured = std::io::stderr().is_terminal();
     render_with(error, &if coloured { Renderer::styled() } else { Renderer::plain() })
+}
+
+/// Warns on standard error; where that is closed nobody wants to know.
+pub fn warn(text: &str) {
+    let _ = writeln!(std::io::stderr(), "warning: {text}");
 }
 
 fn render_with(error: &AircraftFileError, renderer: &Renderer) -> String {

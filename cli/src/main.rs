@@ -14,6 +14,7 @@ mod check;
 mod diagnostics;
 mod flutter;
 mod manoeuvre;
+mod mark_labels;
 mod merge;
 mod package;
 mod reproduce;

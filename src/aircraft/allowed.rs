@@ -28,6 +28,11 @@ pub(super) const ALTITUDE: Allowed = Allowed {
     text: "an altitude in metres from -1000 to 20000 is allowed",
 };
 
+pub(super) const MACH: Allowed =
+    Allowed { contains: |x| x > 0.0 && x <= 10.0, text: "a Mach number above 0 up to 10 is allowed" };
+pub(super) const THRUST: Allowed =
+    Allowed { contains: |x| (-1e9..=1e9).contains(&x), text: "a thrust in N from -1e9 to 1e9 is allowed" };
+
 pub(super) const LENGTH: Allowed = Allowed {
     contains: |x| (-1000.0..=1000.0).contains(&x),
     text: "a length in metres from -1000 to 1000 is allowed",

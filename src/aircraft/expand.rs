@@ -54,6 +54,7 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
             inflow_states: file.inflow_states,
             airspeed: file.airspeed,
             altitude: file.altitude,
+            limits: file.limits,
             nodes: vec![Vector3::zeros()],
             beams: Vec::new(),
             bays: Vec::new(),

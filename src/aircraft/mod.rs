@@ -7,6 +7,7 @@
 //! | module | takes | gives |
 //! | --- | --- | --- |
 //! | `document`, `read` | TOML text | `schema`: the fields, each allowed by itself, with their places |
+//! | `limits` | the table `limits` | what is worth a warning |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
 //! | `branches` | the tree of beams | what is the mirror image of what |
@@ -24,6 +25,7 @@ mod error;
 mod expand;
 mod geometry;
 mod law;
+mod limits;
 mod masses;
 mod model;
 mod read;
@@ -38,6 +40,7 @@ use error::{Place, Report};
 
 pub(crate) use branches::Branches;
 pub use error::{AircraftFileError, Diagnostic, Problem};
+pub use limits::{Bound, Bounds, Limits};
 pub use model::{
     AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, ControlGains, Engine, Flap, MassBay, ModeBasis,
     Station, Strip, Support,

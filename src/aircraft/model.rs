@@ -5,6 +5,8 @@ use std::ops::RangeInclusive;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
+use super::limits::Limits;
+
 /// Whether the airframe flies or is held at O.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -48,6 +50,8 @@ pub struct Aircraft {
     pub airspeed: f64,
     /// Altitude at which it is trimmed unless someone asks for another, m.
     pub altitude: f64,
+    /// What its trims should stay within.
+    pub limits: Limits,
     /// Node positions, m; node 0 is O and clamped.
     pub nodes: Vec<Vector3<f64>>,
     /// Beam elements: a tree rooted at node 0, each element leading from a known node to a new one.

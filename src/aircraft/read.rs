@@ -12,6 +12,7 @@ use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
 use super::geometry::Stretch;
 use super::law::Law;
+use super::limits::Limits;
 use super::model::{ModeBasis, Support};
 use super::schema::{
     Along, ComponentSpec, ControlSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, InertiaSpec,
@@ -28,6 +29,7 @@ const FILE: &[&str] = &[
     "airspeed_m_s",
     "altitude_m",
     "symmetric",
+    "limits",
     "component",
     "engine",
     "station",
@@ -103,6 +105,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         airspeed: number_or(&table, "airspeed_m_s", &AIRSPEED, 127.0),
         altitude: number_or(&table, "altitude_m", &ALTITUDE, 7620.0),
         symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
+        limits: Limits::read(&table),
         name: name?,
         support: support?,
         mode_basis: mode_basis?,

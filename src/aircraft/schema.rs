@@ -6,6 +6,7 @@ use super::document::Located;
 use super::error::Place;
 use super::geometry::Stretch;
 use super::law::Law;
+use super::limits::Limits;
 use super::model::{ModeBasis, Support};
 
 /// EA, GJ, EI_y, EI_z in the order in which [`ComponentSpec::stiffness`] holds them.
@@ -21,6 +22,7 @@ pub(super) struct FileSpec {
     pub(super) altitude: f64,
     /// Whether the structure must be its own mirror image.
     pub(super) symmetric: bool,
+    pub(super) limits: Limits,
     pub(super) components: Vec<ComponentSpec>,
     pub(super) engines: Vec<EngineSpec>,
     pub(super) stations: Vec<StationSpec>,

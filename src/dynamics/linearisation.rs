@@ -25,9 +25,9 @@ const STEP: f64 = 1e-3;
 /// The height over which the air changes noticeably, m.
 const ATMOSPHERIC_HEIGHT: f64 = 1e3;
 
-/// Relative size at which the eigensolver drops a subdiagonal entry. Where many strips are alike, nalgebra's
-/// iteration does not end at the machine's rounding (2.2e-16).
-const DEFLATION: f64 = 1e-13;
+/// Relative size at which the eigensolver drops a subdiagonal entry, and larger ones where it does not come to an
+/// end: where many strips are alike, nalgebra's iteration does not at the machine's rounding (2.2e-16).
+const DEFLATIONS: [f64; 4] = [1e-13, 1e-12, 1e-11, 1e-10];
 
 /// Cap on the iterations of the eigensolver, per unknown.
 const MAX_ITERATIONS: usize = 30;
@@ -85,7 +85,8 @@ impl StateMatrix {
         let cap = MAX_ITERATIONS * self.unknowns.len();
         let mut balanced = self.matrix.clone();
         balance_parlett_reinsch(&mut balanced);
-        let schur = Schur::try_new(balanced, DEFLATION, cap).ok_or(EigenvaluesNotFound)?;
+        let schur = |deflation| Schur::try_new(balanced.clone(), deflation, cap);
+        let schur = DEFLATIONS.into_iter().find_map(schur).ok_or(EigenvaluesNotFound)?;
         Ok(schur.complex_eigenvalues().iter().copied().collect())
     }
 }

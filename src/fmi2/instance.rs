@@ -241,11 +241,18 @@ impl Instance {
         self.state = State::InitializationMode;
     }
 
-    /// `fmi2ExitInitializationMode`: trims, unless an output has been read already.
+    /// `fmi2ExitInitializationMode`: trims, unless an output has been read already. Warns of a trim beyond the
+    /// aircraft's limits.
     pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
-        self.flight()?;
+        let exceeded: Vec<String> =
+            self.flight()?.limits_exceeded().iter().map(ToString::to_string).collect();
         self.neighbours = None;
         self.state = State::StepComplete;
+        if !exceeded.is_empty() {
+            let Settings { airspeed, altitude, .. } = self.settings;
+            let exceeded = exceeded.join("; ");
+            self.warn(format!("the trim at {airspeed} m/s and {altitude} m stands, but {exceeded}"));
+        }
         Ok(())
     }
 

@@ -13,7 +13,7 @@ use super::integrator::{CellEnd, MAX_SUBSTEPS};
 use super::moment::{LATEST, Moment, ON_GRID, resolution};
 use super::point::{Path, Point};
 use super::steering::Steering;
-use super::{Inputs, Outputs, Settings, SimulationError, outputs};
+use super::{Inputs, LimitExceeded, Outputs, Settings, SimulationError, outputs};
 
 /// Longest step, s: a day. It is flown in minutes; beyond, a slip of the unit or a time taken for a step size would keep
 /// its caller waiting for hours or for ever.
@@ -82,6 +82,8 @@ pub struct Simulation {
     pub(super) outputs: Outputs,
     /// Whether they are those of the present under the present inputs.
     outputs_are_fresh: bool,
+    /// Of the trim.
+    limits_exceeded: Vec<LimitExceeded>,
 }
 
 impl Simulation {
@@ -92,6 +94,7 @@ impl Simulation {
     pub fn new(model: Arc<ReducedModel>, settings: &Settings, start: f64) -> Result<Self, SimulationError> {
         check_time(start)?;
         let (airframes, trimmed) = Airframes::new(&model, &settings.along_course())?;
+        let limits_exceeded = LimitExceeded::find(&model.limits, &airframes.flying().equations, &trimmed);
         let engines = model.engines.len();
         let room = airframes.whole().equations.layout().len();
         Ok(Simulation {
@@ -106,6 +109,7 @@ impl Simulation {
             view: View { state: Vec::with_capacity(room), slope: vec![0.0; room], is_fresh: false },
             outputs: Outputs::new(&model),
             outputs_are_fresh: false,
+            limits_exceeded,
             airframes,
             trimmed,
             model,
@@ -125,6 +129,11 @@ impl Simulation {
     /// The trim found at construction.
     pub fn trim(&self) -> &TrimPoint {
         &self.steering.trim
+    }
+
+    /// Where the trim is beyond the aircraft's limits: it stands, but nobody could fly it.
+    pub fn limits_exceeded(&self) -> &[LimitExceeded] {
+        &self.limits_exceeded
     }
 
     /// Writes the inputs as they stand now: what was set last, and what its rates have made of it since.

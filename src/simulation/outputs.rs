@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::aerodynamics::{Air, STANDARD_GRAVITY};
-use crate::dynamics::{Attitude, BodyMotion, Sensors, combine};
+use crate::dynamics::{Attitude, BodyMotion, Controls, EquationsOfMotion, Sensors, combine};
 use crate::structure::ReducedModel;
 
 use super::Simulation;
@@ -118,8 +118,7 @@ pub(super) fn write(simulation: &mut Simulation) {
     outputs.acceleration = acceleration;
     outputs.load_factor =
         load_factor(&(acceleration + motion.rate.cross(&motion.velocity)), &to_body, model.gravity);
-    let air_velocity = motion.velocity - to_body * equations.air_motion(controls);
-    outputs.air = AirData::new(&air_velocity, &Air::at(equations.altitude(state)));
+    outputs.air = air_data(equations, state, controls);
 
     let (q, q_dot) = (&state[layout.coordinates()], &state[layout.coordinate_rates()]);
     outputs.modal_q.fill(0.0);
@@ -146,6 +145,13 @@ pub(super) fn write(simulation: &mut Simulation) {
     (outputs.elevator, outputs.rudder) = (controls.elevator, controls.rudder);
     (outputs.aileron, outputs.aileron_symmetric) = (controls.aileron, controls.aileron_symmetric);
     outputs.thrust.copy_from_slice(&controls.thrust);
+}
+
+/// The flow at O in a state under some controls.
+pub(super) fn air_data(equations: &EquationsOfMotion, state: &[f64], controls: &Controls) -> AirData {
+    let to_body = Attitude::from_quaternion(&state[equations.layout().attitude()]).body_from_inertial;
+    let velocity = equations.motion(state).velocity - to_body * equations.air_motion(controls);
+    AirData::new(&velocity, &Air::at(equations.altitude(state)))
 }
 
 /// (inertial acceleration − gravity)/g along x_b, y_b, −z_b; without gravity, in units of standard gravity.

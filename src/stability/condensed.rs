@@ -94,6 +94,11 @@ impl Condensed {
         }
     }
 
+    /// How many numbers it holds.
+    pub fn numbers(&self) -> usize {
+        self.motion.len() + self.wake_on_motion.len() + self.motion_on_wake.len()
+    }
+
     /// The same with another κ.
     pub fn with_coupling(&self, coupling: f64) -> Self {
         Condensed { coupling, ..self.clone() }
@@ -101,6 +106,9 @@ impl Condensed {
 
     /// The roots with the wake frozen (κ = 0), one of each complex pair, slowest first.
     pub fn frozen_roots(&self) -> Vec<Root> {
+        if self.motion.is_empty() {
+            return Vec::new();
+        }
         let frozen = self.with_coupling(0.0);
         let cap = 1000 * self.motion.nrows();
         let Some(schur) = Schur::try_new(self.motion.clone(), DEFLATION, cap) else {

@@ -3,12 +3,24 @@
 //! At each airspeed of a range the aircraft is trimmed and [linearised](crate::dynamics::StateMatrix). Its
 //! roots are told apart by following each from speed to speed, never by sorting them: `condensed` eliminates
 //! the wake from the eigenvalue problem and finds a root near a known one, `continuation` follows a root with
-//! steps as small as its shape demands, `sweep` does so over the range and finds where roots become unstable.
+//! steps as small as its shape demands, `tracks` does so over the range and finds where roots become unstable,
+//! `losses` where the equilibrium that is linearised is lost, `unstable` lists every speed that has an unstable root.
 //! A tool for the desk: everything here allocates.
 
 mod condensed;
 mod continuation;
+mod equilibrium;
+mod losses;
+mod points;
 mod sweep;
+mod tracks;
+mod unstable;
+
+pub use nalgebra::Complex;
 
 pub use condensed::Root;
-pub use sweep::{Branch, Crossing, CrossingKind, SkipReason, Skipped, Sweep};
+pub use losses::{EquilibriumLoss, LossKind};
+pub use points::{SkipReason, Skipped};
+pub use sweep::Sweep;
+pub use tracks::{Branch, Crossing, CrossingKind};
+pub use unstable::{Onset, UnstableRange};

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Vector3};
 use serde::{Deserialize, Serialize};
 
-use crate::aircraft::{Aircraft, Flap, Support};
+use crate::aircraft::{Aircraft, Flap, Limits, Support};
 
 use super::assembly::Structure;
 use super::mode_count::{MOST_MODES, ModeCount, ModeKind};
@@ -53,6 +53,8 @@ pub struct ReducedModel {
     pub airspeed: f64,
     /// Default altitude, m.
     pub altitude: f64,
+    /// What its trims should stay within.
+    pub limits: Limits,
     /// Lowest frequency first.
     pub modes: Vec<Mode>,
     /// Integrals over the mass.
@@ -167,6 +169,7 @@ impl ReducedModel {
             inflow_states: aircraft.inflow_states,
             airspeed: aircraft.airspeed,
             altitude: aircraft.altitude,
+            limits: aircraft.limits,
             integrals: ModalIntegrals::new(&structure, &basis.shapes),
             strain_energy: StrainEnergy::new(&structure, &basis.shapes),
             strips: reduced_strips(&structure, &basis.shapes),

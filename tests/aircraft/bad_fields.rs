@@ -133,7 +133,7 @@ fn missing_top_field() {
     assert_messages(
         &[("support = \"free\"\n", "")],
         &[
-            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, inflow_states, airspeed_m_s, altitude_m, symmetric, component, engine, station",
+            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, inflow_states, airspeed_m_s, altitude_m, symmetric, limits, component, engine, station",
         ],
     );
 }
@@ -273,6 +273,22 @@ fn a_trim_where_nothing_flies() {
             "small.toml:8:14: altitude_m: found 30000; an altitude in metres from -1000 to 20000 is allowed",
         ],
     );
+}
+
+#[test]
+fn limits_of_nothing_beyond_all_or_upside_down() {
+    let limits = "inflow_states = 5\nlimits = { maximum_mach = 0, surface = { flaps = {}, elevator = { minimum_deg = 20, \
+                  maximum_deg = -20 }, rudder = { maximum_deg = 91 } }, maximum_alpha = 3 }";
+    let error = super::edited(&[("inflow_states = 5", limits)]).expect_err("bad limits").to_string();
+    for message in [
+        "limits.maximum_mach: found 0; a Mach number above 0 up to 10 is allowed",
+        "limits.surface.flaps: found the unknown field \"flaps\"; allowed here: elevator, aileron, aileron_symmetric, rudder",
+        "limits.surface.elevator.maximum_deg: found minimum_deg = 20 and maximum_deg = -20; maximum_deg > minimum_deg is allowed",
+        "limits.surface.rudder.maximum_deg: found 91; an angle in degrees from -90 to 90 is allowed",
+        "limits.maximum_alpha: found the unknown field \"maximum_alpha\"; allowed here: minimum_angle_of_attack_deg, ",
+    ] {
+        assert!(error.contains(message), "{message}\n{error}");
+    }
 }
 
 #[test]

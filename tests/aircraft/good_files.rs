@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Problem, Strip};
+use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Bound, Limits, Problem, Strip};
 use flexible_aircraft::structure::ReducedModel;
 use nalgebra::Vector3;
 
@@ -24,6 +24,25 @@ fn small_aircraft_has_the_parts_that_it_lists() {
     assert_eq!((aircraft.nodes.len(), aircraft.beams.len()), (14, 13));
     assert_eq!((aircraft.bays.len(), aircraft.strips.len()), (10, 8));
     assert_eq!((aircraft.engines.len(), aircraft.stations.len()), (1, 1));
+}
+
+#[test]
+fn limits_replace_the_usual_ones_end_by_end() {
+    assert_eq!(aircraft(&[]).limits, Limits::default());
+    let text = "inflow_states = 5\nlimits = { maximum_angle_of_attack_deg = 12, minimum_thrust_N = -500, surface = { \
+                elevator = { minimum_deg = -25 }, rudder = { minimum_deg = 40 } } }";
+    let limits = aircraft(&[("inflow_states = 5", text)]).limits;
+    assert_eq!(limits.angle_of_attack.maximum, Bound::Given(12_f64.to_radians()));
+    assert_eq!(limits.angle_of_attack.minimum, Bound::Usual((-15_f64).to_radians()));
+    assert_eq!((limits.thrust.minimum, limits.thrust.maximum), (Bound::Given(-500.0), Bound::None));
+    assert_eq!(limits.elevator.minimum, Bound::Given((-25_f64).to_radians()));
+    assert_eq!(limits.elevator.maximum, Bound::Usual(30_f64.to_radians()));
+    // A usual end that the file's other end contradicts is none.
+    assert_eq!(
+        (limits.rudder.minimum, limits.rudder.maximum),
+        (Bound::Given(40_f64.to_radians()), Bound::None)
+    );
+    assert_eq!((limits.mach, limits.aileron), (Limits::default().mach, Limits::default().aileron));
 }
 
 #[test]

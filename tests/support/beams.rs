@@ -1,6 +1,6 @@
 //! A uniform cantilever in any direction, as an [`Aircraft`] without air.
 
-use flexible_aircraft::aircraft::{Aircraft, Attachment, Beam, MassBay, ModeBasis, Support};
+use flexible_aircraft::aircraft::{Aircraft, Attachment, Beam, Limits, MassBay, ModeBasis, Support};
 use nalgebra::{Matrix3, Vector3};
 
 /// A uniform beam clamped at O.
@@ -71,6 +71,7 @@ impl Cantilever {
             inflow_states: 0,
             airspeed: 127.0,
             altitude: 7620.0,
+            limits: Limits::default(),
             nodes: (0..=elements).map(|i| self.axis * (i as f64 * step)).collect(),
             beams: (0..elements).map(beam).collect(),
             bays: (0..elements).flat_map(|i| self.lumps.iter().map(move |lump| (i, lump))).map(bay).collect(),

@@ -1,7 +1,7 @@
 //! One aerofoil strip on an aircraft without mass or modes, whose motion a test prescribes: loads are the forces
 //! on ν = [v; ω; q̇] without the part that is proportional to accelerations.
 
-use flexible_aircraft::aircraft::{ControlGains, Flap, Support};
+use flexible_aircraft::aircraft::{ControlGains, Flap, Limits, Support};
 use flexible_aircraft::dynamics::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{ModalIntegrals, ModeShapes, ReducedModel, ReducedStrip, StrainEnergy};
 use nalgebra::{Matrix3, Vector3};
@@ -109,6 +109,7 @@ fn model(strip: ReducedStrip) -> ReducedModel {
         inflow_states: 0,
         airspeed: 127.0,
         altitude: 7620.0,
+        limits: Limits::default(),
         modes: Vec::new(),
         integrals: ModalIntegrals {
             mass: 0.0,

@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::simulation::Settings;
-use flexible_aircraft::stability::{CrossingKind, Sweep};
+use flexible_aircraft::dynamics::StateMatrix;
+use flexible_aircraft::simulation::{Fidelity, Settings};
+use flexible_aircraft::stability::{CrossingKind, LossKind, Onset, Sweep};
 use flexible_aircraft::structure::ReducedModel;
 use nalgebra::{Complex, Matrix2, Vector2};
 
@@ -193,4 +194,132 @@ fn a_speed_at_which_a_free_aircraft_has_no_trim_is_skipped_and_the_others_are_no
     let short_period = Complex::new(-0.534, 1.186);
     let nearest = sweep.branches.iter().filter_map(|branch| branch.roots[0].as_ref());
     assert!(nearest.into_iter().any(|root| (root.eigenvalue - short_period).norm() < 1e-3));
+}
+
+/// A uniform wing of 7 m swept 30° forward, in a wind tunnel without gravity.
+fn forward_swept(incidence_deg: f64) -> ReducedModel {
+    let text = format!(
+        r#"
+        format = 1
+        name = "Wing swept forward"
+        gravity_m_s2 = 0
+        support = "clamped"
+        mode_basis = "bending_torsion"
+        altitude_m = 0
+
+        [[component]]
+        name = "wing"
+        attached_to = "origin"
+        axis_m = [[0, 0, 0], [3.5, 6.0621778, 0]]
+        elements = 12
+        y_axis = [1, 0, 0]
+        chord_m = 1.5
+        EA_N = 1e8
+        GJ_N_m2 = 8e5
+        EI_y_N_m2 = 6e5
+        EI_z_N_m2 = 6e6
+
+        [[component.distributed_mass]]
+        parts = [{{ total_kg = 80 }}]
+        gyration_chords = [0, 0.25, 0.25]
+        gyration_lengths = [0.2887, 0, 0.2887]
+
+        [[component.surface]]
+        elastic_axis = 0.4
+        incidence_deg = {incidence_deg}
+        lift_slope_per_rad = 5.5
+        profile_drag = 0.008
+        "#
+    );
+    ReducedModel::new(&Aircraft::parse(&text, "forward-swept.toml").unwrap(), 6).unwrap()
+}
+
+fn linearised(model: &ReducedModel, settings: &Settings, airspeed: f64) -> Option<StateMatrix> {
+    let settings = Settings { airspeed, ..settings.clone() };
+    let equations = settings.equations(model).unwrap();
+    let trim = equations.trim(&settings.trim_condition()).ok()?;
+    Some(equations.linearise(&trim))
+}
+
+/// Uniform wings have nearly equal roots in their wake, on which an eigensolver may go in circles.
+/// Uniform wings have nearly equal roots in their wake, on which an eigensolver may go in circles.
+#[test]
+fn eigenvalues_of_a_uniform_wing_are_found_at_every_speed() {
+    let (model, settings) = (forward_swept(0.01), settings(0.0, 6, 5));
+    let is_found = |&speed: &i32| {
+        linearised(&model, &settings, f64::from(speed)).is_some_and(|matrix| matrix.eigenvalues().is_ok())
+    };
+    assert_eq!((20..66).filter(is_found).count(), 46);
+}
+
+/// At a trace of incidence the trim leaves the equilibrium that bends with the load for the one that is unstable, near
+/// the speed at which the straight wing diverges: no root crosses the stability limit.
+#[test]
+fn every_speed_with_an_unstable_root_is_reported_though_none_crosses() {
+    let airspeeds: Vec<f64> = (10..=50).map(|point| 2.0 * f64::from(point)).collect();
+    let straight = Sweep::new(&forward_swept(0.0), &settings(0.0, 6, 5), &airspeeds).unwrap();
+    let (divergence, _) = onset(&straight, CrossingKind::Divergence);
+    assert!((66.0..67.5).contains(&divergence), "{divergence}");
+    for (fidelity, incidence, latest) in [
+        (Fidelity::Exact, 0.001, 1.03),
+        (Fidelity::Exact, 0.01, 1.06),
+        (Fidelity::Exact, 0.05, 1.15),
+        (Fidelity::ConsistentlyLinearised, 0.02, 1.01),
+        (Fidelity::Inconsistent, 0.02, 1.01),
+    ] {
+        let settings = Settings { fidelity, ..settings(0.0, 6, 5) };
+        let model = forward_swept(incidence);
+        let sweep = Sweep::new(&model, &settings, &airspeeds).unwrap();
+        let case = format!("{fidelity:?} {incidence}: {:?} {:?}", sweep.losses, sweep.unstable);
+        assert!(sweep.crossings.is_empty(), "{case}");
+        let mut unstable = 0;
+        for &airspeed in &sweep.airspeeds {
+            let eigenvalues = linearised(&model, &settings, airspeed).unwrap().eigenvalues().unwrap();
+            let is_unstable = eigenvalues.iter().any(|eigenvalue| eigenvalue.re > 1e-6);
+            let is_told =
+                sweep.unstable.iter().any(|range| range.first <= airspeed && airspeed <= range.last);
+            assert_eq!(is_told, is_unstable, "{airspeed} m/s, {case}");
+            unstable += usize::from(is_unstable);
+        }
+        assert!(unstable > 10, "{case}");
+        // Where the equilibrium is lost is named, and that the root appears there.
+        let lost = sweep.losses.first().unwrap_or_else(|| panic!("{case}")).between[0] / divergence;
+        assert!((0.99..latest).contains(&lost), "{lost}: {case}");
+        let onset = sweep.unstable[0].onset;
+        assert!(matches!(onset, Onset::Loss(_) | Onset::AfterGap(_)), "{case}");
+    }
+}
+
+/// The cubic energy of the consistently linearised model has another equilibrium there, metres away.
+#[test]
+fn a_jump_to_another_equilibrium_is_named_with_what_moves() {
+    let settings = Settings { fidelity: Fidelity::ConsistentlyLinearised, ..settings(0.0, 6, 5) };
+    let model = forward_swept(0.05);
+    let sweep = Sweep::new(&model, &settings, &[60.0, 64.0, 66.0, 68.0]).unwrap();
+    let [loss] = sweep.losses.as_slice() else { panic!("{:?}", sweep.losses) };
+    let LossKind::Jump { component, displacement } = &loss.kind else { panic!("{loss:?}") };
+    assert!(component == "wing" && (1.0..10.0).contains(displacement), "{loss:?}");
+    assert!(
+        (66.0..68.0).contains(&loss.between[0]) && loss.between[1] / loss.between[0] < 1.000_02,
+        "{loss:?}"
+    );
+    // The trims at the two airspeeds, a hundred-thousandth apart.
+    let [below, above] = loss.between.map(|airspeed| {
+        let settings = Settings { airspeed, ..settings.clone() };
+        let equations = settings.equations(&model).unwrap();
+        let trim = equations.trim(&settings.trim_condition()).unwrap();
+        trim.state[equations.layout().coordinates()][0]
+    });
+    assert!((below - above).abs() > 1.0, "{below} {above}");
+    assert_eq!(sweep.unstable[0].onset, Onset::Loss(loss.between[0]));
+}
+
+/// Nothing of the kind is found where a wing bends steadily.
+#[test]
+fn a_continuous_equilibrium_is_not_lost() {
+    let airspeeds: Vec<f64> = (2..=6).map(|point| 10.0 * f64::from(point)).collect();
+    for incidence in [0.0, 0.01, 2.0] {
+        let sweep = Sweep::new(&forward_swept(incidence), &settings(0.0, 6, 5), &airspeeds).unwrap();
+        assert!(sweep.losses.is_empty() && sweep.unstable.is_empty(), "{:?}", sweep.losses);
+    }
 }

@@ -11,6 +11,7 @@ mod flight;
 mod flutter;
 mod frequencies;
 mod inflow;
+mod limits;
 mod linearisation;
 mod modal_integrals;
 mod record;

@@ -17,7 +17,7 @@
 
 use std::f64::consts::TAU;
 
-use flexible_aircraft::aircraft::Support;
+use flexible_aircraft::aircraft::{Limits, Support};
 use flexible_aircraft::dynamics::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{
     ModalIntegrals, ModeShapes, ReducedModel, ReducedStation, StrainEnergy, Structure,
@@ -89,6 +89,7 @@ fn model(elements: usize) -> ReducedModel {
         inflow_states: 0,
         airspeed: 127.0,
         altitude: 7620.0,
+        limits: Limits::default(),
         modes,
         integrals: ModalIntegrals::new(&structure, &shapes),
         strain_energy: StrainEnergy::new(&structure, &shapes),

@@ -1,22 +1,28 @@
-//! `flexair flutter`: at which airspeeds an aircraft flutters or diverges, with V–g and V–f plots.
+//! `flexair flutter`: at which airspeeds an aircraft flutters or diverges, in words, plots and numbers.
 
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use flexible_aircraft::aerodynamics::Air;
-use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
+use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Support};
 use flexible_aircraft::simulation::{Fidelity, ModeSelection, Settings, SimulationError};
 use flexible_aircraft::stability::Sweep;
 use flexible_aircraft::structure::{ModeCount, ModeFamily, ModeKind, ReducedModel, StructureError};
+use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::diagnostics;
 
 mod motion;
 mod plots;
 mod report;
+mod roots;
 
 /// Modes that take part unless the user says otherwise, if the aircraft has so many.
 const USUAL_MODES: usize = 12;
+
+/// More airspeeds than this are a slip of the pen: the jet would take hours.
+const MOST_POINTS: usize = 100_000;
 
 /// Options of `flexair flutter`.
 #[derive(Args)]
@@ -33,13 +39,13 @@ pub struct FlutterOptions {
     #[arg(long, value_name = "M/S")]
     to: f64,
 
-    /// Number of airspeeds; each root is followed from one to the next in as many steps as it needs
+    /// Number of airspeeds, 2 to 100000; each root is followed from one to the next in as many steps as it needs
     #[arg(long, value_name = "N", default_value_t = 41)]
     points: usize,
 
-    /// Altitude in the standard atmosphere, m
-    #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
-    altitude: f64,
+    /// Altitude in the standard atmosphere, m [default: the aircraft's]
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    altitude: Option<f64>,
 
     /// Factor on all elastic properties
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
@@ -65,7 +71,7 @@ pub struct FlutterOptions {
     #[arg(long, value_name = "N")]
     inflow_states: Option<usize>,
 
-    /// Folder for the plots
+    /// Folder for the plots and the table of roots
     #[arg(long, value_name = "DIR", default_value = "target/flutter")]
     output: PathBuf,
 }
@@ -98,10 +104,12 @@ pub enum Error {
     #[error(transparent)]
     Settings(#[from] SimulationError),
     #[error(
-        "--from {from} --to {to} --points {points} is no range: 0 < from < to and at least 2 points are allowed"
+        "--from {from} --to {to} --points {points} is no range: 0 < from < to (m/s) and 2 to {MOST_POINTS} points are allowed"
     )]
     Range { from: f64, to: f64, points: usize },
-    #[error("{}: cannot write the plot: {source}", path.display())]
+    #[error("{option}: nothing would move, for the aircraft is clamped; allowed is {allowed}")]
+    Motionless { option: &'static str, allowed: &'static str },
+    #[error("{}: cannot write: {source}", path.display())]
     Write { path: PathBuf, source: std::io::Error },
 }
 
@@ -126,31 +134,46 @@ struct Analysis {
     sweep: Sweep,
 }
 
-/// Analyses, prints, and draws.
+/// Analyses, prints, draws, and writes the roots.
 pub fn run(options: &FlutterOptions) -> Result<(), Error> {
     let analysis = analyse(options)?;
-    print!("{}", report::text(&analysis));
+    for warning in report::warnings(&analysis) {
+        diagnostics::warn(&warning);
+    }
+    let mut text = report::text(&analysis);
     let name = options.aircraft.file_stem().unwrap_or_default().to_string_lossy();
     let write_error = |path: &Path| {
         let path = path.to_owned();
         |source| Error::Write { path, source }
     };
     std::fs::create_dir_all(&options.output).map_err(write_error(&options.output))?;
-    for (kind, chart) in [("v-g", plots::dampings(&analysis)), ("v-f", plots::frequencies(&analysis))] {
-        let path = options.output.join(format!("{name}-{kind}.svg"));
-        std::fs::write(&path, chart.to_svg()).map_err(write_error(&path))?;
-        println!("{}", path.display());
+    let charts = [
+        ("v-g", Some(plots::dampings(&analysis))),
+        ("v-f", Some(plots::frequencies(&analysis))),
+        ("v-aperiodic", plots::aperiodic_growth(&analysis)),
+    ];
+    let drawings =
+        charts.into_iter().filter_map(|(kind, chart)| Some((format!("{kind}.svg"), chart?.to_svg())));
+    for (ending, content) in drawings.chain([("roots.csv".to_owned(), roots::table(&analysis))]) {
+        let path = options.output.join(format!("{name}-{ending}"));
+        std::fs::write(&path, content).map_err(write_error(&path))?;
+        text += &format!("{}\n", path.display());
     }
-    Ok(())
+    match std::io::stdout().write_all(text.as_bytes()) {
+        // Whoever reads has seen enough.
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        written => written.map_err(write_error(Path::new("standard output"))),
+    }
 }
 
 fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
     let aircraft = Aircraft::read(&options.aircraft)?;
     let airspeeds = airspeeds(options)?;
     let (model, mode_count) = reduce(&aircraft, options)?;
+    check_mobility(aircraft.support, options)?;
     let settings = Settings {
         fidelity: options.model.fidelity(),
-        altitude: options.altitude,
+        altitude: options.altitude.unwrap_or(aircraft.altitude),
         stiffness_scale: options.stiffness_scale,
         structural_damping: options.structural_damping,
         mode_selection: options.mode_family.selection(),
@@ -158,17 +181,38 @@ fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
         inflow_states: options.inflow_states.unwrap_or(aircraft.inflow_states),
         ..Settings::default()
     };
-    let sweep = Sweep::new(&model, &settings, &airspeeds)?;
+    let progress = progress(airspeeds.len());
+    let sweep = Sweep::watched(&model, &settings, &airspeeds, &|| progress.inc(1))?;
+    progress.finish_and_clear();
     let model = model.select(&settings.choose_modes(&model)?);
     let level =
         options.model.to_possible_value().map_or(String::new(), |value| value.get_name().replace('_', " "));
     Ok(Analysis { model, level, settings, range: [options.from, options.to], sweep })
 }
 
+/// On a terminal: how many airspeeds have been analysed.
+fn progress(airspeeds: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} airspeeds, {eta} left");
+    ProgressBar::new(airspeeds as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// A clamped aircraft moves in its modes alone.
+fn check_mobility(support: Support, options: &FlutterOptions) -> Result<(), Error> {
+    match (support, options.model, options.modes) {
+        (Support::Clamped, Model::Rigid, _) => {
+            Err(Error::Motionless { option: "--model rigid", allowed: "a flexible model" })
+        }
+        (Support::Clamped, _, Some(0)) => {
+            Err(Error::Motionless { option: "--modes 0", allowed: "at least 1 mode" })
+        }
+        _ => Ok(()),
+    }
+}
+
 /// The airspeeds of the range.
 fn airspeeds(options: &FlutterOptions) -> Result<Vec<f64>, Error> {
     let FlutterOptions { from, to, points, .. } = *options;
-    if !(0.0 < from && from < to && to.is_finite() && points >= 2) {
+    if !(0.0 < from && from < to && to.is_finite() && (2..=MOST_POINTS).contains(&points)) {
         return Err(Error::Range { from, to, points });
     }
     let step = (to - from) / (points - 1) as f64;
@@ -216,90 +260,4 @@ impl Analysis {
 }
 
 #[cfg(test)]
-mod tests {
-    use clap::Parser;
-
-    use super::*;
-
-    #[derive(Parser)]
-    struct Line {
-        #[command(flatten)]
-        options: FlutterOptions,
-    }
-
-    /// The options of `flexair flutter` with a shipped aircraft.
-    fn options(aircraft: &str, rest: &str) -> FlutterOptions {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft").join(aircraft);
-        let mut words = vec!["flutter".to_owned(), path.display().to_string()];
-        words.extend(rest.split_whitespace().map(str::to_owned));
-        Line::try_parse_from(words).unwrap_or_else(|error| panic!("{error}")).options
-    }
-
-    fn section(rest: &str) -> Analysis {
-        analyse(&options("typical-section.toml", rest)).unwrap()
-    }
-
-    #[test]
-    fn the_report_names_the_speeds_of_the_typical_section() {
-        let text = report::text(&section("--from 5 --to 80 --points 9 --modes 2 --inflow-states 6"));
-        // Hodges and Pierce: 2.165 and 0.6545 times b ω = 20 m/s; divergence at 2.828.
-        for line in ["43.31 m/s  flutter         13.09 rad/s (2.083 Hz)", "56.57 m/s  divergence      static"]
-        {
-            assert!(text.contains(line), "{text}");
-        }
-        assert!(text.contains("% mode 2") && text.contains("(begins as mode 2, 3.2"), "{text}");
-    }
-
-    #[test]
-    fn no_flutter_in_the_range_is_said_with_the_range() {
-        let text = report::text(&section("--from 5 --to 40 --points 5"));
-        assert!(text.contains("no flutter begins from 5 to 40 m/s"), "{text}");
-        assert!(text.contains("no divergence begins from 5 to 40 m/s"), "{text}");
-    }
-
-    #[test]
-    fn a_range_that_begins_beyond_flutter_says_so() {
-        let text = report::text(&section("--from 50 --to 55 --points 3 --modes 2"));
-        assert!(text.contains("50.00 m/s  already unstable here: "), "{text}");
-    }
-
-    #[test]
-    fn airspeeds_without_trim_are_listed_with_the_reason() {
-        let range = "--from 3 --to 127 --points 2 --altitude 7620 --modes 2";
-        let text = report::text(&analyse(&options("generic-business-jet.toml", range)).unwrap());
-        assert!(text.contains("not analysed: 3.00 m/s\n"), "{text}");
-        assert!(text.contains("no steady level flight found at 3 m/s"), "{text}");
-    }
-
-    #[test]
-    fn the_plots_show_both_modes_and_mark_both_speeds() {
-        let analysis = section("--from 5 --to 80 --points 16 --modes 2");
-        for chart in [plots::dampings(&analysis), plots::frequencies(&analysis)] {
-            assert_eq!(chart.curves.len(), 2);
-            assert!(chart.x.label.contains(", flutter 43.") && chart.x.label.contains(", divergence 56.6"));
-            assert!(chart.curves.iter().all(|curve| curve.points.len() > 5));
-        }
-    }
-
-    #[test]
-    fn a_range_that_is_none_is_refused() {
-        for range in ["--from 80 --to 5", "--from 0 --to 5", "--from 5 --to 80 --points 1"] {
-            let error = analyse(&options("typical-section.toml", range)).err().unwrap().report();
-            assert!(error.contains("0 < from < to and at least 2 points are allowed"), "{error}");
-        }
-    }
-
-    #[test]
-    fn a_missing_file_and_too_many_modes_are_errors_for_people() {
-        let report = |aircraft, rest| analyse(&options(aircraft, rest)).err().unwrap().report();
-        let missing = report("none.toml", "--from 5 --to 80");
-        assert!(missing.contains("none.toml: cannot read the aircraft file"), "{missing}");
-        let many = report("typical-section.toml", "--from 5 --to 80 --modes 40");
-        assert!(many.starts_with("error: 40 modes were asked for, the structure has "), "{many}");
-        let lopsided = report("goland-wing.toml", "--from 5 --to 80 --mode-family symmetric");
-        assert!(
-            lopsided.contains("symmetric modes were asked for, the structure has no mirror plane"),
-            "{lopsided}"
-        );
-    }
-}
+mod tests;

@@ -3,7 +3,7 @@
 //! Shares are those of the energy at nominal stiffness: q̇² + ω²q² of a mode, m v² and J ω² of the rigid motion.
 
 use flexible_aircraft::dynamics::Unknown;
-use flexible_aircraft::stability::{Branch, Root};
+use flexible_aircraft::stability::{Branch, Complex, Root};
 
 use super::Analysis;
 
@@ -57,7 +57,12 @@ impl Shares {
 
 /// Whether a root oscillates.
 pub fn oscillates(root: &Root) -> bool {
-    root.eigenvalue.im.abs() > OSCILLATING
+    oscillates_at(root.eigenvalue)
+}
+
+/// Whether an eigenvalue, 1/s, is that of an oscillation.
+pub fn oscillates_at(eigenvalue: Complex<f64>) -> bool {
+    eigenvalue.im.abs() > OSCILLATING
 }
 
 /// Frequency of a root, Hz.
@@ -65,17 +70,27 @@ pub fn frequency(root: &Root) -> f64 {
     root.eigenvalue.im.abs() / std::f64::consts::TAU
 }
 
+/// g = 2 Re λ / |Im λ| of a root that oscillates: the structural damping that it lacks.
+pub fn damping(root: &Root) -> f64 {
+    2.0 * root.eigenvalue.re / root.eigenvalue.im.abs()
+}
+
+/// The motion that leads a root: `mode 2`, or `flight`.
+pub fn leading_motion(root: &Root, analysis: &Analysis) -> String {
+    match Shares::of(root, analysis).leading_mode() {
+        Some(mode) => format!("mode {}", mode + 1),
+        None => "flight".to_owned(),
+    }
+}
+
 /// A branch by the motion and the frequency it begins with.
 pub fn name(branch: &Branch, analysis: &Analysis) -> String {
     let Some(root) = branch.roots.iter().flatten().next() else { return String::new() };
-    let motion = match Shares::of(root, analysis).leading_mode() {
-        Some(mode) => format!("mode {}", mode + 1),
-        None => "flight".to_owned(),
-    };
+    let motion = leading_motion(root, analysis);
     if oscillates(root) {
         format!("{motion}, {} Hz", significant(frequency(root)))
     } else {
-        format!("{motion}, aperiodic")
+        format!("{motion}, aperiodic {}/s", significant(root.eigenvalue.re).replace('-', "−"))
     }
 }
 
@@ -93,7 +108,7 @@ pub fn composition(root: &Root, analysis: &Analysis) -> String {
 
 /// A number with three digits or so.
 fn significant(value: f64) -> String {
-    match value {
+    match value.abs() {
         100.0.. => format!("{value:.0}"),
         10.0.. => format!("{value:.1}"),
         1.0.. => format!("{value:.2}"),

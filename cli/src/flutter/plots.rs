@@ -1,12 +1,12 @@
-//! V–g and V–f plots.
+//! V–g and V–f plots, and the growth of roots that do not oscillate.
 //!
-//! g = 2 Re λ / |Im λ| is the structural damping that a root lacks: positive is unstable. Roots that do not
-//! oscillate have no g and are left out of both plots; where one goes through zero a line is marked.
+//! g = 2 Re λ / |Im λ| is the structural damping that a root lacks: positive is unstable. A root that does not
+//! oscillate has no g; its growth Re λ is drawn in a plot of its own.
 
-use flexible_aircraft::stability::{Branch, Crossing, CrossingKind, Root};
+use flexible_aircraft::stability::{Branch, CrossingKind, LossKind, Onset, Root};
 
 use super::Analysis;
-use super::motion::{frequency, name, oscillates};
+use super::motion::{damping, frequency, name, oscillates};
 use crate::chart::{Axis, Chart, Curve, Mark, Window};
 
 /// The most that the V–g plot shows: what matters is near zero.
@@ -18,73 +18,104 @@ const LEAST_DAMPING: Window = Window::new(-0.1, 0.05);
 /// The V–f plot goes up to this multiple of the highest frequency of a flutter, if there is one.
 const FREQUENCY_MARGIN: f64 = 4.0;
 
-/// Onsets that the airspeed axis names.
-const NAMED_ONSETS: usize = 4;
+/// The most growth that the plot of aperiodic roots shows, 1/s.
+const GROWTH: Window = Window::new(-10.0, 10.0);
+
+/// The least of it.
+const LEAST_GROWTH: Window = Window::new(-0.1, 0.1);
 
 /// Damping over airspeed.
 pub fn dampings(analysis: &Analysis) -> Chart {
-    let curves = curves(analysis, |root| 2.0 * root.eigenvalue.re / root.eigenvalue.im.abs());
-    let values = || curves.iter().flat_map(|curve| curve.points.iter().map(|point| point.1));
-    let least = values().fold(LEAST_DAMPING.min, f64::min).max(DAMPING.min);
-    let greatest = values().fold(LEAST_DAMPING.max, f64::max).min(DAMPING.max);
-    let mut marks = marks(analysis);
-    marks.push(Mark::Horizontal(0.0, String::new()));
-    Chart {
-        title: format!("{}: V–g", analysis.model.name),
-        x: airspeed_axis(analysis),
-        y: Axis::new("damping g (positive: unstable)", Window::new(1.1 * least, 1.1 * greatest)),
-        curves,
-        marks,
-        frame: None,
-    }
+    let curves = curves(analysis, oscillates, frequency_window(analysis), damping);
+    let y = Axis::new("damping g (1); unstable above 0", enclosing(&curves, LEAST_DAMPING, DAMPING));
+    chart(analysis, "damping over airspeed (V–g)", y, curves, Some(Mark::Limit(0.0)))
 }
 
 /// Frequency over airspeed.
 pub fn frequencies(analysis: &Analysis) -> Chart {
-    let curves = curves(analysis, frequency);
-    let values = curves.iter().flat_map(|curve| curve.points.iter().map(|point| point.1));
-    let greatest = values.fold(0.0, f64::max);
-    let flutter = onsets(analysis).map(|crossing| frequency(&crossing.root)).fold(0.0, f64::max);
-    let shown = if flutter > 0.0 { greatest.min(FREQUENCY_MARGIN * flutter) } else { greatest };
-    let top = if shown > 0.0 { 1.05 * shown } else { 1.0 };
-    Chart {
-        title: format!("{}: V–f", analysis.model.name),
-        x: airspeed_axis(analysis),
-        y: Axis::new("frequency (Hz)", Window::new(0.0, top)),
-        curves,
-        marks: marks(analysis),
-        frame: None,
+    let window = frequency_window(analysis);
+    let curves = curves(analysis, oscillates, window, frequency);
+    chart(analysis, "frequency over airspeed (V–f)", Axis::new("frequency (Hz)", window), curves, None)
+}
+
+/// Growth over airspeed of the roots that do not oscillate; none where all do.
+pub fn aperiodic_growth(analysis: &Analysis) -> Option<Chart> {
+    let is_aperiodic = |root: &Root| !oscillates(root);
+    let mut curves = curves(analysis, is_aperiodic, Window::new(0.0, 1.0), |root| root.eigenvalue.re);
+    curves.retain(|curve| curve.points.iter().any(|point| GROWTH.contains(point.1)));
+    if curves.is_empty() {
+        return None;
     }
+    let y = Axis::new("growth Re λ (1/s); unstable above 0", enclosing(&curves, LEAST_GROWTH, GROWTH));
+    Some(chart(analysis, "growth of aperiodic roots over airspeed", y, curves, Some(Mark::Limit(0.0))))
 }
 
-fn airspeed_axis(analysis: &Analysis) -> Axis {
+/// The frequencies that matter, Hz: all, or those in the neighbourhood of a flutter's.
+fn frequency_window(analysis: &Analysis) -> Window {
+    let sweep = &analysis.sweep;
+    let roots = sweep.branches.iter().flat_map(|branch| branch.roots.iter().flatten());
+    let greatest = roots.map(frequency).fold(0.0, f64::max);
+    let onsets = sweep.crossings.iter().filter(|crossing| crossing.is_onset);
+    let flutter = onsets.map(|crossing| frequency(&crossing.root)).fold(0.0, f64::max);
+    let shown = if flutter > 0.0 { greatest.min(FREQUENCY_MARGIN * flutter) } else { greatest };
+    Window::new(0.0, if shown > 0.0 { 1.05 * shown } else { 1.0 })
+}
+
+fn chart(analysis: &Analysis, what: &str, y: Axis, curves: Vec<Curve>, limit: Option<Mark>) -> Chart {
     let [from, to] = analysis.range;
-    let name = |crossing: &Crossing| match crossing.kind {
-        CrossingKind::Flutter => format!(", flutter {:.1}", crossing.airspeed),
-        CrossingKind::Divergence => format!(", divergence {:.1}", crossing.airspeed),
-    };
-    let onsets: String = onsets(analysis).take(NAMED_ONSETS).map(name).collect();
-    Axis::new(format!("airspeed (m/s){onsets}"), Window::new(from, to))
+    let mut marks = marks(analysis);
+    marks.extend(limit);
+    let title = format!("{}: {what}", analysis.model.name);
+    Chart { title, x: Axis::new("airspeed (m/s)", Window::new(from, to)), y, curves, marks, frame: None }
 }
 
-/// One curve for each branch that oscillates, while it does.
-fn curves(analysis: &Analysis, value: impl Fn(&Root) -> f64) -> Vec<Curve> {
+/// The window around some curves, at least `least` and at most `most`.
+fn enclosing(curves: &[Curve], least: Window, most: Window) -> Window {
+    let values = || curves.iter().flat_map(|curve| curve.points.iter().map(|point| point.1));
+    let low = values().fold(least.min, f64::min).max(most.min);
+    let high = values().fold(least.max, f64::max).min(most.max);
+    Window::new(1.1 * low, 1.1 * high)
+}
+
+/// One curve for each branch with roots of a kind, where it has them, if one of them has a frequency in the window.
+fn curves(
+    analysis: &Analysis,
+    is_wanted: impl Fn(&Root) -> bool,
+    frequencies: Window,
+    value: impl Fn(&Root) -> f64,
+) -> Vec<Curve> {
     let sweep = &analysis.sweep;
     let curve = |branch: &Branch| {
         let roots = sweep.airspeeds.iter().zip(&branch.roots);
-        let oscillating = roots
-            .filter_map(|(speed, root)| root.as_ref().filter(|root| oscillates(root)).map(|r| (*speed, r)));
-        let points = oscillating.map(|(speed, root)| (speed, value(root))).collect();
-        Curve { label: name(branch, analysis), points }
+        let wanted: Vec<(f64, &Root)> = roots
+            .filter_map(|(speed, root)| Some((*speed, root.as_ref()?)))
+            .filter(|(_, root)| is_wanted(root))
+            .collect();
+        let matters = wanted.iter().any(|(_, root)| frequencies.contains(frequency(root)));
+        let points = wanted.iter().map(|(speed, root)| (*speed, value(root))).collect();
+        matters.then(|| Curve { label: name(branch, analysis), points })
     };
-    sweep.branches.iter().map(curve).filter(|curve| curve.points.len() > 1).collect()
+    sweep.branches.iter().filter_map(curve).filter(|curve| curve.points.len() > 1).collect()
 }
 
-/// Lines at the onsets of flutter and divergence; what they are stands at the axis.
+/// Lines where something becomes unstable or the equilibrium is lost, by airspeed.
 fn marks(analysis: &Analysis) -> Vec<Mark> {
-    onsets(analysis).map(|crossing| Mark::Vertical(crossing.airspeed, String::new())).collect()
-}
-
-fn onsets(analysis: &Analysis) -> impl Iterator<Item = &Crossing> {
-    analysis.sweep.crossings.iter().filter(|crossing| crossing.is_onset)
+    let sweep = &analysis.sweep;
+    let onsets = sweep.crossings.iter().filter(|crossing| crossing.is_onset).map(|crossing| {
+        let kind = match crossing.kind {
+            CrossingKind::Flutter => "flutter",
+            CrossingKind::Divergence => "divergence",
+        };
+        (crossing.airspeed, kind)
+    });
+    let losses = sweep.losses.iter().map(|loss| match loss.kind {
+        LossKind::Jump { .. } => (loss.between[1], "equilibrium jumps"),
+        LossKind::NoneAbove(_) => (loss.between[0], "no trim above"),
+        LossKind::NoneBelow(_) => (loss.between[1], "no trim below"),
+    });
+    let unseen = sweep.unstable.iter().filter(|range| matches!(range.onset, Onset::Unseen(_)));
+    let unseen = unseen.map(|range| (range.first, "unstable"));
+    let mut lines: Vec<(f64, &str)> = onsets.chain(losses).chain(unseen).collect();
+    lines.sort_by(|a, b| a.0.total_cmp(&b.0));
+    lines.into_iter().map(|(speed, what)| Mark::Vertical(speed, format!("{what} {speed:.1} m/s"))).collect()
 }

@@ -2,34 +2,51 @@
 
 use std::fmt::Write;
 
-use flexible_aircraft::aircraft::Support;
-use flexible_aircraft::stability::{Crossing, CrossingKind};
+use flexible_aircraft::aircraft::{Bound, Support};
+use flexible_aircraft::simulation::{LimitExceeded, LimitedQuantity};
+use flexible_aircraft::stability::{Crossing, CrossingKind, EquilibriumLoss, LossKind, Onset, UnstableRange};
 
 use super::Analysis;
-use super::motion::{composition, frequency, name};
+use super::motion::{composition, frequency, name, oscillates_at};
 
-/// Growth below which a root counts as neutral, 1/s.
-const NEUTRAL: f64 = 1e-6;
+/// Airspeeds that were not analysed are named up to this number.
+const MOST_NAMED: usize = 20;
 
 /// The whole report.
 pub fn text(analysis: &Analysis) -> String {
     let mut text = heading(analysis);
-    text += &unstable_from_the_start(analysis);
-    let crossings = &analysis.sweep.crossings;
-    for crossing in crossings {
-        text += &line(crossing, analysis);
-    }
-    if !analysis.sweep.airspeeds.is_empty() {
-        let [from, to] = analysis.range;
-        let kinds = [(CrossingKind::Flutter, "flutter"), (CrossingKind::Divergence, "divergence")];
-        for (kind, word) in kinds {
-            if !crossings.iter().any(|crossing| crossing.kind == kind && crossing.is_onset) {
-                text += &format!("  no {word} begins from {from} to {to} m/s\n");
-            }
-        }
+    let sweep = &analysis.sweep;
+    let crossings = sweep.crossings.iter().map(|crossing| (crossing.airspeed, line(crossing, analysis)));
+    let losses = sweep.losses.iter().map(|loss| (loss.between[0], lost(loss)));
+    let mut events: Vec<(f64, String)> = crossings.chain(losses).collect();
+    events.sort_by(|a, b| a.0.total_cmp(&b.0));
+    text.extend(events.into_iter().map(|(_, line)| line));
+    text += &unstable(analysis);
+    if !sweep.airspeeds.is_empty() {
+        text += &absent(CrossingKind::Flutter, "flutter", analysis);
+        text += &absent(CrossingKind::Divergence, "divergence", analysis);
     }
     text += &skipped(analysis);
     text
+}
+
+/// A line for each quantity whose trims are beyond a limit, with the farthest of them.
+pub fn warnings(analysis: &Analysis) -> Vec<String> {
+    let exceeded = &analysis.sweep.limits_exceeded;
+    let mut kinds: Vec<(LimitedQuantity, Bound)> = Vec::new();
+    for (_, LimitExceeded { quantity, limit, .. }) in exceeded {
+        if !kinds.contains(&(*quantity, *limit)) {
+            kinds.push((*quantity, *limit));
+        }
+    }
+    let warning = |kind: &(LimitedQuantity, Bound)| {
+        let alike = exceeded.iter().filter(|(_, other)| (other.quantity, other.limit) == *kind);
+        let count = alike.clone().count();
+        let (airspeed, farthest) = alike.max_by(|a, b| a.1.value.abs().total_cmp(&b.1.value.abs()))?;
+        let more = if count > 1 { format!(" (so at {count} airspeeds)") } else { String::new() };
+        Some(format!("the trim at {airspeed} m/s stands, but {farthest}{more}"))
+    };
+    kinds.iter().filter_map(warning).collect()
 }
 
 fn heading(analysis: &Analysis) -> String {
@@ -51,21 +68,72 @@ fn heading(analysis: &Analysis) -> String {
     )
 }
 
-/// Roots that do not become unstable in the range because they are from its beginning.
-fn unstable_from_the_start(analysis: &Analysis) -> String {
-    let Some(airspeed) = analysis.sweep.airspeeds.first() else { return String::new() };
-    let first = analysis.sweep.branches.iter().filter_map(|branch| branch.roots[0].as_ref());
-    let unstable = first.filter(|root| root.eigenvalue.re > NEUTRAL);
-    unstable.fold(String::new(), |mut text, root| {
-        let doubling = std::f64::consts::LN_2 / root.eigenvalue.re;
+/// Every analysed airspeed with an unstable root.
+fn unstable(analysis: &Analysis) -> String {
+    let ranges = &analysis.sweep.unstable;
+    if ranges.is_empty() {
+        return String::new();
+    }
+    let mut text = String::from("\n  unstable at these of the airspeeds analysed:\n");
+    for range in ranges {
+        let UnstableRange { first, last, branch, at_first, fastest, onset } = range;
+        let motion = if oscillates_at(*at_first) {
+            format!("{:.3} Hz", at_first.im / std::f64::consts::TAU)
+        } else {
+            "aperiodic".to_owned()
+        };
+        let onset = match onset {
+            Onset::FirstAnalysed => "already at the first airspeed".to_owned(),
+            Onset::AfterGap(airspeed) => format!("not analysed from {airspeed:.2} m/s to there"),
+            Onset::Crossing(airspeed) => format!("since it crossed at {airspeed:.2} m/s"),
+            Onset::Loss(airspeed) => format!("since the equilibrium was lost at {airspeed:.2} m/s"),
+            Onset::Unseen(airspeed) => format!("appears after {airspeed:.2} m/s, no crossing was found"),
+        };
+        let at = analysis.sweep.airspeeds.iter().position(|airspeed| airspeed == first);
+        let root = branch.zip(at).and_then(|(branch, at)| analysis.sweep.branches[branch].roots[at].as_ref());
+        let shares = root.map_or(String::new(), |root| format!(" ({})", composition(root, analysis)));
+        let to = if last > first { format!(" to {last:.2}") } else { String::new() };
+        let doubling = std::f64::consts::LN_2 / fastest.re;
         let _ = writeln!(
             text,
-            "{airspeed:8.2} m/s  already unstable here: {:.3} Hz, doubles in {doubling:.3} s ({})",
-            frequency(root),
-            composition(root, analysis)
+            "{first:8.2}{to} m/s  {motion}, doubles in {doubling:.3} s at the fastest, {onset}{shares}"
         );
-        text
-    })
+    }
+    text + "\n"
+}
+
+/// That a kind of instability does not begin in the range, or that one is there whose beginning was not found.
+fn absent(kind: CrossingKind, word: &str, analysis: &Analysis) -> String {
+    let ([from, to], sweep) = (analysis.range, &analysis.sweep);
+    if sweep.crossings.iter().any(|crossing| crossing.kind == kind && crossing.is_onset) {
+        return String::new();
+    }
+    let is_of_kind = |range: &&UnstableRange| {
+        oscillates_at(range.at_first) == (kind == CrossingKind::Flutter)
+            && matches!(range.onset, Onset::AfterGap(_) | Onset::Loss(_) | Onset::Unseen(_))
+    };
+    if sweep.unstable.iter().any(|range| is_of_kind(&range)) {
+        format!("  no crossing into {word} from {from} to {to} m/s, but see what is unstable above\n")
+    } else {
+        format!("  no {word} begins from {from} to {to} m/s\n")
+    }
+}
+
+/// Where an equilibrium is lost.
+fn lost(loss: &EquilibriumLoss) -> String {
+    let [below, above] = loss.between;
+    match &loss.kind {
+        LossKind::Jump { component, displacement } => format!(
+            "{below:8.2} m/s  the equilibrium is lost: the trim above is another one ({component} moves by \
+             {displacement:.3} m)\n"
+        ),
+        LossKind::NoneAbove(_) => {
+            format!("{below:8.2} m/s  the equilibrium is lost: above no trim is found\n")
+        }
+        LossKind::NoneBelow(_) => {
+            format!("{above:8.2} m/s  from here on a trim is found, below none\n")
+        }
+    }
 }
 
 fn line(crossing: &Crossing, analysis: &Analysis) -> String {
@@ -90,6 +158,10 @@ fn line(crossing: &Crossing, analysis: &Analysis) -> String {
 fn skipped(analysis: &Analysis) -> String {
     let skipped = &analysis.sweep.skipped;
     let Some(first) = skipped.first() else { return String::new() };
-    let speeds: Vec<String> = skipped.iter().map(|skipped| format!("{:.2}", skipped.airspeed)).collect();
-    format!("  not analysed: {} m/s\n  the first of these because: {}\n", speeds.join(", "), first.reason)
+    let named = skipped.iter().take(MOST_NAMED).map(|skipped| format!("{:.2}", skipped.airspeed));
+    let mut speeds = named.collect::<Vec<_>>().join(", ");
+    if let Some(last) = skipped.get(MOST_NAMED..).and_then(<[_]>::last) {
+        let _ = write!(speeds, " … {:.2} ({} airspeeds)", last.airspeed, skipped.len());
+    }
+    format!("  not analysed: {speeds} m/s\n  the first of these because: {}\n", first.reason)
 }

@@ -131,6 +131,10 @@ fn fly(
     let engines = model.engines.len();
     let (mut inputs, mut rates) = (Inputs::zero(engines), Inputs::zero(engines));
     let mut flight = Simulation::new(model, settings, schedule.start())?;
+    for exceeded in flight.limits_exceeded() {
+        let Settings { airspeed, altitude, .. } = settings;
+        diagnostics::warn(&format!("the trim at {airspeed} m/s and {altitude} m stands, but {exceeded}"));
+    }
     schedule.write(0, &mut inputs, &mut rates);
     flight.set_inputs(&inputs, &rates);
     writeln!(sink, "time,{}", names.join(","))?;

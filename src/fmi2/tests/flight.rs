@@ -20,6 +20,26 @@ fn outputs_can_be_read_before_initialisation_ends_and_follow_the_parameters() {
     assert!((fmu.get("air.speed") - 160.0).abs() < 1e-9);
 }
 
+/// At 55 m/s the jet's trim needs an elevator that turns past its fuselage.
+#[test]
+fn a_trim_that_nobody_could_fly_stands_with_a_warning_that_names_quantity_value_and_limit() {
+    let fmu = Fmu::initialising();
+    assert_eq!(fmu.set(&[("airspeed", 55.0)]), Status::Ok);
+    let elevator = fmu.get("trim.elevator");
+    assert_eq!(fmu.exit(), Status::Warning);
+    let message = fmu.last_message();
+    assert_eq!((message.status, message.category.as_str()), (Status::Warning, "logStatusWarning"));
+    let named = format!("elevator {elevator:.4} rad ({:.1}°)", elevator.to_degrees());
+    for part in ["the trim at 55 m/s and 7620 m", &named, "below -0.5236 rad (-30.0°), the usual limit"] {
+        assert!(message.format.contains(part), "`{part}` is missing in: {}", message.format);
+    }
+    assert!(elevator < -30_f64.to_radians(), "{elevator}");
+    fly(&fmu, 10, 0.01);
+    // Within the limits nothing is said, after a reset too.
+    assert_eq!((fmu.reset(), fmu.set_up(None, 0.0, None)), (Status::Ok, Status::Ok));
+    assert_eq!((fmu.enter(), fmu.exit()), (Status::Ok, Status::Ok));
+}
+
 #[test]
 fn without_inputs_the_flight_stays_level() {
     let fmu = Fmu::flying();

@@ -1,0 +1,48 @@
+//! The roots as numbers: a table of comma-separated values, a row for each root at each airspeed.
+
+use std::fmt::Write;
+
+use super::Analysis;
+use super::motion::{damping, frequency, leading_motion, oscillates};
+
+/// Names with their units. `root` counts the curves of the plots; it is empty for an unstable eigenvalue that none of
+/// them has reached. `damping_g` is empty where nothing oscillates.
+pub const HEADER: &str = "airspeed_m_s,root,real_1_s,imaginary_rad_s,frequency_Hz,damping_g,mode";
+
+/// The whole table.
+pub fn table(analysis: &Analysis) -> String {
+    let sweep = &analysis.sweep;
+    let mut text = format!("{HEADER}\n");
+    let mut unreached = sweep.unreached.iter().peekable();
+    for (index, airspeed) in sweep.airspeeds.iter().enumerate() {
+        for (number, branch) in sweep.branches.iter().enumerate() {
+            let Some(root) = &branch.roots[index] else { continue };
+            let (real, imaginary) = (plain(root.eigenvalue.re), plain(root.eigenvalue.im.abs()));
+            let [frequency, damping] = if oscillates(root) {
+                [frequency(root), damping(root)].map(plain)
+            } else {
+                ["0".to_owned(), String::new()]
+            };
+            let mode = leading_motion(root, analysis);
+            // Writing to a String does not fail.
+            let _ =
+                writeln!(text, "{airspeed},{},{real},{imaginary},{frequency},{damping},{mode}", number + 1);
+        }
+        while let Some((_, eigenvalue)) = unreached.next_if(|(speed, _)| speed == airspeed) {
+            let (real, imaginary) = (plain(eigenvalue.re), plain(eigenvalue.im));
+            let frequency = plain(eigenvalue.im / std::f64::consts::TAU);
+            let _ = writeln!(text, "{airspeed},,{real},{imaginary},{frequency},,");
+        }
+    }
+    text
+}
+
+/// The shortest digits that give the same number again, with an exponent only where there would be many zeros.
+fn plain(number: f64) -> String {
+    let magnitude = number.abs();
+    if magnitude == 0.0 || (1e-5..1e16).contains(&magnitude) {
+        format!("{number}")
+    } else {
+        format!("{number:e}")
+    }
+}

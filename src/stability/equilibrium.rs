@@ -1,0 +1,40 @@
+//! The shape and attitude in which an aircraft is in equilibrium, to be compared with others.
+
+use nalgebra::Vector3;
+
+use crate::dynamics::{EquationsOfMotion, Trim, combine};
+use crate::structure::{ReducedModel, ReducedStrip};
+
+/// The shape and attitude of an aircraft in trim.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Equilibrium {
+    /// Of the strips, m.
+    displacements: Vec<Vector3<f64>>,
+    /// The quaternion of the attitude, surface angles, rad.
+    angles: Vec<f64>,
+}
+
+impl Equilibrium {
+    pub fn new(model: &ReducedModel, equations: &EquationsOfMotion, trim: &Trim) -> Self {
+        let layout = equations.layout();
+        let q = &trim.state[layout.coordinates()];
+        let controls = trim.controls(equations.engine_count());
+        let mut angles = trim.state[layout.attitude()].to_vec();
+        angles.extend([controls.elevator, controls.aileron, controls.rudder]);
+        let displacement = |strip: &ReducedStrip| combine(&strip.shapes.translation, q);
+        Equilibrium { displacements: model.strips.iter().map(displacement).collect(), angles }
+    }
+
+    /// How far from another one: the greatest difference, of shapes as shares of a length (m), or of angles.
+    pub fn distance(&self, other: &Equilibrium, size: f64) -> f64 {
+        let angles = self.angles.iter().zip(&other.angles).map(|(a, b)| (a - b).abs());
+        let farthest = self.farthest(other).map_or(0.0, |(_, displacement)| displacement / size);
+        angles.fold(farthest, f64::max)
+    }
+
+    /// The strip that differs most in place, and by how much, m.
+    pub fn farthest(&self, other: &Equilibrium) -> Option<(usize, f64)> {
+        let differences = self.displacements.iter().zip(&other.displacements).map(|(a, b)| (a - b).norm());
+        differences.enumerate().max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+}

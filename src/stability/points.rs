@@ -1,0 +1,117 @@
+//! The linearised motion at one airspeed of a range.
+
+use std::sync::Arc;
+use std::thread;
+
+use nalgebra::Complex;
+
+use crate::dynamics::{EigenvaluesNotFound, EquationsOfMotion, StateMatrix, Trim, Unknown};
+use crate::simulation::{LimitExceeded, Settings, SimulationError};
+use crate::structure::ReducedModel;
+
+use super::condensed::Condensed;
+use super::equilibrium::Equilibrium;
+
+/// Growth that counts as unstable, 1/s: above the rounding of eigenvalues that are zero. The height of a free
+/// aircraft has one, for at the same dynamic pressure it is in trim at any height; so has an undamped mode.
+pub(super) const UNSTABLE: f64 = 1e-6;
+
+/// A speed of the range that could not be analysed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Skipped {
+    /// m/s.
+    pub airspeed: f64,
+    /// Why.
+    pub reason: SkipReason,
+}
+
+/// Why a speed could not be analysed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SkipReason {
+    /// There is no trim.
+    #[error(transparent)]
+    Trim(#[from] SimulationError),
+    /// The eigensolver failed.
+    #[error(transparent)]
+    Eigenvalues(#[from] EigenvaluesNotFound),
+}
+
+/// The linearised motions of one aircraft, one for each airspeed.
+#[derive(Clone, Copy)]
+pub(super) struct Family<'a> {
+    /// With the modes that take part.
+    pub model: &'a ReducedModel,
+    pub settings: &'a Settings,
+}
+
+/// The motion at one airspeed of the range.
+pub(super) struct Point {
+    pub airspeed: f64,
+    pub equilibrium: Equilibrium,
+    pub limits_exceeded: Vec<LimitExceeded>,
+    pub problem: Arc<Condensed>,
+    pub unknowns: Vec<Unknown>,
+    /// One of each unstable pair.
+    pub unstable: Vec<Complex<f64>>,
+}
+
+impl Family<'_> {
+    fn trimmed(&self, airspeed: f64) -> Result<(EquationsOfMotion, Trim), SimulationError> {
+        let settings = Settings { airspeed, ..self.settings.clone() };
+        let equations = settings.equations(self.model)?;
+        let trim = equations.trim(&settings.trim_condition())?;
+        Ok((equations, trim))
+    }
+
+    /// The trim alone.
+    pub fn equilibrium(&self, airspeed: f64) -> Result<Equilibrium, SimulationError> {
+        let (equations, trim) = self.trimmed(airspeed)?;
+        Ok(Equilibrium::new(self.model, &equations, &trim))
+    }
+
+    /// The linearised motion alone; none without a trim.
+    pub fn problem(&self, airspeed: f64) -> Option<Arc<Condensed>> {
+        let (equations, trim) = self.trimmed(airspeed).ok()?;
+        Some(Arc::new(Condensed::new(&equations.linearise(&trim))))
+    }
+
+    /// Some points of the range, computed side by side; `analysed` is called after each.
+    pub fn points(&self, airspeeds: &[f64], analysed: &(dyn Fn() + Sync)) -> Vec<Result<Point, SkipReason>> {
+        let share = airspeeds.len().div_ceil(workers()).max(1);
+        let analyse = |&airspeed: &f64| {
+            let point = self.point(airspeed);
+            analysed();
+            point
+        };
+        thread::scope(|scope| {
+            let part = |part: &'_ [f64]| part.iter().map(analyse).collect::<Vec<_>>();
+            let parts: Vec<_> =
+                airspeeds.chunks(share).map(|speeds| scope.spawn(move || part(speeds))).collect();
+            let join = |part: thread::ScopedJoinHandle<'_, _>| {
+                part.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+            };
+            parts.into_iter().flat_map(join).collect()
+        })
+    }
+
+    fn point(&self, airspeed: f64) -> Result<Point, SkipReason> {
+        let (equations, trim) = self.trimmed(airspeed)?;
+        let matrix: StateMatrix = equations.linearise(&trim);
+        let mut unstable = matrix.eigenvalues()?;
+        unstable.retain(|eigenvalue| eigenvalue.re > UNSTABLE && eigenvalue.im >= 0.0);
+        let in_shape = |unknown: &&Unknown| !matches!(unknown, Unknown::Inflow { .. });
+        Ok(Point {
+            airspeed,
+            equilibrium: Equilibrium::new(self.model, &equations, &trim),
+            limits_exceeded: LimitExceeded::find(&self.model.limits, &equations, &trim),
+            problem: Arc::new(Condensed::new(&matrix)),
+            unknowns: matrix.unknowns.iter().filter(in_shape).copied().collect(),
+            unstable,
+        })
+    }
+}
+
+/// How many points are computed side by side.
+pub(super) fn workers() -> usize {
+    thread::available_parallelism().map_or(1, usize::from)
+}

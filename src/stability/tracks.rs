@@ -1,0 +1,300 @@
+//! The branches of a sweep, as they are being followed from speed to speed.
+//!
+//! At the first speed each root of the motion with its wake frozen is followed to the moving wake; these roots
+//! (rigid motion and structure) are then followed from speed to speed. To miss none, all eigenvalues of the
+//! whole state matrix are computed at each speed too: an unstable one that no branch has reached (divergence
+//! often comes out of the wake's roots) begins a branch of its own, followed both ways.
+
+use std::collections::{HashMap, VecDeque};
+use std::sync::Arc;
+
+use nalgebra::Complex;
+
+use super::condensed::{Condensed, Root};
+use super::continuation::follow;
+use super::losses::{EquilibriumLoss, LossKind};
+use super::points::{Family, Point, UNSTABLE};
+
+/// Roots slower than this at a crossing do not oscillate, 1/s.
+const STATIC: f64 = 1e-5;
+
+/// Crossings are found to this relative accuracy.
+const CROSSING_ACCURACY: f64 = 1e-7;
+
+/// Largest step of a second try, where two branches came to the same root.
+const CAREFUL_STEP: f64 = 1.0 / 32.0;
+
+/// An eigenvalue that is no nearer than this to any root, relative to it, has been reached by none.
+const REACHED: f64 = 1e-3;
+
+/// Shapes on both sides of a gap that agree more than this are taken for those of one root.
+const ALIKE: f64 = 0.9;
+
+/// Numbers of the motions that are kept at hand, 256 MB of them, for branches that are followed back.
+const KEPT_NUMBERS: usize = 1 << 25;
+
+/// One root over the range.
+#[derive(Clone, Debug)]
+pub struct Branch {
+    /// At each airspeed of the sweep; none where it has not begun or has ended: where a pair becomes two real
+    /// roots, or two real roots a pair. Over airspeeds that were not analysed it goes on with the root of its shape.
+    pub roots: Vec<Option<Root>>,
+}
+
+/// An airspeed at which a branch crosses the stability limit.
+#[derive(Clone, Debug)]
+pub struct Crossing {
+    /// m/s.
+    pub airspeed: f64,
+    /// There.
+    pub root: Root,
+    /// Oscillating or static.
+    pub kind: CrossingKind,
+    /// Whether the branch is unstable above, not below.
+    pub is_onset: bool,
+    /// Index of the branch.
+    pub branch: usize,
+}
+
+/// How an aircraft becomes unstable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CrossingKind {
+    /// A complex pair crosses the imaginary axis.
+    Flutter,
+    /// A real root goes through zero.
+    Divergence,
+}
+
+/// An airspeed of the range, as far as the branches have come.
+pub(super) struct Analysed {
+    pub airspeed: f64,
+    /// Whether the speed before it in the range was skipped, or is none.
+    pub after_gap: bool,
+    /// Unstable eigenvalues that no branch has reached, 1/s.
+    pub unreached: Vec<Complex<f64>>,
+}
+
+/// The branches and what they have been followed over.
+pub(super) struct Tracks<'a> {
+    aircraft: Family<'a>,
+    pub branches: Vec<Branch>,
+    pub analysed: Vec<Analysed>,
+    /// The latest motions.
+    problems: VecDeque<Arc<Condensed>>,
+    /// Problems at speeds between the points of the present interval, by the bits of the airspeed.
+    between: HashMap<u64, Option<Arc<Condensed>>>,
+}
+
+impl<'a> Tracks<'a> {
+    pub fn new(aircraft: Family<'a>) -> Self {
+        let (branches, analysed) = (Vec::new(), Vec::new());
+        Tracks { aircraft, branches, analysed, problems: VecDeque::new(), between: HashMap::new() }
+    }
+
+    /// Follows the branches to the next point; `after_gap` when the speed before it was skipped, or is none.
+    pub fn add(&mut self, point: &Point, after_gap: bool) {
+        let index = self.analysed.len();
+        self.analysed.push(Analysed { airspeed: point.airspeed, after_gap, unreached: Vec::new() });
+        self.problems.push_back(Arc::clone(&point.problem));
+        while self.problems.len() > 2 && self.problems.len() * point.problem.numbers() > KEPT_NUMBERS {
+            self.problems.pop_front();
+        }
+        for branch in &mut self.branches {
+            branch.roots.push(None);
+        }
+        self.between.clear();
+        if after_gap {
+            self.begin(index);
+        } else {
+            self.advance(index);
+        }
+        self.begin_unstable(index, &point.unstable);
+        let unreached = point.unstable.iter().filter(|&&eigenvalue| !self.is_reached(index, eigenvalue));
+        self.analysed[index].unreached = unreached.copied().collect();
+    }
+
+    /// The motion at a point; computed anew where it is no longer at hand.
+    fn problem(&self, index: usize) -> Option<Arc<Condensed>> {
+        let first = self.analysed.len() - self.problems.len();
+        match index.checked_sub(first) {
+            Some(place) => self.problems.get(place).cloned(),
+            None => self.aircraft.problem(self.analysed[index].airspeed),
+        }
+    }
+
+    /// Begins a branch for each root of rigid motion and structure: from the frozen to the moving wake.
+    fn begin(&mut self, index: usize) {
+        let Some(problem) = self.problem(index) else { return };
+        let mut reached: Vec<Root> = Vec::new();
+        for frozen in problem.frozen_roots() {
+            let path = |coupling| Some(Arc::new(problem.with_coupling(coupling)));
+            let root = follow(&frozen, 1.0, path);
+            reached.extend(root.filter(|root| !reached.iter().any(|other| same(root, other))));
+        }
+        for root in reached {
+            match self.alike(index, &root) {
+                Some(branch) => self.branches[branch].roots[index] = Some(root),
+                None => {
+                    self.begin_branch(index, root);
+                }
+            }
+        }
+    }
+
+    /// After a gap: the branch whose root before it has the shape of a root after it, if there is one.
+    fn alike(&self, index: usize, root: &Root) -> Option<usize> {
+        let before = index.checked_sub(1)?;
+        let free = self.branches.iter().enumerate().filter(|(_, branch)| branch.roots[index].is_none());
+        let agreements =
+            free.filter_map(|(place, branch)| Some((place, branch.roots[before].as_ref()?.agreement(root))));
+        let (place, agreement) = agreements.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        (agreement > ALIKE).then_some(place)
+    }
+
+    /// Continues all branches from the point before; where two come to the same root, with small steps.
+    fn advance(&mut self, index: usize) {
+        let present: Vec<Option<Root>> =
+            self.branches.iter().map(|branch| branch.roots[index - 1].clone()).collect();
+        let step = |tracks: &mut Self, root: &Option<Root>, largest| {
+            root.as_ref().and_then(|root| tracks.step(root, (index - 1, index), largest))
+        };
+        let next: Vec<Option<Root>> = present.iter().map(|root| step(self, root, 1.0)).collect();
+        for (branch, root) in next.iter().enumerate() {
+            let meets = |other: usize| match (root, &next[other]) {
+                (Some(root), Some(other)) => same(root, other),
+                _ => false,
+            };
+            let is_shared = (0..next.len()).any(|other| other != branch && meets(other));
+            let root = if is_shared { step(self, &present[branch], CAREFUL_STEP) } else { root.clone() };
+            self.branches[branch].roots[index] = root;
+        }
+    }
+
+    /// Begins a branch at each unstable eigenvalue that none has reached, and follows it back.
+    fn begin_unstable(&mut self, index: usize, unstable: &[Complex<f64>]) {
+        let Some(problem) = self.problem(index) else { return };
+        for &eigenvalue in unstable {
+            let reached: Vec<Root> =
+                self.branches.iter().filter_map(|branch| branch.roots[index].clone()).collect();
+            let shared = reached.iter().filter(|root| root.is_at(eigenvalue)).count();
+            let multiplicity = unstable.iter().filter(|&&other| near(other, eigenvalue)).count();
+            if shared >= multiplicity {
+                continue;
+            }
+            if let Some(root) = problem.root_at(eigenvalue, &reached) {
+                let branch = self.begin_branch(index, root);
+                self.follow_back(branch, index);
+            }
+        }
+    }
+
+    /// Follows a branch to lower speeds, until it ends or joins another.
+    fn follow_back(&mut self, branch: usize, begin: usize) {
+        for index in (0..begin).rev() {
+            if self.analysed[index + 1].after_gap {
+                return;
+            }
+            let Some(root) = self.branches[branch].roots[index + 1].clone() else { return };
+            let Some(root) = self.step(&root, (index + 1, index), 1.0) else { return };
+            let others = self.branches.iter().filter_map(|other| other.roots[index].as_ref());
+            if others.into_iter().any(|other| same(&root, other)) {
+                return;
+            }
+            self.branches[branch].roots[index] = Some(root);
+        }
+    }
+
+    fn begin_branch(&mut self, index: usize, root: Root) -> usize {
+        let mut roots = vec![None; self.analysed.len()];
+        roots[index] = Some(root);
+        self.branches.push(Branch { roots });
+        self.branches.len() - 1
+    }
+
+    fn is_reached(&self, index: usize, eigenvalue: Complex<f64>) -> bool {
+        let is_it = |root: &Root| {
+            root.is_at(eigenvalue) || (root.eigenvalue - eigenvalue).norm() <= REACHED * eigenvalue.norm()
+        };
+        self.branches.iter().filter_map(|branch| branch.roots[index].as_ref()).any(is_it)
+    }
+
+    /// Follows a root from one point to another.
+    fn step(&mut self, root: &Root, (from, to): (usize, usize), largest_step: f64) -> Option<Root> {
+        let [from, end] = [from, to].map(|index| self.analysed[index].airspeed);
+        let problem = self.problem(to);
+        let (aircraft, between) = (self.aircraft, &mut self.between);
+        follow(root, largest_step, |place| {
+            if place == 1.0 {
+                return problem.clone();
+            }
+            let airspeed = from + place * (end - from);
+            between.entry(airspeed.to_bits()).or_insert_with(|| aircraft.problem(airspeed)).clone()
+        })
+    }
+
+    /// Where branches change their stability, by airspeed. Where the equilibrium jumps, roots cross nothing.
+    pub fn crossings(&self, losses: &[EquilibriumLoss]) -> Vec<Crossing> {
+        let jumps = losses.iter().filter(|loss| matches!(loss.kind, LossKind::Jump { .. }));
+        let jumps: Vec<[f64; 2]> = jumps.map(|loss| loss.between).collect();
+        let mut crossings = Vec::new();
+        for (branch, Branch { roots }) in self.branches.iter().enumerate() {
+            for (points, pair) in self.analysed.windows(2).zip(roots.windows(2)) {
+                if let [Some(below), Some(above)] = pair
+                    && !points[1].after_gap
+                    && is_unstable(below) != is_unstable(above)
+                {
+                    let speeds = [points[0].airspeed, points[1].airspeed];
+                    let Some((airspeed, root)) = self.bisect(speeds, [below.clone(), above.clone()]) else {
+                        continue;
+                    };
+                    let slack = CROSSING_ACCURACY * airspeed;
+                    if jumps.iter().any(|[low, high]| low - slack <= airspeed && airspeed <= high + slack) {
+                        continue;
+                    }
+                    let is_static = root.eigenvalue.im.abs() < STATIC;
+                    let kind = if is_static { CrossingKind::Divergence } else { CrossingKind::Flutter };
+                    crossings.push(Crossing { airspeed, root, kind, is_onset: is_unstable(above), branch });
+                }
+            }
+        }
+        crossings.sort_by(|a, b| a.airspeed.total_cmp(&b.airspeed));
+        crossings
+    }
+
+    /// Halves an interval around a crossing, of which the roots at both ends are known. Near its lower end another root
+    /// may be too close to follow this one, where it can still be followed from the upper end. None where it cannot be
+    /// followed through.
+    fn bisect(
+        &self,
+        [mut low, mut high]: [f64; 2],
+        [mut below, mut above]: [Root; 2],
+    ) -> Option<(f64, Root)> {
+        let ends_unstable = is_unstable(&above);
+        while high - low > CROSSING_ACCURACY * high {
+            let middle = 0.5 * (low + high);
+            let from = |end: f64, root: &Root| {
+                follow(root, 1.0, |place| self.aircraft.problem(end + place * (middle - end)))
+            };
+            let root = from(low, &below).or_else(|| from(high, &above))?;
+            if is_unstable(&root) == ends_unstable {
+                (high, above) = (middle, root);
+            } else {
+                (low, below) = (middle, root);
+            }
+        }
+        Some((low, below))
+    }
+}
+
+fn is_unstable(root: &Root) -> bool {
+    root.eigenvalue.re > UNSTABLE
+}
+
+/// Whether two roots are one: eigenvalue and shape.
+fn same(one: &Root, other: &Root) -> bool {
+    one.is_at(other.eigenvalue) && one.agreement(other) > 0.5
+}
+
+fn near(one: Complex<f64>, other: Complex<f64>) -> bool {
+    (one - other).norm() <= 1e-6 * (1.0 + other.norm())
+}
