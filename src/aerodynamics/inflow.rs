@@ -105,7 +105,7 @@ impl PetersInflow {
     }
 
     /// Rates of the states of strips, m/s²; `passing` is U/b, 1/s, and `unforced` the part of dw₃/dt that does not
-    /// force the wake, m/s².
+    /// force the wake, m/s². Air that comes from behind, as it may where a wing swings in still air, carries no wake away.
     #[inline(always)]
     pub fn write_rates<S: Simd>(
         &self,
@@ -115,6 +115,7 @@ impl PetersInflow {
         rates: &mut InflowStates<&mut [f64]>,
     ) {
         let WakeFlow { w3, passing, unforced } = *wake;
+        let passing = (passing + passing.abs()) * 0.5;
         let real = states.real.chunks_exact(LANES).zip(rates.real.chunks_exact_mut(LANES));
         for (lag, (state, rate)) in self.lags.iter().zip(real) {
             let slope = -(passing * lag.rate * (place.load_slice(state) + w3)) - unforced;

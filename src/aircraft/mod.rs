@@ -9,7 +9,7 @@
 //! | `document`, `read` | TOML text | `schema`: the fields, each allowed by itself, with their places |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
-//! | `check` | the whole | names, symmetry, mass, propulsion |
+//! | `check` | the whole | names, support, symmetry, mass |
 //!
 //! The rest of this page is the description of the format for those who write such files.
 //!
@@ -37,7 +37,7 @@ use error::{Place, Report};
 pub use error::{AircraftFileError, Diagnostic, Problem};
 pub use model::{
     AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, ControlGains, Engine, Flap, MassBay, ModeBasis,
-    Station, Strip, Support,
+    Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
 };
 
 impl Aircraft {
@@ -65,7 +65,7 @@ impl Aircraft {
         let file = read::read_file(document.get_ref(), &report);
         if let Some(file) = &file {
             check::names(file, &report);
-            check::propulsion(file, &report);
+            check::support(file, &report);
         }
         let file = report.conclude(file, file_name)?;
         let assembly = report.conclude(expand::expand(&file, &report), file_name)?;

@@ -4,14 +4,14 @@ use nalgebra::Vector3;
 use toml::de::DeTable;
 
 use super::allowed::{
-    AIRSPEED, ALTITUDE, ANGLE_DEG, ANY, Allowed, BEAM_STIFFNESS, CHORDS, DRAG, FLAP_LIFT_SLOPE, FRACTION,
-    GAIN, GRAVITY, GYRATION, INERTIA, INERTIA_PRODUCT, INSIDE_THE_CHORD, LENGTH, LIFT_SLOPE, MASS,
-    NEAR_THE_CHORD, POSITIVE_LENGTH, SHARE,
+    AIRSPEED, ALTITUDE, ANGLE_DEG, ANY, Allowed, BEAM_STIFFNESS, CHORDS, DENSITY, DRAG, FLAP_LIFT_SLOPE,
+    FRACTION, GAIN, GRAVITY, GYRATION, INERTIA, INERTIA_PRODUCT, INSIDE_THE_CHORD, LENGTH, LIFT_SLOPE, MASS,
+    NEAR_THE_CHORD, POSITIVE_LENGTH, SHARE, TEMPERATURE, TURN_DEG,
 };
 use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
 use super::law::Law;
-use super::model::{ModeBasis, Support};
+use super::model::{ModeBasis, Support, TunnelAir};
 use super::schema::{
     Along, ComponentSpec, ControlSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, InertiaSpec,
     Input, MassPartSpec, ParentSpec, PointMassesSpec, STIFFNESS, StationSpec, SurfaceSpec,
@@ -26,6 +26,9 @@ const FILE: &[&str] = &[
     "inflow_states",
     "airspeed_m_s",
     "altitude_m",
+    "density_kg_m3",
+    "temperature_K",
+    "mount_attitude_deg",
     "symmetric",
     "component",
     "engine",
@@ -88,6 +91,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     let bases = [("bending_torsion", ModeBasis::BendingTorsion), ("full", ModeBasis::Full)];
     table.required("format").and_then(|v| v.integer(1..2));
     let name = table.required("name").and_then(|v| v.text());
+    let tunnel_air = read_tunnel_air(&table);
     let support = table.required("support").and_then(|v| v.located(|v| v.one_of(&supports)));
     let mode_basis = table.required("mode_basis").and_then(|v| v.one_of(&bases));
     table.required("component");
@@ -98,8 +102,13 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     Some(FileSpec {
         gravity: number_or(&table, "gravity_m_s2", &GRAVITY, 9.80665),
         inflow_states: table.optional("inflow_states").and_then(|v| v.integer(0..9)).unwrap_or(5),
-        airspeed: number_or(&table, "airspeed_m_s", &AIRSPEED, 127.0),
-        altitude: number_or(&table, "altitude_m", &ALTITUDE, 7620.0),
+        airspeed: table
+            .optional("airspeed_m_s")
+            .and_then(|v| v.located(|v| v.number(&AIRSPEED)))
+            .unwrap_or(Located { value: 127.0, place: table.place.clone() }),
+        altitude: if tunnel_air.is_some() { 0.0 } else { number_or(&table, "altitude_m", &ALTITUDE, 7620.0) },
+        tunnel_air,
+        mount: table.optional("mount_attitude_deg").and_then(|v| v.located(read_turn)),
         symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
         name: name?,
         support: support?,
@@ -108,6 +117,41 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         engines: engines.into_iter().collect::<Option<_>>()?,
         stations: stations.into_iter().collect::<Option<_>>()?,
     })
+}
+
+/// `density_kg_m3` and, with it alone, `temperature_K`.
+fn read_tunnel_air(table: &Table) -> Option<Located<TunnelAir>> {
+    let temperature = number_or(table, "temperature_K", &TEMPERATURE, 288.15);
+    let Some(density) = table.optional("density_kg_m3") else {
+        if let Some(temperature) = table.optional("temperature_K") {
+            let found = "found a temperature without density_kg_m3";
+            let allowed =
+                "both together are allowed; at an altitude_m the air has that of the standard atmosphere";
+            table.report.add(Problem::Contradiction, &temperature.place, found, allowed);
+        }
+        return None;
+    };
+    if let Some(altitude) = table.optional("altitude_m") {
+        let found = "found \"altitude_m\" and \"density_kg_m3\"";
+        table.report.add(Problem::Contradiction, &altitude.place, found, "one of the two is allowed");
+    }
+    density.located(|value| Some(TunnelAir { density: value.number(&DENSITY)?, temperature }))
+}
+
+/// Roll, pitch and yaw, rad.
+fn read_turn(value: &Value) -> Option<Vector3<f64>> {
+    let degrees = value.vector(&TURN_DEG)?;
+    if degrees.y.abs() > 89.0 {
+        let found = format!("found a pitch of {}", degrees.y);
+        value.report.add(
+            Problem::OutOfRange,
+            &value.place,
+            found,
+            "a pitch in degrees from -89 to 89 is allowed",
+        );
+        return None;
+    }
+    Some(degrees.map(f64::to_radians))
 }
 
 fn number_or(table: &Table, field: &str, allowed: &Allowed, default: f64) -> f64 {

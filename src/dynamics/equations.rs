@@ -49,7 +49,7 @@ pub struct EquationsOfMotion {
     pub(super) terms: Terms,
     support: Support,
     freedom: RigidFreedom,
-    gravity: f64,
+    pub(super) gravity: f64,
     pub(super) integrals: ModalIntegrals,
     strain_energy: StrainEnergy,
     /// ∂U/∂q of the orders that the level keeps.
@@ -57,10 +57,14 @@ pub struct EquationsOfMotion {
     stiffness_scale: f64,
     /// 2ζω_k.
     damping: Vec<f64>,
-    strips: Strips,
+    pub(super) strips: Strips,
     engines: Engines,
     inflow: PetersInflow,
     tunnel_flow: Vector3<f64>,
+    /// `None`: the standard atmosphere.
+    pub(super) tunnel_air: Option<Air>,
+    /// Roll, pitch and yaw in the tunnel, rad.
+    pub(super) mount: Vector3<f64>,
     symmetric: bool,
     /// How wide this machine's vectors are.
     arch: Arch,
@@ -125,6 +129,8 @@ impl EquationsOfMotion {
             engines: Engines::new(model),
             inflow,
             tunnel_flow: configuration.tunnel_flow,
+            tunnel_air: model.tunnel_air.as_ref().map(Air::of_tunnel),
+            mount: model.mount,
             arch: Arch::new(),
         }
     }
@@ -366,7 +372,7 @@ impl EquationsOfMotion {
             air_transport: rate.cross(&wind) - attitude.body_from_inertial * controls.wind_rate,
             q,
             q_dot,
-            density: Air::at(self.altitude(state)).density,
+            density: self.air(state).density,
             inflow: &self.inflow,
             deformed_arms: self.terms.deformed_forcing,
             freedom: self.freedom,

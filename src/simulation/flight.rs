@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use crate::dynamics::{Controls, Trim};
+use crate::dynamics::{Controls, Trim, TrimPoint};
 use crate::structure::ReducedModel;
 
 use super::airframe::{Airframe, Airframes};
@@ -27,17 +27,6 @@ pub const LATEST: f64 = 1e7;
 /// The inflow's linear part is taken at a reference airspeed, which follows the flight when the two differ
 /// by more than this share; the rest of the decay, 160/s for the jet, is then well inside what a step bears.
 const AIRSPEED_DRIFT: f64 = 0.1;
-
-/// The trimmed flight condition found at construction.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TrimPoint {
-    /// Pitch angle, rad.
-    pub pitch: f64,
-    /// Elevator angle, rad.
-    pub elevator: f64,
-    /// Thrust per engine, N.
-    pub thrust: f64,
-}
 
 /// A state and slope of the whole aircraft while the half flies.
 #[derive(Clone, Debug)]
@@ -86,12 +75,12 @@ impl Simulation {
         check_time(start)?;
         let along_course = Settings { heading: 0.0, ..settings.clone() };
         let (airframes, trim) = Airframes::new(&model, &along_course)?;
-        let Trim { pitch, elevator, thrust, state } = trim;
+        let Trim { point, state } = trim;
         let engines = model.engines.len();
         let room = airframes.whole().equations.layout().len();
         Ok(Simulation {
             identity: super::snapshot::identity(&model, settings),
-            steering: Steering::new(TrimPoint { pitch, elevator, thrust }, settings, engines, start),
+            steering: Steering::new(point, settings, engines, start),
             course: Course::new(settings.heading),
             path: Path::new(start, &state, room),
             controls: Controls::neutral(engines),
@@ -255,7 +244,7 @@ impl Simulation {
         let (from, to) =
             ((&anchor.state[..], &anchor.slope[..]), (&mut present.state[..], &mut present.slope[..]));
         let cell_end = integrator.fly_cell((begin, end), anchor.substeps, from, to, &mut rates);
-        let reversed = workspace.reversed_strip();
+        let reversed = equations.reversed_strip(&present.state, controls, workspace);
         match cell_end {
             CellEnd::Accepted { next } => {
                 (present.time, present.substeps, present.slope_is_fresh) = (end, next, true);

@@ -15,9 +15,9 @@ mod snapshot;
 mod spectrum;
 mod steering;
 
-pub use crate::dynamics::Fidelity;
+pub use crate::dynamics::{Fidelity, TrimPoint};
 pub use error::SimulationError;
-pub use flight::{LATEST, Simulation, TrimPoint};
+pub use flight::{LATEST, Simulation};
 pub use inputs::Inputs;
 pub use outputs::{AirData, Deflection, Outputs};
 pub use settings::{InputReference, ModeSelection, Settings};

@@ -119,7 +119,7 @@ pub(super) fn write(simulation: &mut Simulation) {
     outputs.load_factor =
         load_factor(&(acceleration + motion.rate.cross(&motion.velocity)), &to_body, model.gravity);
     let air_velocity = motion.velocity - to_body * equations.air_motion(controls);
-    outputs.air = AirData::new(&air_velocity, &Air::at(equations.altitude(state)));
+    outputs.air = AirData::new(&air_velocity, &equations.air(state));
 
     let (q, q_dot) = (&state[layout.coordinates()], &state[layout.coordinate_rates()]);
     outputs.modal_q.fill(0.0);

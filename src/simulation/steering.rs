@@ -1,9 +1,9 @@
 //! The inputs as functions of time: values and rates set at an instant, about the trim or absolute.
 
-use crate::dynamics::Controls;
+use crate::dynamics::{Controls, TrimPoint};
 
 use super::course::Course;
-use super::{InputReference, Inputs, Settings, TrimPoint};
+use super::{InputReference, Inputs, Settings};
 
 /// What acts on the aircraft from the last setting of the inputs on.
 #[derive(Clone, Debug)]
@@ -55,14 +55,14 @@ impl Steering {
     pub fn write(&self, time: f64, controls: &mut Controls) {
         let Steering { trim, inputs, rates, course, .. } = self;
         let elapsed = time - self.since;
-        let (elevator, thrust) = match self.reference {
-            InputReference::Trim => (trim.elevator, trim.thrust),
-            InputReference::Absolute => (0.0, 0.0),
+        let TrimPoint { elevator, aileron, rudder, thrust, .. } = match self.reference {
+            InputReference::Trim => *trim,
+            InputReference::Absolute => TrimPoint::default(),
         };
         controls.elevator = elevator + inputs.elevator + elapsed * rates.elevator;
-        controls.aileron = inputs.aileron + elapsed * rates.aileron;
+        controls.aileron = aileron + inputs.aileron + elapsed * rates.aileron;
         controls.aileron_symmetric = inputs.aileron_symmetric + elapsed * rates.aileron_symmetric;
-        controls.rudder = inputs.rudder + elapsed * rates.rudder;
+        controls.rudder = rudder + inputs.rudder + elapsed * rates.rudder;
         for ((acting, input), rate) in controls.thrust.iter_mut().zip(&inputs.thrust).zip(&rates.thrust) {
             *acting = thrust + input + elapsed * rate;
         }

@@ -4,12 +4,12 @@
 //! 128-bit FNV-1a hash, the payload (postcard).
 
 use crate::aerodynamics::PetersInflow;
-use crate::aircraft::{AIRSPEEDS, ALTITUDES};
+use crate::aircraft::ALTITUDES;
 
 use super::{ModeShapes, ReducedModel, StructureError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXAIR02";
+const MAGIC: &[u8; 8] = b"FLXAIR03";
 
 /// Bytes before the payload.
 const HEADER: usize = 8 + 8 + 16;
@@ -69,8 +69,10 @@ impl ReducedModel {
         let positive = |x: f64| x.is_finite() && x > 0.0;
         positive(self.integrals.mass)
             && self.gravity.is_finite()
-            && AIRSPEEDS.contains(&self.airspeed)
+            && self.support.airspeeds().contains(&self.airspeed)
             && ALTITUDES.contains(&self.altitude)
+            && self.tunnel_air.is_none_or(|air| positive(air.density) && positive(air.temperature))
+            && self.mount.iter().all(|angle| angle.is_finite())
             && self.inflow_states <= PetersInflow::MAX_STATES
             && self.strips.iter().all(|strip| {
                 positive(strip.semichord)

@@ -9,6 +9,7 @@ mod half;
 mod mirror;
 mod modal_integrals;
 mod modes;
+mod pairs;
 mod particles;
 mod reduced;
 mod strain_energy;

@@ -6,6 +6,7 @@ use crate::aircraft::ModeBasis;
 
 use super::assembly::Structure;
 use super::mirror::{self, Mirror};
+use super::pairs::Pairs;
 use super::{Mode, ModeFamily, StructureError};
 
 /// Frequencies closer than this (relative) count as equal: symmetric before antisymmetric.
@@ -24,7 +25,7 @@ pub struct ModalBasis {
 }
 
 impl ModalBasis {
-    /// The `count` lowest modes of all families together.
+    /// The `count` lowest modes of all families together; more where they would cut a pair in half.
     ///
     /// # Errors
     /// When the stiffness matrix is not positive definite or there are fewer than `count` modes.
@@ -39,13 +40,16 @@ impl ModalBasis {
             }
             None => {
                 let whole = mirror::whole_space(structure.unknowns());
-                family_modes(&stiffness, &mass, &whole, ModeFamily::Unsymmetric)?
+                let mut modes = family_modes(&stiffness, &mass, &whole, ModeFamily::Unsymmetric)?;
+                Pairs::new(structure.aircraft, &mass).mark(&mut modes, count);
+                modes
             }
         };
         if modes.len() < count {
             return Err(StructureError::TooFewModes { wanted: count, available: modes.len() });
         }
-        let (modes, shapes): (Vec<_>, Vec<_>) = modes.into_iter().take(count).unzip();
+        let pairs = modes[count..].iter().take_while(|(mode, _)| mode.completes_a_pair).count();
+        let (modes, shapes): (Vec<_>, Vec<_>) = modes.into_iter().take(count + pairs).unzip();
         let shapes = if shapes.is_empty() {
             DMatrix::zeros(structure.unknowns(), 0)
         } else {
@@ -87,7 +91,7 @@ fn family_modes(
         lower.tr_solve_lower_triangular_mut(&mut shape);
         let mut shape = mirror::expand(shape.as_slice(), basis, mass.nrows());
         fix_sign(&mut shape);
-        modes.push((Mode { family, angular_frequency }, shape));
+        modes.push((Mode { family, angular_frequency, completes_a_pair: false }, shape));
     }
     Ok(modes)
 }

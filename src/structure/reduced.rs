@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Vector3};
 use serde::{Deserialize, Serialize};
 
-use crate::aircraft::{Aircraft, Flap, Support};
+use crate::aircraft::{Aircraft, Flap, Support, TunnelAir};
 
 use super::assembly::Structure;
 use super::{ModalBasis, ModalIntegrals, StrainEnergy, StructureError};
@@ -26,6 +26,8 @@ pub struct Mode {
     pub family: ModeFamily,
     /// ω at nominal stiffness, rad/s.
     pub angular_frequency: f64,
+    /// Whether it belongs to lower modes: a basis that ends right before it has one of a pair and not the other.
+    pub completes_a_pair: bool,
 }
 
 /// Mode shapes at one point of the structure, row-major 3 × n each.
@@ -52,6 +54,10 @@ pub struct ReducedModel {
     pub airspeed: f64,
     /// Default altitude, m.
     pub altitude: f64,
+    /// The air around a clamped aircraft; `None`: that of the standard atmosphere.
+    pub tunnel_air: Option<TunnelAir>,
+    /// Roll, pitch and yaw of a clamped aircraft in the tunnel, rad.
+    pub mount: Vector3<f64>,
     /// Lowest frequency first.
     pub modes: Vec<Mode>,
     /// Integrals over the mass.
@@ -142,7 +148,8 @@ impl ReducedModel {
     /// The most modes that a model can have: the quartic strain energy then has 0.6 million coefficients.
     pub const MOST_MODES: usize = 60;
 
-    /// Reduces an aircraft to its `mode_count` lowest modes of all families together.
+    /// Reduces an aircraft to its `mode_count` lowest modes of all families together, and to those that they make pairs
+    /// with.
     ///
     /// # Errors
     /// When there are no such modes, too many are asked for, or the numbers overflow.
@@ -159,6 +166,8 @@ impl ReducedModel {
             inflow_states: aircraft.inflow_states,
             airspeed: aircraft.airspeed,
             altitude: aircraft.altitude,
+            tunnel_air: aircraft.tunnel_air,
+            mount: aircraft.mount,
             integrals: ModalIntegrals::new(&structure, &basis.shapes),
             strain_energy: StrainEnergy::new(&structure, &basis.shapes),
             strips: reduced_strips(&structure, &basis.shapes),

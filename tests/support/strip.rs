@@ -100,6 +100,8 @@ fn model(strip: ReducedStrip) -> ReducedModel {
         inflow_states: 0,
         airspeed: 127.0,
         altitude: 7620.0,
+        tunnel_air: None,
+        mount: Vector3::zeros(),
         modes: Vec::new(),
         integrals: ModalIntegrals {
             mass: 0.0,

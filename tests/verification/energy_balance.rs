@@ -6,7 +6,6 @@
 
 use std::f64::consts::PI;
 
-use flexible_aircraft::aerodynamics::Air;
 use flexible_aircraft::dynamics::{
     Attitude, Configuration, Controls, EquationsOfMotion, Fidelity, Mechanics, TrimCondition, Workspace,
 };
@@ -113,7 +112,7 @@ fn power(
         q: DVectorView::from_slice(&state[layout.coordinates()], layout.modes()),
         q_dot: DVectorView::from_slice(&state[layout.coordinate_rates()], layout.modes()),
         q_dot_change: DVectorView::from_slice(&nu_dot[6..], layout.modes()),
-        density: Air::at(equations.altitude(state)).density,
+        density: equations.air(state).density,
     };
     let air: f64 = model.strips.iter().map(|strip| strip_power(&motion, strip, controls)).sum();
     let engine = |(engine, thrust): (&flexible_aircraft::structure::ReducedEngine, &f64)| {
@@ -164,8 +163,8 @@ fn balance(fidelity: Fidelity) -> (f64, f64) {
         let wave = libm::sin(std::f64::consts::TAU * 0.5 * time);
         let mut controls = Controls::neutral(2);
         (controls.elevator, controls.aileron, controls.rudder) =
-            (trim.elevator - 0.05 * wave, 0.03 * wave, 0.02 * wave);
-        controls.thrust.fill(trim.thrust * (1.0 + 0.3 * wave));
+            (trim.point.elevator - 0.05 * wave, 0.03 * wave, 0.02 * wave);
+        controls.thrust.fill(trim.point.thrust * (1.0 + 0.3 * wave));
         let mut rates = vec![0.0; state.len()];
         // The last entry is the work.
         let aircraft = &state.as_slice()[..state.len() - 1];

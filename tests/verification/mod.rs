@@ -1,5 +1,6 @@
 //! Physics: each file holds one claim against a source that is not this program.
 
+mod asymmetry;
 mod beam;
 mod conservation;
 mod eigenvalues;
@@ -9,6 +10,7 @@ mod fidelity_levels;
 mod flight;
 mod flutter;
 mod frequencies;
+mod gliding;
 mod inflow;
 mod linearisation;
 mod modal_integrals;

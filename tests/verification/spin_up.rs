@@ -89,6 +89,8 @@ fn model(elements: usize) -> ReducedModel {
         inflow_states: 0,
         airspeed: 127.0,
         altitude: 7620.0,
+        tunnel_air: None,
+        mount: Vector3::zeros(),
         modes,
         integrals: ModalIntegrals::new(&structure, &shapes),
         strain_energy: StrainEnergy::new(&structure, &shapes),

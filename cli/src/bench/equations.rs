@@ -1,7 +1,7 @@
 //! The right-hand side, and the plain method that all gains are compared with: the classical Runge–Kutta method in
 //! steps of 1 ms, one strip at a time.
 
-use flexible_aircraft::dynamics::{Controls, EquationsOfMotion, Workspace};
+use flexible_aircraft::dynamics::{EquationsOfMotion, Workspace};
 use flexible_aircraft::simulation::Settings;
 use flexible_aircraft::structure::{ModeFamily, ReducedModel, SymmetricHalf};
 
@@ -40,7 +40,7 @@ pub struct EquationCosts {
 impl EquationCosts {
     /// Measures about the trim.
     pub fn measure(model: &ReducedModel) -> Result<Self, BenchError> {
-        let settings = Settings::default();
+        let settings = Settings::of(model);
         let whole = settings.equations(model)?;
         let half = settings.symmetric_equations(model)?.ok_or(BenchError::NoMirrorPlane)?;
         let narrow = whole.clone().one_strip_at_a_time();
@@ -89,9 +89,7 @@ pub fn time_of(equations: &EquationsOfMotion, settings: &Settings) -> Result<f64
     let trim = equations
         .trim(&settings.trim_condition())
         .map_err(flexible_aircraft::simulation::SimulationError::from)?;
-    let mut controls = Controls::neutral(equations.engine_count());
-    controls.elevator = trim.elevator;
-    controls.thrust.fill(trim.thrust);
+    let controls = trim.controls(equations.engine_count());
     let (mut rates, mut workspace) = (vec![0.0; trim.state.len()], Workspace::new(equations));
     let time = least_time(20, || {
         for _ in 0..EVALUATIONS {
@@ -108,13 +106,12 @@ fn fly_plainly(equations: &EquationsOfMotion, settings: &Settings) -> Result<Vec
         .trim(&settings.trim_condition())
         .map_err(flexible_aircraft::simulation::SimulationError::from)?;
     let manoeuvre = Manoeuvre::two_three_one_one(-0.05, 0.7, 1.0, 0.05);
-    let mut controls = Controls::neutral(equations.engine_count());
-    controls.thrust.fill(trim.thrust);
+    let mut controls = trim.controls(equations.engine_count());
     let mut workspace = Workspace::new(equations);
     let n = trim.state.len();
     let (mut y, mut stage, mut k, mut sum) = (trim.state, vec![0.0; n], vec![0.0; n], vec![0.0; n]);
     for step in 0..(DURATION / PLAIN_STEP) as usize {
-        controls.elevator = trim.elevator + manoeuvre.value(0.01 * (step / 10) as f64);
+        controls.elevator = trim.point.elevator + manoeuvre.value(0.01 * (step / 10) as f64);
         stage.copy_from_slice(&y);
         sum.fill(0.0);
         for (weight, next) in [(1.0, 0.5), (2.0, 0.5), (2.0, 1.0), (1.0, 0.0)] {

@@ -156,7 +156,7 @@ fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
         mode_selection: options.mode_family.selection(),
         mode_count,
         inflow_states: options.inflow_states.unwrap_or(aircraft.inflow_states),
-        ..Settings::default()
+        ..Settings::of(&model)
     };
     let sweep = Sweep::new(&model, &settings, &airspeeds)?;
     let model = model.select(&settings.choose_modes(&model)?);
@@ -219,7 +219,8 @@ impl Modes {
 impl Analysis {
     /// kg/m³.
     fn density(&self) -> f64 {
-        Air::at(self.settings.altitude).density
+        let tunnel = self.model.tunnel_air.as_ref().map(Air::of_tunnel);
+        tunnel.unwrap_or_else(|| Air::at(self.settings.altitude)).density
     }
 }
 

@@ -10,7 +10,7 @@ use clap::Args;
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 use flexible_aircraft::simulation::{Inputs, Settings, Simulation, SimulationError};
 use flexible_aircraft::structure::{ReducedModel, StructureError};
-use flexible_aircraft::variables::{OutputSlot, Slot, VariableTable, start_settings};
+use flexible_aircraft::variables::{OutputSlot, Slot, VariableTable};
 
 use crate::diagnostics;
 
@@ -78,7 +78,7 @@ impl Error {
 pub fn run(options: &SimulateOptions) -> Result<(), Error> {
     let model = Arc::new(ReducedModel::new(&Aircraft::read(&options.aircraft)?, options.modes)?);
     let variables = VariableTable::new(&model);
-    let mut settings = start_settings(&model);
+    let mut settings = Settings::of(&model);
     for assignment in &options.set {
         parameter::set(assignment, &variables, &mut settings)?;
     }
@@ -157,7 +157,7 @@ mod tests {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft/generic-business-jet.toml");
         let model = Arc::new(ReducedModel::new(&Aircraft::read(&path).unwrap(), 4).unwrap());
         let variables = VariableTable::new(&model);
-        let settings = Settings { mode_count: 4, ..start_settings(&model) };
+        let settings = Settings { mode_count: 4, ..Settings::of(&model) };
         let schedule = Schedule::parse(inputs, &variables).unwrap();
         let mut sink = Vec::new();
         let flown = fly(model, &settings, &schedule, &variables, &mut sink);
