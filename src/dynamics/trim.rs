@@ -108,7 +108,7 @@ impl EquationsOfMotion {
     ///
     /// # Errors
     /// When Newton's method finds no such state.
-    pub fn trim(&self, condition: &TrimCondition) -> Result<Trim, TrimError> {
+    pub fn trim(&self, condition: &TrimCondition) -> Result<Trim, Box<TrimError>> {
         let steady = self.with_steady_inflow();
         let found = Search::find(&steady, *condition)?;
         let mut state = vec![0.0; self.layout().len()];

@@ -78,7 +78,7 @@ pub(super) struct Search<'a> {
 
 impl<'a> Search<'a> {
     /// Searches in the plane of symmetry first; where the aircraft leaves it, all around.
-    pub fn find(equations: &'a EquationsOfMotion, condition: TrimCondition) -> Result<Self, TrimError> {
+    pub fn find(equations: &'a EquationsOfMotion, condition: TrimCondition) -> Result<Self, Box<TrimError>> {
         let mut search = Search::new(equations, condition);
         let in_plane = search.run();
         if search.is_straight() {
@@ -89,7 +89,7 @@ impl<'a> Search<'a> {
         if controls == [false; 2] {
             return match in_plane {
                 Ok(()) => Ok(search),
-                Err(error) => Err(search.without_lateral_controls(error)),
+                Err(error) => Err(Box::new(search.without_lateral_controls(*error))),
             };
         }
         let mut all_around = Search::new(equations, condition);
@@ -202,7 +202,7 @@ impl<'a> Search<'a> {
     }
 
     /// Searches from the present unknowns on.
-    fn run(&mut self) -> Result<(), TrimError> {
+    fn run(&mut self) -> Result<(), Box<TrimError>> {
         let end = self.iterate();
         self.converged = matches!(end, SearchEnd::Steps(steps) if steps < MAX_STEPS);
         self.check_balance(end)
@@ -265,7 +265,7 @@ impl<'a> Search<'a> {
     }
 
     /// Accepts the present unknowns only when nothing accelerates, laterally too.
-    fn check_balance(&mut self, end: SearchEnd) -> Result<(), TrimError> {
+    fn check_balance(&mut self, end: SearchEnd) -> Result<(), Box<TrimError>> {
         self.evaluate();
         let modal = largest(&self.workspace.accelerations()[6..]);
         let elastic = largest(&self.workspace.elastic_force).max(1.0);
@@ -274,7 +274,7 @@ impl<'a> Search<'a> {
             && largest(&self.rigid()) < BALANCED
             && modal < BALANCED * elastic
             && reversed.is_none();
-        if in_balance { Ok(()) } else { Err(self.error(end, modal)) }
+        if in_balance { Ok(()) } else { Err(Box::new(self.error(end, modal))) }
     }
 
     /// Why the search ended out of balance, and where.

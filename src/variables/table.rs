@@ -83,7 +83,12 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
         real("structural_damping", P::StructuralDamping, Unit::One, "Modal damping ratio of every mode")
             .at_least(0.0),
         choice("mode_family", P::ModeFamily, EnumerationType::ModeFamily, "Families of modes that take part"),
-        count("mode_count", P::ModeCount, model.modes.len(), "Number of modes that take part, lowest first"),
+        count(
+            "mode_count",
+            P::ModeCount,
+            model.modes.len(),
+            "Number of modes that take part, lowest first; of mirrored pairs both do",
+        ),
         count(
             "inflow_states",
             P::InflowStates,

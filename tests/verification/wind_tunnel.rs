@@ -251,7 +251,7 @@ fn an_aircraft_that_hangs_askew_does_not_fly_as_half_of_itself() {
         flight.advance_to(0.05).unwrap();
         (flight.is_symmetric(), flight.outputs().attitude)
     };
-    assert_eq!(is_half(Vector3::zeros()).0, true);
+    assert!(is_half(Vector3::zeros()).0);
     let (half, attitude) = is_half(Vector3::new(0.0, 0.1, 0.0));
     assert!(half && (attitude.y - 0.1).abs() < 1e-15);
     for mount in [Vector3::new(0.2, 0.0, 0.0), Vector3::new(0.0, 0.0, 0.1)] {
