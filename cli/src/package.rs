@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
+use flexible_aircraft::structure::{ModeCount, ReducedModel};
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{FmuError, Package, PackageError, Platform};
 
@@ -57,10 +58,10 @@ pub fn run(options: PackageOptions) -> Result<(), Error> {
         }
     }
 
-    eprintln!("Packaging {} ({}) with {} modes", aircraft.name, aircraft_file.display(), options.modes);
+    eprintln!("Packaging {} ({})", aircraft.name, aircraft_file.display());
     let package = Package {
         aircraft: aircraft_file,
-        mode_count: options.modes,
+        mode_count: ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES),
         binaries,
         workspace: workspace().into(),
     };

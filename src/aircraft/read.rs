@@ -4,18 +4,20 @@ use nalgebra::Vector3;
 use toml::de::DeTable;
 
 use super::allowed::{
-    AIRSPEED, ALTITUDE, ANGLE_DEG, ANY, Allowed, BEAM_STIFFNESS, CHORDS, DENSITY, DRAG, FLAP_LIFT_SLOPE,
-    FRACTION, GAIN, GRAVITY, GYRATION, INERTIA, INERTIA_PRODUCT, INSIDE_THE_CHORD, LENGTH, LIFT_SLOPE, MASS,
-    NEAR_THE_CHORD, POSITIVE_LENGTH, SHARE, TEMPERATURE, TURN_DEG,
+    AIRSPEED, ALTITUDE, ANGLE_DEG, ANY, Allowed, BEAM_STIFFNESS, CHORDS, DRAG, FLAP_LIFT_SLOPE, FRACTION,
+    GAIN, GRAVITY, GYRATION, INERTIA, INERTIA_PRODUCT, INSIDE_THE_CHORD, LENGTH, LIFT_SLOPE, MASS, MOMENT,
+    NEAR_THE_CHORD, POSITIVE_LENGTH, SHARE,
 };
 use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
+use super::geometry::Stretch;
 use super::law::Law;
-use super::model::{ModeBasis, Support, TunnelAir};
+use super::model::{ModeBasis, Support};
 use super::schema::{
     Along, ComponentSpec, ControlSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, InertiaSpec,
     Input, MassPartSpec, ParentSpec, PointMassesSpec, STIFFNESS, StationSpec, SurfaceSpec,
 };
+use super::tunnel;
 
 const FILE: &[&str] = &[
     "format",
@@ -75,6 +77,7 @@ const SURFACE: &[&str] = &[
     "width_m",
     "lift_slope_per_rad",
     "zero_lift_offset_deg",
+    "zero_lift_moment",
     "profile_drag",
     "leading_edge_suction",
     "flap",
@@ -91,7 +94,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     let bases = [("bending_torsion", ModeBasis::BendingTorsion), ("full", ModeBasis::Full)];
     table.required("format").and_then(|v| v.integer(1..2));
     let name = table.required("name").and_then(|v| v.text());
-    let tunnel_air = read_tunnel_air(&table);
+    let tunnel_air = tunnel::read_air(&table);
     let support = table.required("support").and_then(|v| v.located(|v| v.one_of(&supports)));
     let mode_basis = table.required("mode_basis").and_then(|v| v.one_of(&bases));
     table.required("component");
@@ -108,7 +111,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
             .unwrap_or(Located { value: 127.0, place: table.place.clone() }),
         altitude: if tunnel_air.is_some() { 0.0 } else { number_or(&table, "altitude_m", &ALTITUDE, 7620.0) },
         tunnel_air,
-        mount: table.optional("mount_attitude_deg").and_then(|v| v.located(read_turn)),
+        mount: table.optional("mount_attitude_deg").and_then(|v| v.located(tunnel::read_mount)),
         symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
         name: name?,
         support: support?,
@@ -119,42 +122,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     })
 }
 
-/// `density_kg_m3` and, with it alone, `temperature_K`.
-fn read_tunnel_air(table: &Table) -> Option<Located<TunnelAir>> {
-    let temperature = number_or(table, "temperature_K", &TEMPERATURE, 288.15);
-    let Some(density) = table.optional("density_kg_m3") else {
-        if let Some(temperature) = table.optional("temperature_K") {
-            let found = "found a temperature without density_kg_m3";
-            let allowed =
-                "both together are allowed; at an altitude_m the air has that of the standard atmosphere";
-            table.report.add(Problem::Contradiction, &temperature.place, found, allowed);
-        }
-        return None;
-    };
-    if let Some(altitude) = table.optional("altitude_m") {
-        let found = "found \"altitude_m\" and \"density_kg_m3\"";
-        table.report.add(Problem::Contradiction, &altitude.place, found, "one of the two is allowed");
-    }
-    density.located(|value| Some(TunnelAir { density: value.number(&DENSITY)?, temperature }))
-}
-
-/// Roll, pitch and yaw, rad.
-fn read_turn(value: &Value) -> Option<Vector3<f64>> {
-    let degrees = value.vector(&TURN_DEG)?;
-    if degrees.y.abs() > 89.0 {
-        let found = format!("found a pitch of {}", degrees.y);
-        value.report.add(
-            Problem::OutOfRange,
-            &value.place,
-            found,
-            "a pitch in degrees from -89 to 89 is allowed",
-        );
-        return None;
-    }
-    Some(degrees.map(f64::to_radians))
-}
-
-fn number_or(table: &Table, field: &str, allowed: &Allowed, default: f64) -> f64 {
+pub(super) fn number_or(table: &Table, field: &str, allowed: &Allowed, default: f64) -> f64 {
     table.optional(field).and_then(|v| v.number(allowed)).unwrap_or(default)
 }
 
@@ -163,13 +131,13 @@ fn vector_or_zero(table: &Table, field: &str, allowed: &Allowed) -> Vector3<f64>
 }
 
 /// `from` and `to`, fractions of the component's length, by default all of it.
-fn read_stretch(table: &Table) -> (f64, f64) {
+fn read_stretch(table: &Table) -> Stretch {
     let (from, to) = (number_or(table, "from", &FRACTION, 0.0), number_or(table, "to", &FRACTION, 1.0));
     if to <= from {
         let found = format!("found from = {from} and to = {to}");
         table.report.add(Problem::OutOfRange, &table.place.within("to"), found, "to > from is allowed");
     }
-    (from, to)
+    Stretch { from, to }
 }
 
 fn read_along(table: &Table) -> Option<Along> {
@@ -259,23 +227,31 @@ fn read_distributed_mass(table: &Table) -> Option<DistributedMassSpec> {
         .and_then(|v| v.wrong::<()>("a list of at least one table"));
     let parts = table.tables("parts", &["total_kg", "chord_power", "from", "to"]);
     let parts: Vec<_> = parts.iter().map(read_mass_part).collect();
-    let located = |field, allowed| table.optional(field).and_then(|v| v.located(|v| v.vector(allowed)));
+    let laws = |field, allowed| table.optional(field).and_then(|v| v.located(|v| read_laws(v, allowed)));
     Some(DistributedMassSpec {
         place: table.place.clone(),
         parts: parts.into_iter().collect::<Option<_>>()?,
-        offset_chords: located("offset_chords", &CHORDS),
+        offset_chords: laws("offset_chords", &CHORDS),
         offset: vector_or_zero(table, "offset_m", &LENGTH),
-        gyration_chords: located("gyration_chords", &GYRATION),
+        gyration_chords: laws("gyration_chords", &GYRATION),
         gyration_lengths: vector_or_zero(table, "gyration_lengths", &GYRATION),
         added_inertia: vector_or_zero(table, "added_inertia_kg_m2", &INERTIA),
     })
 }
 
+/// Three laws, one for each axis.
+fn read_laws(value: &Value, allowed: &'static Allowed) -> Option<[Law; 3]> {
+    let laws = value.list("a list of three numbers or laws")?;
+    let [x, y, z] = laws.as_slice() else { return value.wrong("a list of three numbers or laws") };
+    let (x, y, z) = (Law::read(x, allowed), Law::read(y, allowed), Law::read(z, allowed));
+    Some([x?, y?, z?])
+}
+
 fn read_mass_part(table: &Table) -> Option<MassPartSpec> {
-    let (from, to) = read_stretch(table);
+    let stretch = read_stretch(table);
     let total = table.required("total_kg")?.number(&MASS)?;
     let chord_power = number_or(table, "chord_power", &ANY, 0.0);
-    Some(MassPartSpec { place: table.place.clone(), total, chord_power, from, to })
+    Some(MassPartSpec { place: table.place.clone(), total, chord_power, stretch })
 }
 
 fn read_point_masses(table: &Table) -> Option<PointMassesSpec> {
@@ -329,11 +305,11 @@ fn read_inertia(table: &Table) -> (InertiaSpec, Place) {
 }
 
 fn read_surface(table: &Table) -> Option<SurfaceSpec> {
-    let (from, to) = read_stretch(table);
+    let stretch = read_stretch(table);
     let law = |field, allowed| table.optional(field).and_then(|v| Law::read(&v, allowed));
     let needed = |field, allowed| table.required(field).and_then(|v| Law::read(&v, allowed));
     let (lift_slope, drag) = (needed("lift_slope_per_rad", &LIFT_SLOPE), needed("profile_drag", &DRAG));
-    let elastic_axis = table.required("elastic_axis").and_then(|v| v.number(&NEAR_THE_CHORD));
+    let elastic_axis = needed("elastic_axis", &NEAR_THE_CHORD);
     let controls: Vec<_> = table.tables("control", CONTROL).iter().map(read_control).collect();
     let flap = table.optional("flap");
     if flap.is_none() && !controls.is_empty() {
@@ -344,14 +320,14 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
     Some(SurfaceSpec {
         place: table.place.clone(),
         position: number_or(table, "position_in_element", &FRACTION, 0.5),
-        from,
-        to,
+        stretch,
         chord: law("chord_m", &POSITIVE_LENGTH),
         span_axis: table.optional("span_axis").and_then(|v| v.direction()),
-        incidence: number_or(table, "incidence_deg", &ANGLE_DEG, 0.0).to_radians(),
+        incidence: law("incidence_deg", &ANGLE_DEG),
         width: law("width_m", &POSITIVE_LENGTH),
-        zero_lift_offset: number_or(table, "zero_lift_offset_deg", &ANGLE_DEG, 0.0).to_radians(),
-        leading_edge_suction: number_or(table, "leading_edge_suction", &FRACTION, 0.0),
+        zero_lift_offset: law("zero_lift_offset_deg", &ANGLE_DEG),
+        zero_lift_moment: law("zero_lift_moment", &MOMENT),
+        leading_edge_suction: law("leading_edge_suction", &FRACTION),
         flap: flap.and_then(|v| read_flap(&v)),
         controls: controls.into_iter().collect::<Option<_>>()?,
         elastic_axis: elastic_axis?,
@@ -376,8 +352,8 @@ fn read_control(table: &Table) -> Option<ControlSpec> {
     ];
     let input = table.required("input").and_then(|v| v.one_of(&inputs));
     let gain = table.required("gain").and_then(|v| v.number(&GAIN));
-    let (from, to) = read_stretch(table);
-    Some(ControlSpec { place: table.place.clone(), input: input?, gain: gain?, from, to })
+    let stretch = read_stretch(table);
+    Some(ControlSpec { place: table.place.clone(), input: input?, gain: gain?, stretch })
 }
 
 fn read_engine(table: &Table) -> Option<EngineSpec> {

@@ -4,18 +4,21 @@
 //! mass is not symmetric: RL, or zero-lift lines off the chord); the inflow rates need none. Components of ν that
 //! support or symmetry hold are left out of the matrix.
 
+use std::cell::Cell;
+
 use nalgebra::{DMatrix, Vector3};
 use pulp::Arch;
 
 use crate::aerodynamics::{Air, PetersInflow};
 use crate::aircraft::Support;
+use crate::arithmetic::{Counting, Machine};
 use crate::structure::{
     ElasticForces, ElasticScratch, ModalIntegrals, ReducedModel, ReducedStrip, StrainEnergy, SymmetricHalf,
 };
 
 use super::air_loads::SumLoads;
 use super::attitude::{Attitude, quaternion_rate};
-use super::controls::Controls;
+use super::controls::{Controls, FlapFactor};
 use super::fidelity::{Fidelity, Terms};
 use super::freedom::RigidFreedom;
 use super::inertia::{DeformedInertia, RigidMotion, add};
@@ -23,7 +26,7 @@ use super::layout::StateLayout;
 use super::linear_solve::LinearSystem;
 use super::propulsion::Engines;
 use super::strip_sums::StripSums;
-use super::strips::{Strips, Surroundings};
+use super::strips::Strips;
 use super::structural_forces::StructuralForces;
 use super::workspace::Workspace;
 
@@ -45,10 +48,10 @@ pub struct Configuration {
 /// The equations of motion of one aircraft at one fidelity level.
 #[derive(Clone, Debug)]
 pub struct EquationsOfMotion {
-    layout: StateLayout,
+    pub(super) layout: StateLayout,
     pub(super) terms: Terms,
     support: Support,
-    freedom: RigidFreedom,
+    pub(super) freedom: RigidFreedom,
     pub(super) gravity: f64,
     pub(super) integrals: ModalIntegrals,
     strain_energy: StrainEnergy,
@@ -59,8 +62,8 @@ pub struct EquationsOfMotion {
     damping: Vec<f64>,
     pub(super) strips: Strips,
     engines: Engines,
-    inflow: PetersInflow,
-    tunnel_flow: Vector3<f64>,
+    pub(super) inflow: PetersInflow,
+    pub(super) tunnel_flow: Vector3<f64>,
     /// `None`: the standard atmosphere.
     pub(super) tunnel_air: Option<Air>,
     /// Roll, pitch and yaw in the tunnel, rad.
@@ -152,7 +155,7 @@ impl EquationsOfMotion {
 
     /// Computes with vectors of a given width.
     pub(super) fn take_arch(&mut self, arch: Arch) {
-        (self.arch, self.strips.arch) = (arch, arch);
+        self.arch = arch;
     }
 
     /// Where each part of the state stands.
@@ -188,11 +191,33 @@ impl EquationsOfMotion {
 
     /// Rates of all states; accelerations stay in the workspace. States beyond the model's validity give NaN.
     pub fn rates(&self, state: &[f64], controls: &Controls, rates: &mut [f64], workspace: &mut Workspace) {
+        self.rates_by(self.arch, state, controls, rates, workspace);
+    }
+
+    /// How many multiplications of numbers in registers [`rates`](Self::rates) takes at a state.
+    pub fn multiplications(&self, state: &[f64], controls: &Controls) -> usize {
+        let multiplications = Cell::new(0);
+        let counting = Counting { multiplications: &multiplications };
+        let (mut rates, mut workspace) = (vec![0.0; state.len()], Workspace::new(self));
+        self.rates_by(counting, state, controls, &mut rates, &mut workspace);
+        multiplications.get()
+    }
+
+    /// The rates as a machine computes them.
+    #[inline(always)]
+    fn rates_by(
+        &self,
+        machine: impl Machine,
+        state: &[f64],
+        controls: &Controls,
+        rates: &mut [f64],
+        workspace: &mut Workspace,
+    ) {
         let layout = &self.layout;
         let attitude = Attitude::from_quaternion(&state[layout.attitude()]);
-        self.assemble(state, &attitude, controls, rates, workspace);
+        self.assemble(machine, (state, &attitude), controls, rates, workspace);
         workspace.collect_forces(controls);
-        workspace.regular = workspace.system.solve(self.arch, &mut workspace.solution);
+        workspace.regular = workspace.system.solve(machine, &mut workspace.solution);
         self.write_accelerations(rates, workspace);
 
         let motion = self.motion(state);
@@ -240,12 +265,6 @@ impl EquationsOfMotion {
         self.strips.inflow_linear_part(&self.inflow, airspeed, &self.layout, linear);
     }
 
-    /// Speed of O relative to the air, m/s.
-    pub fn airspeed(&self, state: &[f64], controls: &Controls) -> f64 {
-        let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
-        (self.motion(state).velocity - attitude.body_from_inertial * self.air_motion(controls)).norm()
-    }
-
     /// Strain energy at q, J, of the orders that the level keeps. Allocates.
     pub fn strain_energy(&self, q: &[f64]) -> f64 {
         let gradient = &mut vec![0.0; q.len()];
@@ -267,11 +286,6 @@ impl EquationsOfMotion {
         }
     }
 
-    /// Velocity of the air at the aircraft, north-east-down, m/s.
-    pub fn air_motion(&self, controls: &Controls) -> Vector3<f64> {
-        controls.wind + self.tunnel_flow
-    }
-
     /// (A⁻¹)_qq: how the generalised coordinates answer forces on themselves, symmetrised. Allocates.
     pub(super) fn elastic_mobility(
         &self,
@@ -280,7 +294,7 @@ impl EquationsOfMotion {
         workspace: &mut Workspace,
     ) -> Option<DMatrix<f64>> {
         let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
-        self.assemble(state, &attitude, controls, &mut vec![0.0; state.len()], workspace);
+        self.assemble(self.arch, (state, &attitude), controls, &mut vec![0.0; state.len()], workspace);
         let (rigid, size) = (self.freedom.components().len(), self.moving().len());
         let matrix = &workspace.system.matrix;
         let mut mass = DMatrix::from_fn(size, size, |row, column| matrix[(row, column)]);
@@ -317,16 +331,17 @@ impl EquationsOfMotion {
         StripSums::new(&self.strips, self.freedom, self.layout.modes(), self.symmetric)
     }
 
-    /// Altitude of O, m.
-    pub fn altitude(&self, state: &[f64]) -> f64 {
-        -state[self.layout.position().end - 1]
+    /// What the loads of the flaps are proportional to.
+    pub(super) fn flap_factors(&self) -> &[FlapFactor] {
+        &self.strips.factors
     }
 
     /// Writes the mass matrix and the generalised forces into the workspace, the inflow rates into `rates`.
+    #[inline(always)]
     fn assemble(
         &self,
-        state: &[f64],
-        attitude: &Attitude,
+        machine: impl Machine,
+        (state, attitude): (&[f64], &Attitude),
         controls: &Controls,
         rates: &mut [f64],
         workspace: &mut Workspace,
@@ -335,7 +350,7 @@ impl EquationsOfMotion {
         let q_dot = &state[self.layout.coordinate_rates()];
         let motion = self.motion(state);
         workspace.forces.clear();
-        self.arch.dispatch(StructuralForces { equations: self, motion: &motion, q, q_dot, workspace });
+        machine.run(StructuralForces { equations: self, motion: &motion, q, q_dot, workspace });
         let Workspace { inertia, forces, elastic_force, system, strip_sums, .. } = workspace;
         let force = forces.passive_mut();
         for (mode, force) in force[6..].iter_mut().enumerate() {
@@ -354,28 +369,15 @@ impl EquationsOfMotion {
         let around = self.surroundings(state, (q, q_dot), attitude, controls);
         let (strips, layout) = (&self.strips, &self.layout);
         let mass = &mut system.matrix;
-        SumLoads { strips, around: &around, layout, state, rates, sums: strip_sums, forces, mass }.run();
-    }
-
-    fn surroundings<'a>(
-        &'a self,
-        state: &[f64],
-        (q, q_dot): (&'a [f64], &'a [f64]),
-        attitude: &Attitude,
-        controls: &Controls,
-    ) -> Surroundings<'a> {
-        let RigidMotion { velocity, rate } = self.motion(state);
-        let wind = attitude.body_from_inertial * self.air_motion(controls);
-        Surroundings {
-            air_velocity: velocity - wind,
-            rate,
-            air_transport: rate.cross(&wind) - attitude.body_from_inertial * controls.wind_rate,
-            q,
-            q_dot,
-            density: self.air(state).density,
-            inflow: &self.inflow,
-            deformed_arms: self.terms.deformed_forcing,
-            freedom: self.freedom,
-        }
+        machine.run(SumLoads {
+            strips,
+            around: &around,
+            layout,
+            state,
+            rates,
+            sums: strip_sums,
+            forces,
+            mass,
+        });
     }
 }

@@ -6,7 +6,7 @@ use crate::aerodynamics::STANDARD_GRAVITY;
 use crate::aircraft::Support;
 
 use super::attitude::{Attitude, quaternion_of_euler_angles};
-use super::controls::{Controls, SurfaceKind};
+use super::controls::{Controls, SURFACES, SurfaceKind};
 use super::equations::EquationsOfMotion;
 use super::linear_solve::solve;
 use super::trim::{TrimCondition, TrimPoint};
@@ -84,8 +84,7 @@ impl<'a> Search<'a> {
         if search.is_straight() {
             return in_plane.map(|()| search);
         }
-        let controls = [SurfaceKind::Aileron, SurfaceKind::Rudder]
-            .map(|kind| equations.strips.surfaces.contains(&(kind as usize)));
+        let controls = [SurfaceKind::Aileron, SurfaceKind::Rudder].map(|kind| equations.has_surface(kind));
         if controls == [false; 2] {
             return match in_plane {
                 Ok(()) => Ok(search),
@@ -326,6 +325,15 @@ impl<'a> Search<'a> {
         let weight = self.equations.integrals().mass * self.equations.gravity;
         let share = 1.0 - downwards / weight;
         (share.is_finite() && share > 1e-9).then_some(share)
+    }
+}
+
+impl EquationsOfMotion {
+    /// Whether any flap moves with a kind of surfaces.
+    fn has_surface(&self, kind: SurfaceKind) -> bool {
+        let mut angles = [0.0; SURFACES];
+        angles[kind as usize] = 1.0;
+        self.flap_factors().iter().any(|factor| factor.value(&angles) != 0.0)
     }
 }
 

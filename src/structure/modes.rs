@@ -6,6 +6,7 @@ use crate::aircraft::ModeBasis;
 
 use super::assembly::Structure;
 use super::mirror::{self, Mirror};
+use super::mode_count::{ModeCount, ModeKind};
 use super::pairs::Pairs;
 use super::{Mode, ModeFamily, StructureError};
 
@@ -25,31 +26,39 @@ pub struct ModalBasis {
 }
 
 impl ModalBasis {
-    /// The `count` lowest modes of all families together; more where they would cut a pair in half.
+    /// The lowest modes of all families together; more where they would cut a pair in half.
     ///
     /// # Errors
-    /// When the stiffness matrix is not positive definite or there are fewer than `count` modes.
-    pub fn new(structure: &Structure, count: usize) -> Result<Self, StructureError> {
+    /// As [`with`](Self::with).
+    pub fn new(structure: &Structure, count: impl Into<ModeCount>) -> Result<Self, StructureError> {
+        Self::with(structure, count.into(), ModeKind::All)
+    }
+
+    /// The lowest modes of all families together, as many as it takes to have `count` of a kind among them.
+    ///
+    /// # Errors
+    /// When the stiffness matrix is not positive definite, or the structure has no such modes.
+    pub fn with(structure: &Structure, count: ModeCount, kind: ModeKind) -> Result<Self, StructureError> {
         let stiffness = structure.stiffness(structure.aircraft.mode_basis == ModeBasis::BendingTorsion);
         let mass = structure.mass();
         // Axially rigid beams would hide a difference in bending.
-        let modes = match Mirror::find(structure.aircraft, &structure.stiffness(false), &mass) {
+        let (mut modes, pairs) = match Mirror::find(structure.aircraft, &structure.stiffness(false), &mass) {
             Some(mirror) => {
                 let family_modes = |family| family_modes(&stiffness, &mass, &mirror.subspace(family), family);
-                merge(family_modes(ModeFamily::Symmetric)?, family_modes(ModeFamily::Antisymmetric)?)
+                (merge(family_modes(ModeFamily::Symmetric)?, family_modes(ModeFamily::Antisymmetric)?), None)
             }
             None => {
                 let whole = mirror::whole_space(structure.unknowns());
-                let mut modes = family_modes(&stiffness, &mass, &whole, ModeFamily::Unsymmetric)?;
-                Pairs::new(structure.aircraft, &mass).mark(&mut modes, count);
-                modes
+                let modes = family_modes(&stiffness, &mass, &whole, ModeFamily::Unsymmetric)?;
+                (modes, Some(Pairs::new(structure.aircraft, &mass)))
             }
         };
-        if modes.len() < count {
-            return Err(StructureError::TooFewModes { wanted: count, available: modes.len() });
+        let count = count.lowest(kind, modes.iter().map(|(mode, _)| mode.family))?;
+        if let Some(pairs) = pairs {
+            pairs.mark(&mut modes, count);
         }
-        let pairs = modes[count..].iter().take_while(|(mode, _)| mode.completes_a_pair).count();
-        let (modes, shapes): (Vec<_>, Vec<_>) = modes.into_iter().take(count + pairs).unzip();
+        let completed = modes[count..].iter().take_while(|(mode, _)| mode.completes_a_pair).count();
+        let (modes, shapes): (Vec<_>, Vec<_>) = modes.into_iter().take(count + completed).unzip();
         let shapes = if shapes.is_empty() {
             DMatrix::zeros(structure.unknowns(), 0)
         } else {

@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
-use flexible_aircraft::aerodynamics::Air;
 use flexible_aircraft::aircraft::{Aircraft, Attachment, MassBay};
 use flexible_aircraft::dynamics::TrimPoint;
 use flexible_aircraft::simulation::{Fidelity, InputReference, Inputs, Settings, Simulation};
-use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
+use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::{Slot, VariableTable};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::support::jet;
+use crate::support::plain_loads::Instant;
 
 /// The shipped jet, changed by the caller.
 fn changed_jet(change: impl FnOnce(&mut Aircraft)) -> Aircraft {
@@ -88,67 +88,42 @@ fn no_pair_of_modes_is_cut_in_half() {
     assert!(jet().modes.iter().all(|mode| !mode.completes_a_pair));
 }
 
-/// Force and moment about O of the air on the undeformed strips in steady flow (physics.md §4), without what acts along
-/// the chord.
-fn steady_air_loads(
-    strip: &ReducedStrip,
-    velocity: &Vector3<f64>,
-    density: f64,
-    point: &TrimPoint,
-) -> [Vector3<f64>; 2] {
-    let (b, d) = (strip.semichord, strip.elastic_axis_aft_of_midchord);
-    let normal = strip.forward.cross(&strip.span);
-    let chordwise = strip.forward.dot(velocity);
-    let upwash = normal.dot(velocity) + chordwise * strip.zero_lift_offset;
-    let lift = strip.lift_slope * density * chordwise * b * upwash;
-    let (mut flap_lift, mut flap_moment) = (0.0, 0.0);
-    if let Some(flap) = &strip.flap {
-        let angle = flap.gains.elevator * point.elevator
-            + flap.gains.aileron * point.aileron
-            + flap.gains.rudder * point.rudder;
-        let hinge = libm::acos(2.0 * flap.hinge - 1.0);
-        let c1 = (hinge + libm::sin(hinge)) / std::f64::consts::PI;
-        let c4 = -libm::sin(hinge) * (1.0 + libm::cos(hinge)) / std::f64::consts::TAU;
-        flap_lift = flap.lift_slope * density * b * chordwise * chordwise * c1 * angle;
-        flap_moment = flap.lift_slope * density * b * b * chordwise * chordwise * c4 * angle;
-    }
-    let along = strip.forward * chordwise + normal * normal.dot(velocity);
-    let drag = along * (-strip.profile_drag * density * b * along.norm());
-    let force = (drag - normal * (lift + flap_lift)) * strip.width;
-    let moment = strip.span * (((b / 2.0 + d) * (lift + flap_lift) + flap_moment) * strip.width);
-    [force, strip.position.cross(&force) + moment]
-}
-
 #[test]
-fn gravity_and_the_air_balance_the_trimmed_aircraft_sideways_and_in_roll() {
-    // Strip by strip, bay by bay, from the aircraft's data. Forces along chords make no rolling moment here: those on
-    // the wings have no component down, those on the tail are alike on both sides.
+fn gravity_thrust_and_the_air_balance_the_trimmed_aircraft_in_all_six_directions() {
+    // Strip by strip (`support/plain_loads.rs`), bay by bay and engine by engine, from the aircraft's data.
     let aircraft = changed_jet(|aircraft| load(aircraft, 300.0, 5.0));
     let model = ReducedModel::new(&aircraft, 0).unwrap();
-    let settings = Settings { fidelity: Fidelity::Rigid, ..Settings::of(&model) };
-    let point = trim(&model, &settings);
-    let density = Air::at(settings.altitude).density;
-    let velocity = Vector3::from(point.velocity(settings.airspeed));
+    let settings = Settings { fidelity: Fidelity::Rigid, inflow_states: 0, ..Settings::of(&model) };
+    let equations = settings.equations(&model).unwrap();
+    let trim = equations.trim(&settings.trim_condition()).unwrap();
+    let (controls, rates) = (trim.controls(2), vec![0.0; trim.state.len()]);
+    let instant = Instant { equations: &equations, controls: &controls, state: &trim.state, rates: &rates };
     let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+    let mut act = |place: &Vector3<f64>, acting: Vector3<f64>| {
+        force += acting;
+        moment += place.cross(&acting);
+    };
+    let mut twisting = Vector3::zeros();
     for strip in &model.strips {
-        let [strip_force, strip_moment] = steady_air_loads(strip, &velocity, density, &point);
-        force += strip_force;
-        moment += strip_moment;
+        let load = instant.load(strip);
+        act(&strip.position, load.force);
+        twisting += load.span * load.moment;
     }
-    let ((sin_roll, cos_roll), (sin_pitch, cos_pitch)) =
-        (libm::sincos(point.roll), libm::sincos(point.pitch));
-    let gravity = Vector3::new(-sin_pitch, sin_roll * cos_pitch, cos_roll * cos_pitch) * aircraft.gravity;
-    let mut heaviest: f64 = 0.0;
+    let TrimPoint { roll, pitch, aileron, rudder, .. } = trim.point;
+    let down = Rotation3::from_euler_angles(roll, pitch, 0.0).inverse() * Vector3::z();
     for bay in &aircraft.bays {
         let [from, to] = aircraft.beams[bay.attachment.beam].nodes.map(|node| aircraft.nodes[node]);
         let place = from + (to - from) * bay.attachment.fraction + bay.offset;
-        force += gravity * bay.mass;
-        moment += place.cross(&(gravity * bay.mass));
-        heaviest = heaviest.max((place.y * gravity.z * bay.mass).abs());
+        act(&place, down * (aircraft.gravity * bay.mass));
     }
-    assert!(force.y.abs() < 1e-5 && moment.x.abs() < 1e-8 * heaviest.max(1e5), "{force} {moment} {point:?}");
+    for engine in &model.engines {
+        act(&engine.position, engine.direction * trim.point.thrust);
+    }
+    moment += twisting;
+    // Of a weight of 290 kN and moments of some 100 kN m.
+    assert!(force.amax() < 1e-4 && moment.amax() < 1e-3, "{force} {moment}");
     // 300 kg at 5 m roll to the right: the aileron rolls left.
-    assert!(point.aileron < -1e-3 && point.roll != 0.0 && point.rudder != 0.0, "{point:?}");
+    assert!(aileron < -1e-3 && roll != 0.0 && rudder != 0.0, "{:?}", trim.point);
 }
 
 #[test]
@@ -267,4 +242,24 @@ fn without_aileron_and_rudder_the_unbalanced_moments_are_named() {
     let expected = 300.0 * 9.806 * 5.0 * libm::cos(0.14);
     assert!((rolling / expected - 1.0).abs() < 0.3, "{error}");
     assert!(error.contains("rate.x (roll) stays unbalanced"), "{error}");
+}
+
+#[test]
+fn with_one_engine_out_the_trim_is_that_of_an_independent_code() {
+    // analyses.md §5, "nominal, right engine out, β 0": a numpy prototype that shares nothing with this program.
+    let aircraft = changed_jet(|aircraft| aircraft.engines.retain(|engine| engine.name == "left"));
+    let model = ReducedModel::new(&aircraft, ReducedModel::USUAL_MODES).unwrap();
+    let point = trim(&model, &Settings::of(&model));
+    let expected = [
+        (point.angle_of_attack(), 0.140035),
+        (point.roll, -0.030648),
+        (point.pitch, 0.139970),
+        (point.elevator, -0.245381),
+        (point.aileron, -0.010583),
+        (point.rudder, -0.333767),
+        (point.thrust, 47_766.7),
+    ];
+    for (found, expected) in expected {
+        assert!((found / expected - 1.0).abs() < 1e-5, "{found} {expected} {point:?}");
+    }
 }

@@ -2,6 +2,7 @@
 
 mod asymmetry;
 mod beam;
+mod coincident_nodes;
 mod conservation;
 mod eigenvalues;
 mod energy_balance;
@@ -20,6 +21,8 @@ mod rigid_modes;
 mod sensors;
 mod spin_up;
 mod strain_energy;
+mod strip_loads;
+mod suction;
 mod symmetry;
 mod trim;
 mod wind_tunnel;

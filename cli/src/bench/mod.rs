@@ -14,7 +14,7 @@ use std::sync::Arc;
 use clap::Args;
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::simulation::SimulationError;
-use flexible_aircraft::structure::{ReducedModel, StructureError};
+use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft_packaging::FmuError;
 use flexible_aircraft_packaging::c_abi::Fmu;
 
@@ -88,7 +88,7 @@ impl BenchError {
 /// When the aircraft or the FMU cannot be read or flown, or the results cannot be written.
 pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
     let aircraft = Aircraft::read(&options.aircraft)?;
-    let model = Arc::new(ReducedModel::new(&aircraft, ReducedModel::USUAL_MODES)?);
+    let model = Arc::new(ReducedModel::new(&aircraft, ModeCount::Usual(ReducedModel::USUAL_MODES))?);
     eprintln!("the standard flight through the C interface …");
     let flight = StandardFlight::measure(&Fmu::open(&options.fmu)?)?;
     eprintln!("the right-hand side and the plain method …");

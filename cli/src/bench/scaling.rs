@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::simulation::{Fidelity, Inputs, Settings, Simulation};
-use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
+use flexible_aircraft::structure::{ModeCount, ReducedModel, ReducedStrip};
 
 use super::equations::time_of;
 use super::{BenchError, least_time};
@@ -43,9 +43,10 @@ pub struct Scaling {
 impl Scaling {
     /// Measures about the trim of the standard flight.
     pub fn measure(aircraft: &Aircraft, model: &Arc<ReducedModel>) -> Result<Self, BenchError> {
-        let most = Arc::new(ReducedModel::new(aircraft, 40)?);
+        let most = Arc::new(ReducedModel::new(aircraft, ModeCount::Usual(40))?);
         let standard = Settings::of(model);
-        let modes = [0, 4, 8, 12, 20, 30, 40].map(|mode_count| {
+        let counts = [0, 4, 8, 12, 20, 30, 40].into_iter().filter(|&count| count <= most.modes.len());
+        let modes = counts.map(|mode_count| {
             let settings = Settings { mode_count, ..standard.clone() };
             point(&most, &settings, format!("{mode_count} modes"), mode_count)
         });
@@ -62,7 +63,7 @@ impl Scaling {
             point(model, &settings, format!("{fidelity:?}"), fidelity as usize)
         });
         Ok(Scaling {
-            modes: modes.into_iter().collect::<Result<_, _>>()?,
+            modes: modes.collect::<Result<_, _>>()?,
             strips: strips.into_iter().collect::<Result<_, _>>()?,
             inflow_states: inflow_states.into_iter().collect::<Result<_, _>>()?,
             fidelity: fidelity.into_iter().collect::<Result<_, _>>()?,

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use clap::Args;
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 use flexible_aircraft::simulation::{Inputs, Settings, Simulation, SimulationError};
-use flexible_aircraft::structure::{ReducedModel, StructureError};
+use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft::variables::{OutputSlot, Slot, VariableTable};
 
 use crate::diagnostics;
@@ -31,9 +31,10 @@ pub struct SimulateOptions {
     #[arg(long, value_name = "FILE", default_value = "aircraft/generic-business-jet.toml")]
     aircraft: PathBuf,
 
-    /// How many natural modes to reduce the aircraft to, as in `flexair package`
-    #[arg(long, value_name = "N", default_value_t = ReducedModel::USUAL_MODES)]
-    modes: usize,
+    /// How many natural modes to reduce the aircraft to, as in `flexair package` [default: 26, or all where there are
+    /// fewer]
+    #[arg(long, value_name = "N")]
+    modes: Option<usize>,
 
     /// A parameter of the FMU, as in `model=rigid`. May be repeated
     #[arg(long, value_name = "NAME=VALUE")]
@@ -76,7 +77,8 @@ impl Error {
 
 /// Flies, and writes what comes out.
 pub fn run(options: &SimulateOptions) -> Result<(), Error> {
-    let model = Arc::new(ReducedModel::new(&Aircraft::read(&options.aircraft)?, options.modes)?);
+    let count = ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES);
+    let model = Arc::new(ReducedModel::new(&Aircraft::read(&options.aircraft)?, count)?);
     let variables = VariableTable::new(&model);
     let mut settings = Settings::of(&model);
     for assignment in &options.set {
