@@ -1,7 +1,7 @@
 //! The right-hand side, and the plain method that all gains are compared with: the classical Runge–Kutta method in
 //! steps of 1 ms, one strip at a time.
 
-use flexible_aircraft::dynamics::{EquationsOfMotion, Workspace};
+use flexible_aircraft::dynamics::{Controls, EquationsOfMotion, Workspace};
 use flexible_aircraft::simulation::Settings;
 use flexible_aircraft::structure::ReducedModel;
 
