@@ -18,7 +18,7 @@ fn jet() -> Arc<ReducedModel> {
 }
 
 fn right_hand_side(criterion: &mut Criterion) {
-    let settings = Settings::default();
+    let settings = Settings::of(&jet());
     let whole = settings.equations(&jet()).expect("the default settings");
     let half = settings.symmetric_equations(&jet()).expect("the default settings").expect("a mirror plane");
     for (name, equations) in [
@@ -43,7 +43,7 @@ fn steps(criterion: &mut Criterion) {
         ("10 ms, elevator moving, ailerons set", 0.01, 1e-3),
     ] {
         let mut flight =
-            Simulation::new(Arc::clone(&model), &Settings::default(), 0.0).expect("the jet flies");
+            Simulation::new(Arc::clone(&model), &Settings::of(&jet()), 0.0).expect("the jet flies");
         let (mut inputs, still) = (Inputs::zero(2), Inputs::zero(2));
         inputs.aileron = aileron;
         let mut count = 0_u32;
@@ -68,7 +68,7 @@ fn beginnings(criterion: &mut Criterion) {
         bencher.iter(|| ReducedModel::from_bytes(&bytes));
     });
     criterion.bench_function("trim", |bencher| {
-        bencher.iter(|| Simulation::new(Arc::clone(&model), &Settings::default(), 0.0));
+        bencher.iter(|| Simulation::new(Arc::clone(&model), &Settings::of(&jet()), 0.0));
     });
 }
 

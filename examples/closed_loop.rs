@@ -147,7 +147,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         right: station("wing_tip_right").ok_or("the aircraft has no station wing_tip_right")?,
         left: station("wing_tip_left").ok_or("the aircraft has no station wing_tip_left")?,
     };
-    let aircraft = Simulation::new(model, &Settings::default(), 0.0)?;
+    let aircraft = Simulation::new(Arc::clone(&model), &Settings::of(&model), 0.0)?;
     fly(aircraft, law, gust_duration, &tips, &mut BufWriter::new(io::stdout().lock()))?;
     Ok(())
 }

@@ -40,8 +40,16 @@ struct Trim {
     pitch: f64,
     /// rad.
     elevator: f64,
+    along: Along,
+}
+
+/// What balances an aircraft along its path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Along {
     /// N per engine.
-    thrust: f64,
+    Thrust(f64),
+    /// The path of a glider, rad above the horizon.
+    ClimbAngle(f64),
 }
 
 /// The largest deflection of any station, up or down.
@@ -81,7 +89,11 @@ impl CheckFlight {
             }
         }
         let mut trim = [0.0; 3];
-        aircraft.get_real(&fmu.variables(&["trim.pitch", "trim.elevator", "trim.thrust"])?, &mut trim)?;
+        let glides = fmu.variable_names().any(|name| name == "trim.climb_angle");
+        let along = if glides { "trim.climb_angle" } else { "trim.thrust" };
+        aircraft.get_real(&fmu.variables(&["trim.pitch", "trim.elevator", along])?, &mut trim)?;
+        let [pitch, elevator, along] = trim;
+        let along = if glides { Along::ClimbAngle(along) } else { Along::Thrust(along) };
         let mut history = vec![vec![0.0; watched.len()]; STEPS as usize + 1];
         aircraft.get_real(&watched, &mut history[0])?;
 
@@ -97,7 +109,7 @@ impl CheckFlight {
 
         Ok(CheckFlight {
             support,
-            trim: Trim { pitch: trim[0], elevator: trim[1], thrust: trim[2] },
+            trim: Trim { pitch, elevator, along },
             deflection: peak_deflection(&stations, &history),
             pitch: range(history.iter().map(|outputs| outputs[0])),
             load_factor: range(history.iter().map(|outputs| outputs[1])),
@@ -154,11 +166,16 @@ impl fmt::Display for CheckFlight {
         let duration = Self::DURATION;
         match self.support {
             Support::Free => {
-                let Trim { pitch, elevator, thrust } = self.trim;
+                let Trim { pitch, elevator, along } = self.trim;
                 writeln!(f, "Trimmed:")?;
                 writeln!(f, "  pitch           {:8.3}° ({pitch:.5} rad)", pitch.to_degrees())?;
                 writeln!(f, "  elevator        {:8.3}° ({elevator:.5} rad)", elevator.to_degrees())?;
-                writeln!(f, "  thrust          {thrust:8.0} N per engine")?;
+                match along {
+                    Along::Thrust(thrust) => writeln!(f, "  thrust          {thrust:8.0} N per engine")?,
+                    Along::ClimbAngle(angle) => {
+                        writeln!(f, "  climb angle     {:8.3}° ({angle:.5} rad)", angle.to_degrees())?;
+                    }
+                }
                 writeln!(f, "Elevator 2-3-1-1 of 0.05 rad, {duration} s:")?;
             }
             Support::Clamped => {
@@ -219,7 +236,10 @@ mod tests {
     fn a_free_aircraft_is_trimmed_and_answers_the_elevator() {
         let flight = jet(Support::Free);
         assert!(flight.load_factor.contains(&0.9) && flight.load_factor.contains(&1.05), "{flight:?}");
-        assert!(flight.pitch.contains(&flight.trim.pitch) && flight.trim.thrust > 1e4);
+        assert!(
+            flight.pitch.contains(&flight.trim.pitch)
+                && matches!(flight.trim.along, Along::Thrust(thrust) if thrust > 1e4)
+        );
         let peak = flight.deflection.unwrap();
         assert!(peak.station.starts_with("wing_tip") && peak.up > peak.trimmed + 0.01, "{peak:?}");
     }
@@ -249,7 +269,7 @@ mod tests {
         let peak = PeakDeflection { station: "wing_tip".into(), up: -0.182, trimmed: 0.05, time: 3.5 };
         let flight = CheckFlight {
             support: Support::Clamped,
-            trim: Trim { pitch: 0.0, elevator: 0.0, thrust: 0.0 },
+            trim: Trim { pitch: 0.0, elevator: 0.0, along: Along::Thrust(0.0) },
             deflection: Some(peak),
             pitch: 0.0..=0.0,
             load_factor: 0.0..=0.0,

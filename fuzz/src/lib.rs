@@ -7,7 +7,6 @@ use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::fmi2;
 use flexible_aircraft::simulation::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
-use flexible_aircraft::variables::start_settings;
 use twox_hash::XxHash3_128;
 
 /// The smallest of the shipped aircraft: one strip on one beam.
@@ -29,7 +28,7 @@ pub fn seed(target: &str, bytes: &[u8]) {
 pub fn fly(model: ReducedModel) {
     let description = fmi2::model_description::write(&model);
     assert!(description.contains(&fmi2::guid(&model)));
-    let settings = Settings { mode_count: model.modes.len(), ..start_settings(&model) };
+    let settings = Settings { mode_count: model.modes.len(), ..Settings::of(&model) };
     let inputs = Inputs { elevator: 0.01, ..Inputs::zero(model.engines.len()) };
     let zero = Inputs::zero(model.engines.len());
     if let Ok(mut flight) = Simulation::new(Arc::new(model), &settings, 0.0) {

@@ -14,27 +14,39 @@ const TEMPLATE: &str = include_str!("../../modelDescription/documentation.html")
 pub(crate) fn page(aircraft: &Aircraft, variables: &[Variable]) -> String {
     TEMPLATE
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
-        .replace("{{support}}", support(aircraft.support))
+        .replace("{{support}}", &support(aircraft))
         .replace("{{plan_view}}", &plan_view::svg(aircraft))
         .replace("{{variables}}", &rows(variables))
         .replace("{{aircraft}}", &escape(aircraft.name.as_str()))
 }
 
 /// What happens with the default parameters, and what the parameters of the flight mean.
-fn support(support: Support) -> &'static str {
-    match support {
+fn support(aircraft: &Aircraft) -> String {
+    match aircraft.support {
         Support::Free => {
-            "With the default parameters and all inputs zero the aircraft flies trimmed, straight and level: it is \
-             trimmed when initialisation ends, and surface and thrust inputs count from the trim values \
-             (<code>input_reference = trim</code>)."
+            let level = if aircraft.engines.is_empty() {
+                "straight, and glides at <code>trim.climb_angle</code>"
+            } else {
+                "straight and level"
+            };
+            format!(
+                "With the default parameters and all inputs zero the aircraft flies trimmed, {level}: it is trimmed when \
+                 initialisation ends, and surface and thrust inputs count from the trim values \
+                 (<code>input_reference = trim</code>). One that is not symmetric is banked by <code>trim.roll</code>."
+            )
         }
         Support::Clamped => {
-            "The aircraft is clamped at O in a wind tunnel: it does not move as a whole, and stands level. \
-             <code>airspeed</code> is the speed of the tunnel's flow, <code>altitude</code> chooses its air, and \
-             <code>heading</code> turns aircraft and flow together. Incidence comes from <code>wind_down</code> or \
-             from the aircraft file alone. When initialisation ends the aircraft is in equilibrium with the flow; \
-             there is nothing to trim, so all <code>trim.*</code> are 0, and surface and thrust inputs are the \
-             values themselves."
+            let air = match aircraft.tunnel_air {
+                Some(air) => format!("its air has {} kg/m³", air.density),
+                None => "<code>altitude</code> chooses its air".to_owned(),
+            };
+            format!(
+                "The aircraft is clamped at O in a wind tunnel: it does not move as a whole, and stands as its file says. \
+                 <code>airspeed</code> is the speed of the tunnel's flow, {air}, and <code>heading</code> turns aircraft and \
+                 flow together. Incidence comes from <code>wind_down</code> or from the aircraft file alone. When \
+                 initialisation ends the aircraft is in equilibrium with the flow; there is nothing to trim, so all \
+                 <code>trim.*</code> are 0, and surface and thrust inputs are the values themselves."
+            )
         }
     }
 }

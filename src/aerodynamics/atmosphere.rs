@@ -1,4 +1,6 @@
-//! International Standard Atmosphere, troposphere and isothermal lower stratosphere (ISO 2533).
+//! International Standard Atmosphere, troposphere and isothermal lower stratosphere (ISO 2533), and air of one density.
+
+use crate::aircraft::TunnelAir;
 
 /// g₀: standard gravity, m/s².
 pub const STANDARD_GRAVITY: f64 = 9.80665;
@@ -33,16 +35,30 @@ impl Air {
         if altitude > TROPOPAUSE {
             pressure *= libm::exp(-STANDARD_GRAVITY * (altitude - TROPOPAUSE) / (GAS_CONSTANT * temperature));
         }
-        Air {
-            density: pressure / (GAS_CONSTANT * temperature),
-            speed_of_sound: libm::sqrt(HEAT_RATIO * GAS_CONSTANT * temperature),
-        }
+        Air { density: pressure / (GAS_CONSTANT * temperature), speed_of_sound: speed_of_sound(temperature) }
     }
+
+    /// That of a wind tunnel.
+    pub fn of_tunnel(air: &TunnelAir) -> Self {
+        Air { density: air.density, speed_of_sound: speed_of_sound(air.temperature) }
+    }
+}
+
+/// Of air at a temperature in K, m/s.
+fn speed_of_sound(temperature: f64) -> f64 {
+    libm::sqrt(HEAT_RATIO * GAS_CONSTANT * temperature)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_tunnel_has_the_density_and_temperature_that_it_is_given() {
+        // √(1.4 · 287.05287 · 300) m/s.
+        let air = Air::of_tunnel(&TunnelAir { density: 0.9, temperature: 300.0 });
+        assert!(air.density == 0.9 && (air.speed_of_sound - 347.220687).abs() < 1e-5, "{air:?}");
+    }
 
     #[test]
     fn density_and_speed_of_sound_are_those_of_the_standard_tables() {

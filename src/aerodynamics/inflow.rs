@@ -103,7 +103,8 @@ impl PetersInflow {
         induced
     }
 
-    /// Rates of the states of strips, m/s².
+    /// Rates of the states of strips, m/s². Air that comes from behind, as it may where a wing swings in still air, carries
+    /// no wake away.
     #[inline(always)]
     pub fn write_rates<S: Arithmetic>(
         &self,
@@ -113,6 +114,7 @@ impl PetersInflow {
         rates: &mut InflowStates<&mut [f64]>,
     ) {
         let WakeFlow { w3, passing } = *wake;
+        let passing = (passing + passing.abs()) * 0.5;
         let real = states.real.chunks_exact(LANES).zip(rates.real.chunks_exact_mut(LANES));
         for (lag, (state, rate)) in self.lags.iter().zip(real) {
             place.store_slice(rate, -(passing * lag.rate * (place.load_slice(state) + w3)));

@@ -2,7 +2,7 @@
 //! the pen and to keep the arithmetic that follows far from overflow.
 
 use super::error::{Place, Problem, Report};
-use super::model::{AIRSPEEDS, ALTITUDES};
+use super::model::{ALTITUDES, TUNNEL_SPEEDS};
 
 /// The numbers that a quantity can take.
 pub(super) struct Allowed {
@@ -22,10 +22,22 @@ pub(super) const GRAVITY: Allowed = Allowed {
     text: "an acceleration in m/s² from 0 to 1000 is allowed",
 };
 pub(super) const AIRSPEED: Allowed =
-    Allowed { contains: |x| AIRSPEEDS.contains(&x), text: "an airspeed in m/s from 1 to 400 is allowed" };
+    Allowed { contains: |x| TUNNEL_SPEEDS.contains(&x), text: "an airspeed in m/s from 0 to 400 is allowed" };
 pub(super) const ALTITUDE: Allowed = Allowed {
     contains: |x| ALTITUDES.contains(&x),
     text: "an altitude in metres from -1000 to 20000 is allowed",
+};
+pub(super) const DENSITY: Allowed = Allowed {
+    contains: |x| (1e-9..=1e5).contains(&x),
+    text: "a density in kg/m³ from 1e-9 to 1e5 is allowed",
+};
+pub(super) const TEMPERATURE: Allowed = Allowed {
+    contains: |x| (1.0..=2000.0).contains(&x),
+    text: "a temperature in K from 1 to 2000 is allowed",
+};
+pub(super) const TURN_DEG: Allowed = Allowed {
+    contains: |x| (-180.0..=180.0).contains(&x),
+    text: "an angle in degrees from -180 to 180 is allowed",
 };
 
 pub(super) const MACH: Allowed =

@@ -1,4 +1,4 @@
-//! What only shows in the whole: names used twice, nothing that drives or weighs, no mirror image.
+//! What only shows in the whole: names used twice, nothing that weighs, no mirror image, a tunnel's air around what flies.
 
 use nalgebra::Vector3;
 
@@ -7,7 +7,7 @@ use super::document::Located;
 use super::error::{Place, Problem, Report};
 use super::expand::Assembly;
 use super::geometry::Side;
-use super::model::{Aircraft, Attachment, Beam, Engine, MassBay, Support};
+use super::model::{AIRSPEEDS, Aircraft, Attachment, Beam, Engine, MassBay, Support};
 use super::schema::FileSpec;
 
 /// Components (mirror images among them), engines and stations have names of their own.
@@ -30,12 +30,21 @@ fn distinct<'s>(kind: &str, names: impl Iterator<Item = &'s Located<String>>, re
     }
 }
 
-/// A free aircraft has an engine.
-pub(super) fn propulsion(file: &FileSpec, report: &Report) {
-    if file.support.value == Support::Free && file.engines.is_empty() {
-        let (found, allowed) =
-            ("found \"free\" and no engine", "at least one [[engine]], or support = \"clamped\", is allowed");
-        report.add(Problem::NoEngine, &file.support.place, found, allowed);
+/// A free aircraft moves through the standard atmosphere, its attitude is found.
+pub(super) fn support(file: &FileSpec, report: &Report) {
+    if file.support.value == Support::Clamped {
+        return;
+    }
+    if !AIRSPEEDS.contains(&file.airspeed.value) {
+        let found = format!("found {}", file.airspeed.value);
+        let allowed = "an airspeed in m/s from 1 to 400 is allowed, with support = \"clamped\" from 0 on";
+        report.add(Problem::OutOfRange, &file.airspeed.place, found, allowed);
+    }
+    let air = file.tunnel_air.as_ref().map(|air| &air.place);
+    let mount = file.mount.as_ref().map(|mount| &mount.place);
+    for place in air.into_iter().chain(mount) {
+        let allowed = "support = \"clamped\" is allowed with it";
+        report.add(Problem::Contradiction, place, "found it with support = \"free\"", allowed);
     }
 }
 

@@ -43,8 +43,6 @@ pub enum Problem {
     DuplicateName,
     /// A reference to a name that does not exist.
     UnknownName,
-    /// Nothing drives a free aircraft.
-    NoEngine,
     /// Nothing has mass.
     NoMass,
     /// Symmetric modes are asked for and something has no mirror image in y = 0.

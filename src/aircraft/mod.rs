@@ -6,12 +6,12 @@
 //!
 //! | module | takes | gives |
 //! | --- | --- | --- |
-//! | `document`, `read` | TOML text | `schema`: the fields, each allowed by itself, with their places |
+//! | `document`, `read`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
 //! | `limits` | the table `limits` | what is worth a warning |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
 //! | `branches` | the tree of beams | what is the mirror image of what |
-//! | `check` | the whole | names, symmetry, mass, propulsion |
+//! | `check` | the whole | names, support, symmetry, mass |
 //!
 //! The rest of this page is the description of the format for those who write such files.
 //!
@@ -31,6 +31,7 @@ mod model;
 mod read;
 mod schema;
 mod surfaces;
+mod tunnel;
 
 use std::path::Path;
 
@@ -43,7 +44,7 @@ pub use error::{AircraftFileError, Diagnostic, Problem};
 pub use limits::{Bound, Bounds, Limits};
 pub use model::{
     AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, ControlGains, Engine, Flap, MassBay, ModeBasis,
-    Station, Strip, Support,
+    Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
 };
 
 impl Aircraft {
@@ -71,7 +72,7 @@ impl Aircraft {
         let file = read::read_file(document.get_ref(), &report);
         if let Some(file) = &file {
             check::names(file, &report);
-            check::propulsion(file, &report);
+            check::support(file, &report);
         }
         let file = report.conclude(file, file_name)?;
         let assembly = report.conclude(expand::expand(&file, &report), file_name)?;

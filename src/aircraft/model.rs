@@ -17,6 +17,25 @@ pub enum Support {
     Clamped,
 }
 
+impl Support {
+    /// Airspeeds that may be asked for, m/s.
+    pub fn airspeeds(self) -> RangeInclusive<f64> {
+        match self {
+            Support::Free => AIRSPEEDS,
+            Support::Clamped => TUNNEL_SPEEDS,
+        }
+    }
+}
+
+/// Air that is the same everywhere, of a wind tunnel.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TunnelAir {
+    /// ρ, kg/m³.
+    pub density: f64,
+    /// K.
+    pub temperature: f64,
+}
+
 /// Which natural modes span the deformation (physics.md §1, third trap).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -29,6 +48,9 @@ pub enum ModeBasis {
 
 /// Airspeeds at which an aircraft may be trimmed, m/s: below, nothing flies; above, air is compressible.
 pub const AIRSPEEDS: RangeInclusive<f64> = 1.0..=400.0;
+
+/// Speeds of a wind tunnel's flow, m/s: it may be off.
+pub const TUNNEL_SPEEDS: RangeInclusive<f64> = 0.0..=400.0;
 
 /// Altitudes at which an aircraft may be trimmed, m: the standard atmosphere's two layers.
 pub const ALTITUDES: RangeInclusive<f64> = -1000.0..=20_000.0;
@@ -52,6 +74,11 @@ pub struct Aircraft {
     pub altitude: f64,
     /// What its trims should stay within.
     pub limits: Limits,
+    /// The air around a clamped aircraft; `None`: that of the standard atmosphere at the altitude.
+    pub tunnel_air: Option<TunnelAir>,
+    /// Roll, pitch and yaw of a clamped aircraft against a level one that heads into the tunnel's flow: 3-2-1 Euler
+    /// angles, rad. Zero for a free one.
+    pub mount: Vector3<f64>,
     /// Node positions, m; node 0 is O and clamped.
     pub nodes: Vec<Vector3<f64>>,
     /// Beam elements: a tree rooted at node 0, each element leading from a known node to a new one.

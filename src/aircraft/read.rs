@@ -18,6 +18,7 @@ use super::schema::{
     Along, ComponentSpec, ControlSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, InertiaSpec,
     Input, MassPartSpec, ParentSpec, PointMassesSpec, STIFFNESS, StationSpec, SurfaceSpec,
 };
+use super::tunnel;
 
 const FILE: &[&str] = &[
     "format",
@@ -28,6 +29,9 @@ const FILE: &[&str] = &[
     "inflow_states",
     "airspeed_m_s",
     "altitude_m",
+    "density_kg_m3",
+    "temperature_K",
+    "mount_attitude_deg",
     "symmetric",
     "limits",
     "component",
@@ -92,6 +96,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     let bases = [("bending_torsion", ModeBasis::BendingTorsion), ("full", ModeBasis::Full)];
     table.required("format").and_then(|v| v.integer(1..2));
     let name = table.required("name").and_then(|v| v.text());
+    let tunnel_air = tunnel::read_air(&table);
     let support = table.required("support").and_then(|v| v.located(|v| v.one_of(&supports)));
     let mode_basis = table.required("mode_basis").and_then(|v| v.one_of(&bases));
     table.required("component");
@@ -102,8 +107,13 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     Some(FileSpec {
         gravity: number_or(&table, "gravity_m_s2", &GRAVITY, 9.80665),
         inflow_states: table.optional("inflow_states").and_then(|v| v.integer(0..9)).unwrap_or(5),
-        airspeed: number_or(&table, "airspeed_m_s", &AIRSPEED, 127.0),
-        altitude: number_or(&table, "altitude_m", &ALTITUDE, 7620.0),
+        airspeed: table
+            .optional("airspeed_m_s")
+            .and_then(|v| v.located(|v| v.number(&AIRSPEED)))
+            .unwrap_or(Located { value: 127.0, place: table.place.clone() }),
+        altitude: if tunnel_air.is_some() { 0.0 } else { number_or(&table, "altitude_m", &ALTITUDE, 7620.0) },
+        tunnel_air,
+        mount: table.optional("mount_attitude_deg").and_then(|v| v.located(tunnel::read_mount)),
         symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
         limits: Limits::read(&table),
         name: name?,
@@ -115,7 +125,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     })
 }
 
-fn number_or(table: &Table, field: &str, allowed: &Allowed, default: f64) -> f64 {
+pub(super) fn number_or(table: &Table, field: &str, allowed: &Allowed, default: f64) -> f64 {
     table.optional(field).and_then(|v| v.number(allowed)).unwrap_or(default)
 }
 

@@ -7,7 +7,7 @@ use super::error::Place;
 use super::geometry::Stretch;
 use super::law::Law;
 use super::limits::Limits;
-use super::model::{ModeBasis, Support};
+use super::model::{ModeBasis, Support, TunnelAir};
 
 /// EA, GJ, EI_y, EI_z in the order in which [`ComponentSpec::stiffness`] holds them.
 pub(super) const STIFFNESS: [&str; 4] = ["EA_N", "GJ_N_m2", "EI_y_N_m2", "EI_z_N_m2"];
@@ -18,8 +18,10 @@ pub(super) struct FileSpec {
     pub(super) support: Located<Support>,
     pub(super) mode_basis: ModeBasis,
     pub(super) inflow_states: usize,
-    pub(super) airspeed: f64,
+    pub(super) airspeed: Located<f64>,
     pub(super) altitude: f64,
+    pub(super) tunnel_air: Option<Located<TunnelAir>>,
+    pub(super) mount: Option<Located<Vector3<f64>>>,
     /// Whether the structure must be its own mirror image.
     pub(super) symmetric: bool,
     pub(super) limits: Limits,

@@ -7,6 +7,13 @@ use crate::aircraft::ControlGains;
 /// Kinds of surfaces: elevator, aileron, both ailerons together, rudder.
 pub(super) const SURFACES: usize = 4;
 
+/// A kind of surfaces that balances an aircraft sideways; its place among them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum SurfaceKind {
+    Aileron = 1,
+    Rudder = 3,
+}
+
 /// How far the surfaces of each kind turn a flap.
 pub(super) fn gains_of_kinds(gains: &ControlGains) -> [f64; SURFACES] {
     [gains.elevator, gains.aileron, gains.aileron_symmetric, gains.rudder]

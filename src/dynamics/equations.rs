@@ -26,7 +26,7 @@ use super::layout::StateLayout;
 use super::linear_solve::LinearSystem;
 use super::propulsion::Engines;
 use super::strip_sums::StripSums;
-use super::strips::{Strips, Surroundings};
+use super::strips::Strips;
 use super::structural_forces::StructuralForces;
 use super::workspace::Workspace;
 
@@ -48,11 +48,11 @@ pub struct Configuration {
 /// The equations of motion of one aircraft at one fidelity level.
 #[derive(Clone, Debug)]
 pub struct EquationsOfMotion {
-    layout: StateLayout,
+    pub(super) layout: StateLayout,
     pub(super) terms: Terms,
     support: Support,
-    freedom: RigidFreedom,
-    gravity: f64,
+    pub(super) freedom: RigidFreedom,
+    pub(super) gravity: f64,
     pub(super) integrals: ModalIntegrals,
     strain_energy: StrainEnergy,
     /// ∂U/∂q of the orders that the level keeps.
@@ -60,10 +60,14 @@ pub struct EquationsOfMotion {
     pub(super) stiffness_scale: f64,
     /// 2ζω_k.
     pub(super) damping: Vec<f64>,
-    strips: Strips,
+    pub(super) strips: Strips,
     engines: Engines,
-    inflow: PetersInflow,
+    pub(super) inflow: PetersInflow,
     pub(super) tunnel_flow: Vector3<f64>,
+    /// `None`: the standard atmosphere.
+    pub(super) tunnel_air: Option<Air>,
+    /// Roll, pitch and yaw in the tunnel, rad.
+    pub(super) mount: Vector3<f64>,
     symmetric: bool,
     /// How wide this machine's vectors are.
     arch: Arch,
@@ -128,6 +132,8 @@ impl EquationsOfMotion {
             engines: Engines::new(model),
             inflow,
             tunnel_flow: configuration.tunnel_flow,
+            tunnel_air: model.tunnel_air.as_ref().map(Air::of_tunnel),
+            mount: model.mount,
             arch: Arch::new(),
         }
     }
@@ -261,12 +267,6 @@ impl EquationsOfMotion {
         self.strips.inflow_linear_part(&self.inflow, airspeed, &self.layout, linear);
     }
 
-    /// Speed of O relative to the air, m/s.
-    pub fn airspeed(&self, state: &[f64], controls: &Controls) -> f64 {
-        let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
-        (self.motion(state).velocity - attitude.body_from_inertial * self.air_motion(controls)).norm()
-    }
-
     /// Strain energy at q, J, of the orders that the level keeps. Allocates.
     pub fn strain_energy(&self, q: &[f64]) -> f64 {
         let gradient = &mut vec![0.0; q.len()];
@@ -286,11 +286,6 @@ impl EquationsOfMotion {
             velocity: Vector3::from_column_slice(&state[self.layout.velocity()]),
             rate: Vector3::from_column_slice(&state[self.layout.rate()]),
         }
-    }
-
-    /// Velocity of the air at the aircraft, north-east-down, m/s.
-    pub fn air_motion(&self, controls: &Controls) -> Vector3<f64> {
-        controls.wind + self.tunnel_flow
     }
 
     /// (A⁻¹)_qq: how the generalised coordinates answer forces on themselves, symmetrised. Allocates.
@@ -343,11 +338,6 @@ impl EquationsOfMotion {
         &self.strips.factors
     }
 
-    /// Altitude of O, m.
-    pub fn altitude(&self, state: &[f64]) -> f64 {
-        -state[self.layout.position().end - 1]
-    }
-
     /// Writes the mass matrix and the generalised forces into the workspace, the inflow rates into `rates`.
     #[inline(always)]
     fn assemble(
@@ -391,27 +381,5 @@ impl EquationsOfMotion {
             forces,
             mass,
         });
-    }
-
-    fn surroundings<'a>(
-        &'a self,
-        state: &[f64],
-        (q, q_dot): (&'a [f64], &'a [f64]),
-        attitude: &Attitude,
-        controls: &Controls,
-    ) -> Surroundings<'a> {
-        let RigidMotion { velocity, rate } = self.motion(state);
-        let wind = attitude.body_from_inertial * self.air_motion(controls);
-        Surroundings {
-            air_velocity: velocity - wind,
-            rate,
-            air_transport: rate.cross(&wind) - attitude.body_from_inertial * controls.wind_rate,
-            q,
-            q_dot,
-            density: Air::at(self.altitude(state)).density,
-            inflow: &self.inflow,
-            deformed_arms: self.terms.deformed_forcing,
-            freedom: self.freedom,
-        }
     }
 }

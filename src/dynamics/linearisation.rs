@@ -25,6 +25,9 @@ const STEP: f64 = 1e-3;
 /// The height over which the air changes noticeably, m.
 const ATMOSPHERIC_HEIGHT: f64 = 1e3;
 
+/// Airspeed that velocities are measured by at least, m/s: a wind tunnel may be off.
+const SLOWEST: f64 = 1.0;
+
 /// Relative size at which the eigensolver drops a subdiagonal entry, and larger ones where it does not come to an
 /// end: where many strips are alike, nalgebra's iteration does not at the machine's rounding (2.2e-16).
 const DEFLATIONS: [f64; 4] = [1e-13, 1e-12, 1e-11, 1e-10];
@@ -96,7 +99,7 @@ impl EquationsOfMotion {
     pub fn linearise(&self, trim: &Trim) -> StateMatrix {
         let controls = trim.controls(self.engine_count());
         let unknowns = self.unknowns();
-        let airspeed = self.airspeed(&trim.state, &controls);
+        let airspeed = self.airspeed(&trim.state, &controls).max(SLOWEST);
         let mut workspace = Workspace::new(self);
         let mut rates = vec![0.0; trim.state.len()];
         let mut rates_at = |unknown: Unknown, departure: f64| -> Vec<f64> {

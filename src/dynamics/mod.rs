@@ -1,6 +1,7 @@
 //! The equations of motion of the flexible aircraft at five fidelity levels, and its trim [2; physics.md §2–6].
 
 mod air_loads;
+mod around;
 mod attitude;
 mod controls;
 mod edge_on;
@@ -27,6 +28,8 @@ mod strip_sums;
 mod strips;
 mod structural_forces;
 mod trim;
+mod trim_error;
+mod trim_search;
 mod trim_tangent;
 mod workspace;
 
@@ -41,7 +44,8 @@ pub use linearisation::{EigenvaluesNotFound, StateMatrix, Unknown};
 pub use mechanics::Mechanics;
 pub(crate) use propulsion::combine;
 pub use sensors::{BodyMotion, Sensors};
-pub use trim::{Trim, TrimCondition, TrimError, TrimFailure};
+pub use trim::{Trim, TrimCondition, TrimPoint};
+pub use trim_error::{TrimError, TrimFailure};
 pub use trim_tangent::{TrimTangents, WIDTHS, slope};
 pub use workspace::Workspace;
 

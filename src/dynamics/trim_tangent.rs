@@ -11,7 +11,8 @@ use nalgebra::Vector3;
 
 use super::equations::EquationsOfMotion;
 use super::linear_solve::solve;
-use super::trim::{Search, Trim, TrimCondition};
+use super::trim::{Trim, TrimCondition};
+use super::trim_search::Search;
 
 /// Where along a change of something, in parts of it, functions are evaluated for their [`slope`].
 pub const WIDTHS: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
@@ -37,7 +38,8 @@ impl TrimTangents {
     /// At a trim that these equations have found under this condition. Allocates.
     pub fn new(equations: &EquationsOfMotion, condition: &TrimCondition, trim: &Trim) -> Self {
         let mut jacobian = vec![0.0; trim.unknowns.len() * trim.unknowns.len()];
-        Search::resume(equations.with_steady_inflow(), *condition, &trim.unknowns).jacobian(&mut jacobian);
+        let steady = equations.with_steady_inflow();
+        Search::resume(&steady, *condition, &trim.unknowns).jacobian(&mut jacobian);
         TrimTangents { trim: trim.unknowns.clone(), jacobian }
     }
 
@@ -45,9 +47,8 @@ impl TrimTangents {
     /// of second order. Allocates. `None` where J is singular.
     pub fn neighbours(&self, changed: &[(EquationsOfMotion, TrimCondition); 4]) -> Option<[Trim; 4]> {
         let origin = &self.trim;
-        let mut searches = changed
-            .each_ref()
-            .map(|(equations, condition)| Search::resume(equations.with_steady_inflow(), *condition, origin));
+        let steady = changed.each_ref().map(|(equations, _)| equations.with_steady_inflow());
+        let mut searches: [_; 4] = from_fn(|place| Search::resume(&steady[place], changed[place].1, origin));
         let mut tangent = vec![0.0; origin.len()];
         let mut residuals = [(); 4].map(|()| vec![0.0; origin.len()]);
         let mut evaluate = |tangent: &[f64]| {

@@ -68,7 +68,7 @@ impl Workspace {
     }
 
     /// The first lifting strip that met the air backwards at the last evaluation.
-    pub fn reversed_strip(&self) -> Option<usize> {
+    pub(super) fn reversed_strip(&self) -> Option<usize> {
         self.strip_sums.reversed
     }
 }

@@ -8,9 +8,10 @@ use super::life_cycle::{Function, State};
 use super::logger::Logger;
 use super::types::Status;
 use super::{RESOURCE_FILE, guid_of, identity, resource};
+use crate::aircraft::Support;
 use crate::simulation::{Inputs, LATEST, Neighbours, Settings, Simulation, resolution};
 use crate::structure::{ReducedModel, StructureError};
-use crate::variables::{Slot, VariableTable, start_settings};
+use crate::variables::{Slot, VariableTable};
 
 /// Why a call is refused, and with which status.
 #[derive(Clone, Debug, PartialEq)]
@@ -176,7 +177,7 @@ impl Instance {
             logger,
             state: State::Instantiated,
             experiment: Experiment::default(),
-            settings: start_settings(&model),
+            settings: Settings::of(&model),
             inputs: Inputs::zero(engines),
             rates: Inputs::zero(engines),
             rate_is_new: vec![false; input_count],
@@ -267,7 +268,7 @@ impl Instance {
         let engines = self.model.engines.len();
         self.state = State::Instantiated;
         self.experiment = Experiment::default();
-        self.settings = start_settings(&self.model);
+        self.settings = Settings::of(&self.model);
         self.inputs = Inputs::zero(engines);
         self.rates = Inputs::zero(engines);
         self.rate_is_new.fill(false);
@@ -325,11 +326,10 @@ impl Instance {
     fn new_flight(&self) -> Result<Simulation, Refusal> {
         let mut flight = self.trimmed(&self.settings, &self.experiment)?;
         flight.set_inputs(&self.inputs, &self.rates);
-        let trim = flight.trim();
-        let text = format!(
-            "trimmed: pitch {} rad, elevator {} rad, thrust per engine {} N",
-            trim.pitch, trim.elevator, trim.thrust
-        );
+        let text = match self.model.support {
+            Support::Free => format!("trimmed: {}", flight.trim().describe(!self.model.engines.is_empty())),
+            Support::Clamped => "at rest in the tunnel's flow".to_owned(),
+        };
         self.logger.log(Status::Ok, &text);
         Ok(flight)
     }

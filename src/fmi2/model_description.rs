@@ -7,10 +7,10 @@ use quick_xml::events::{BytesDecl, Event};
 
 use super::logger::Category;
 use super::{MODEL_IDENTIFIER, guid};
+use crate::simulation::Settings;
 use crate::structure::ReducedModel;
 use crate::variables::{
     DisplayUnit, EnumerationType, OutputSlot, Slot, Type, Unit, Value, Variability, Variable, VariableTable,
-    start_settings,
 };
 
 /// Length of the default experiment, s: the flights of the thesis.
@@ -152,7 +152,7 @@ fn default_experiment(xml: &mut Xml, model: &ReducedModel) -> io::Result<()> {
         .with_attributes([
             ("startTime", "0"),
             ("stopTime", &STOP_TIME.to_string()),
-            ("tolerance", &start_settings(model).tolerance.to_string()),
+            ("tolerance", &Settings::of(model).tolerance.to_string()),
             ("stepSize", &STEP_SIZE.to_string()),
         ])
         .write_empty()?;

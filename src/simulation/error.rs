@@ -29,7 +29,7 @@ pub enum SimulationError {
     },
     /// The aircraft cannot be trimmed.
     #[error(transparent)]
-    Trim(#[from] TrimError),
+    Trim(#[from] Box<TrimError>),
     /// A lifting strip meets the air backwards.
     #[error(
         "at {time} s the air meets strip {strip} (on {component}) from behind: the strip theory is not valid there"

@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use nalgebra::Vector3;
 
-use crate::dynamics::{Controls, Trim};
+use crate::dynamics::{Controls, Trim, TrimPoint};
 use crate::structure::ReducedModel;
 
 use super::airframe::{Airframe, Airframes};
@@ -22,23 +22,6 @@ pub const LONGEST_STEP: f64 = 86_400.0;
 /// The inflow's linear part is taken at a reference airspeed, which follows the flight when the two differ
 /// by more than this share; the rest of the decay, 160/s for the jet, is then well inside what a step bears.
 const AIRSPEED_DRIFT: f64 = 0.1;
-
-/// The trimmed flight condition found at construction.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TrimPoint {
-    /// Pitch angle, rad.
-    pub pitch: f64,
-    /// Elevator angle, rad.
-    pub elevator: f64,
-    /// Thrust per engine, N.
-    pub thrust: f64,
-}
-
-impl From<&Trim> for TrimPoint {
-    fn from(trim: &Trim) -> Self {
-        TrimPoint { pitch: trim.pitch, elevator: trim.elevator, thrust: trim.thrust }
-    }
-}
 
 /// A state and slope of the whole aircraft while the half flies.
 #[derive(Clone, Debug)]
@@ -100,7 +83,7 @@ impl Simulation {
         Ok(Simulation {
             settings_hash: super::snapshot::settings_hash(settings),
             identity: OnceLock::new(),
-            steering: Steering::new(TrimPoint::from(&trimmed), settings, engines),
+            steering: Steering::new(trimmed.point, settings, engines),
             course: Course::new(settings.heading),
             start,
             path: Path::new(Moment::START, &trimmed.state, room),
@@ -339,7 +322,7 @@ impl Simulation {
         let (from, to) =
             ((&anchor.state[..], &anchor.slope[..]), (&mut present.state[..], &mut present.slope[..]));
         let cell_end = integrator.fly_cell(end.since(begin), anchor.substeps, from, to, &mut rates);
-        let reversed = workspace.reversed_strip();
+        let reversed = equations.reversed_strip(&present.state, controls, workspace);
         match cell_end {
             CellEnd::Accepted { next } => {
                 (present.time, present.substeps, present.slope_is_fresh) = (end, next, true);

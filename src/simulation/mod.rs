@@ -18,9 +18,9 @@ mod snapshot;
 mod spectrum;
 mod steering;
 
-pub use crate::dynamics::Fidelity;
+pub use crate::dynamics::{Fidelity, TrimPoint};
 pub use error::SimulationError;
-pub use flight::{LONGEST_STEP, Simulation, TrimPoint};
+pub use flight::{LONGEST_STEP, Simulation};
 pub use inputs::Inputs;
 pub use limits::{LimitExceeded, LimitedQuantity};
 pub use moment::{LATEST, resolution};

@@ -151,7 +151,7 @@ pub(super) fn write(simulation: &mut Simulation) {
 pub(super) fn air_data(equations: &EquationsOfMotion, state: &[f64], controls: &Controls) -> AirData {
     let to_body = Attitude::from_quaternion(&state[equations.layout().attitude()]).body_from_inertial;
     let velocity = equations.motion(state).velocity - to_body * equations.air_motion(controls);
-    AirData::new(&velocity, &Air::at(equations.altitude(state)))
+    AirData::new(&velocity, &equations.air(state))
 }
 
 /// (inertial acceleration − gravity)/g along x_b, y_b, −z_b; without gravity, in units of standard gravity.

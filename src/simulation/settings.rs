@@ -5,7 +5,7 @@ use std::fmt::Display;
 use nalgebra::Vector3;
 
 use crate::aerodynamics::PetersInflow;
-use crate::aircraft::{AIRSPEEDS, ALTITUDES, Support};
+use crate::aircraft::{ALTITUDES, Support};
 use crate::dynamics::{Configuration, EquationsOfMotion, Fidelity, TrimCondition};
 use crate::structure::{ModeFamily, ReducedModel, SymmetricHalf};
 
@@ -29,14 +29,17 @@ pub enum InputReference {
     Absolute,
 }
 
-/// The parameters of a flight; the defaults are those of the FMU.
+/// Modes that take part unless someone asks for another number, if the aircraft has so many.
+const USUAL_MODES: usize = 12;
+
+/// The parameters of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// Fidelity level.
     pub fidelity: Fidelity,
-    /// Trimmed airspeed, m/s, within [`AIRSPEEDS`].
+    /// Trimmed airspeed, m/s, within [`Support::airspeeds`].
     pub airspeed: f64,
-    /// Trimmed altitude, m, within [`ALTITUDES`].
+    /// Trimmed altitude, m, within [`ALTITUDES`]; of no account in a tunnel with air of its own.
     pub altitude: f64,
     /// Initial yaw angle, rad.
     pub heading: f64,
@@ -46,7 +49,8 @@ pub struct Settings {
     pub structural_damping: f64,
     /// Families of modes.
     pub mode_selection: ModeSelection,
-    /// Number of modes, 0…those packaged of the selection. `Rigid` ignores it.
+    /// Number of modes, 0…those packaged of the selection; the other one of a pair comes with the last. `Rigid`
+    /// ignores it.
     pub mode_count: usize,
     /// Peters inflow states per strip, 0…8; 0 is steady aerodynamics.
     pub inflow_states: usize,
@@ -56,32 +60,31 @@ pub struct Settings {
     pub input_reference: InputReference,
 }
 
-impl Default for Settings {
-    fn default() -> Self {
+impl Settings {
+    /// Those of the FMU of an aircraft before any parameter is set: the aircraft's own flight condition.
+    pub fn of(model: &ReducedModel) -> Self {
         Settings {
             fidelity: Fidelity::Exact,
-            airspeed: 127.0,
-            altitude: 7620.0,
+            airspeed: model.airspeed,
+            altitude: model.altitude,
             heading: 0.0,
             stiffness_scale: 1.0,
             structural_damping: 0.0,
             mode_selection: ModeSelection::All,
-            mode_count: 12,
-            inflow_states: 5,
+            mode_count: USUAL_MODES.min(model.modes.len()),
+            inflow_states: model.inflow_states,
             tolerance: 1e-5,
             input_reference: InputReference::Trim,
         }
     }
-}
 
-impl Settings {
     /// Checks every setting against its range and against the model, and chooses the modes: ascending
     /// indices of the packaged modes that take part.
     ///
     /// # Errors
     /// Names the first setting that is out of range.
     pub fn choose_modes(&self, model: &ReducedModel) -> Result<Vec<usize>, SimulationError> {
-        self.check_ranges()?;
+        self.check_ranges(model.support)?;
         if self.fidelity == Fidelity::Rigid {
             return Ok(Vec::new());
         }
@@ -99,7 +102,9 @@ impl Settings {
             let allowed = format!("0 to {} modes of the chosen family, as packaged", candidates.len());
             return refuse("mode_count", self.mode_count, &allowed);
         }
-        Ok(candidates.into_iter().take(self.mode_count).collect())
+        let others = &candidates[self.mode_count..];
+        let pairs = others.iter().take_while(|&&mode| model.modes[mode].completes_a_pair).count();
+        Ok(candidates.into_iter().take(self.mode_count + pairs).collect())
     }
 
     /// The equations of motion of a model under these settings.
@@ -152,13 +157,15 @@ impl Settings {
         }
     }
 
-    fn check_ranges(&self) -> Result<(), SimulationError> {
-        let within = |setting, value: f64, inside: bool, allowed| {
+    fn check_ranges(&self, support: Support) -> Result<(), SimulationError> {
+        let within = |setting, value: f64, inside: bool, allowed: &str| {
             if value.is_finite() && inside { Ok(()) } else { refuse(setting, value, allowed) }
         };
         let Settings { airspeed, altitude, heading, stiffness_scale, structural_damping, tolerance, .. } =
             *self;
-        within("airspeed", airspeed, AIRSPEEDS.contains(&airspeed), "1 to 400 (m/s)")?;
+        let airspeeds = support.airspeeds();
+        let allowed = format!("{} to {} (m/s)", airspeeds.start(), airspeeds.end());
+        within("airspeed", airspeed, airspeeds.contains(&airspeed), &allowed)?;
         within("altitude", altitude, ALTITUDES.contains(&altitude), "-1000 to 20000 (m)")?;
         within("heading", heading, true, "a finite number (rad)")?;
         within("stiffness_scale", stiffness_scale, stiffness_scale > 0.0, "a finite number > 0")?;

@@ -175,10 +175,11 @@ impl Simulation {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::variables::tests::jet;
 
     #[test]
     fn the_identity_of_a_snapshot_depends_on_every_setting_and_on_no_name() {
-        let settings = Settings::default();
+        let settings = Settings::of(jet());
         let change = |change: fn(&mut Settings)| {
             let mut changed = settings.clone();
             change(&mut changed);

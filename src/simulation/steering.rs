@@ -2,11 +2,11 @@
 
 use nalgebra::Vector3;
 
-use crate::dynamics::Controls;
+use crate::dynamics::{Controls, TrimPoint};
 
 use super::course::{Course, ROUNDING};
 use super::moment::Moment;
-use super::{InputReference, Inputs, Settings, TrimPoint};
+use super::{InputReference, Inputs, Settings};
 
 /// What acts on the aircraft from the last setting of the inputs on.
 #[derive(Clone, Debug)]
@@ -61,10 +61,10 @@ impl Steering {
     /// engine.
     pub fn is_symmetric(&self, images: &[usize]) -> bool {
         let Steering { inputs, rates, .. } = self;
-        let (_, trimmed) = self.reference_values();
+        let TrimPoint { aileron, rudder, thrust: trimmed, .. } = self.reference_values();
         let are_alike = |a: f64, b: f64| (a - b).abs() <= ROUNDING * a.abs().max(b.abs());
         let mut engines = images.iter().enumerate();
-        inputs.aileron.abs().max(inputs.rudder.abs()) <= ROUNDING
+        (aileron + inputs.aileron).abs().max((rudder + inputs.rudder).abs()) <= ROUNDING
             && (rates.aileron, rates.rudder) == (0.0, 0.0)
             && self.winds().into_iter().all(|wind| wind.y == 0.0)
             && engines.all(|(engine, &image)| {
@@ -82,11 +82,11 @@ impl Steering {
         [wind, given + input, change]
     }
 
-    /// Elevator angle (rad) and thrust per engine (N), to which the inputs add.
-    fn reference_values(&self) -> (f64, f64) {
+    /// To which the inputs add.
+    fn reference_values(&self) -> TrimPoint {
         match self.reference {
-            InputReference::Trim => (self.trim.elevator, self.trim.thrust),
-            InputReference::Absolute => (0.0, 0.0),
+            InputReference::Trim => self.trim,
+            InputReference::Absolute => TrimPoint::default(),
         }
     }
 
@@ -98,11 +98,11 @@ impl Steering {
     /// The absolute controls a time (s) after the inputs were set.
     pub fn write_after(&self, elapsed: f64, controls: &mut Controls) {
         let Steering { inputs, rates, .. } = self;
-        let (elevator, thrust) = self.reference_values();
+        let TrimPoint { elevator, aileron, rudder, thrust, .. } = self.reference_values();
         controls.elevator = elevator + inputs.elevator + elapsed * rates.elevator;
-        controls.aileron = inputs.aileron + elapsed * rates.aileron;
+        controls.aileron = aileron + inputs.aileron + elapsed * rates.aileron;
         controls.aileron_symmetric = inputs.aileron_symmetric + elapsed * rates.aileron_symmetric;
-        controls.rudder = inputs.rudder + elapsed * rates.rudder;
+        controls.rudder = rudder + inputs.rudder + elapsed * rates.rudder;
         for ((acting, input), rate) in controls.thrust.iter_mut().zip(&inputs.thrust).zip(&rates.thrust) {
             *acting = thrust + input + elapsed * rate;
         }

@@ -15,7 +15,7 @@ fn flight(settings: &Settings) -> Simulation {
 /// What is flown depends on the time since the inputs were set, not on the time since the start: here a year.
 #[test]
 fn a_flight_goes_on_after_a_year_with_the_bits_of_its_first_second() {
-    let [mut young, mut old] = [(); 2].map(|()| flight(&Settings::default()));
+    let [mut young, mut old] = [(); 2].map(|()| flight(&Settings::of(jet())));
     let year = 3.2e7;
     let now = Moment::after_start(year, 0.0);
     old.path.stand([(now, 1), (now, 1)]);
@@ -40,7 +40,7 @@ fn wind_ahead(heading: f64) -> Vector3<f64> {
 #[test]
 fn wind_along_the_heading_leaves_half_the_aircraft_flying_whatever_the_heading() {
     let north = {
-        let mut north = flight(&Settings::default());
+        let mut north = flight(&Settings::of(jet()));
         north.set_inputs(&Inputs { wind: wind_ahead(0.0), ..Inputs::zero(2) }, &Inputs::zero(2));
         north.advance_to(0.2).unwrap();
         north.outputs().clone()
@@ -48,7 +48,7 @@ fn wind_along_the_heading_leaves_half_the_aircraft_flying_whatever_the_heading()
     for degrees in (0..360).step_by(30) {
         let heading = f64::from(degrees).to_radians();
         let wind = wind_ahead(heading);
-        let mut flight = flight(&Settings { heading, ..Settings::default() });
+        let mut flight = flight(&Settings { heading, ..Settings::of(jet()) });
         let at_rest = Inputs::zero(2);
         flight.set_inputs(&Inputs { wind, ..at_rest.clone() }, &at_rest);
         flight.advance_to(0.2).unwrap();
@@ -72,7 +72,7 @@ fn wind_along_the_heading_leaves_half_the_aircraft_flying_whatever_the_heading()
 #[test]
 fn thrusts_and_surfaces_that_differ_by_rounding_leave_half_the_aircraft_flying() {
     for input_reference in [InputReference::Trim, InputReference::Absolute] {
-        let settings = Settings { input_reference, ..Settings::default() };
+        let settings = Settings { input_reference, ..Settings::of(jet()) };
         let mut flight = flight(&settings);
         let trim = *flight.trim();
         let absolute = match input_reference {

@@ -4,7 +4,7 @@
 //! 128-bit XXH3 hash, the payload (postcard).
 
 use crate::aerodynamics::PetersInflow;
-use crate::aircraft::{AIRSPEEDS, ALTITUDES};
+use crate::aircraft::ALTITUDES;
 use crate::sealed::hash;
 
 use super::{ModeShapes, ReducedModel, StructureError};
@@ -70,8 +70,10 @@ impl ReducedModel {
         let positive = |x: f64| x.is_finite() && x > 0.0;
         positive(self.integrals.mass)
             && self.gravity.is_finite()
-            && AIRSPEEDS.contains(&self.airspeed)
+            && self.support.airspeeds().contains(&self.airspeed)
             && ALTITUDES.contains(&self.altitude)
+            && self.tunnel_air.is_none_or(|air| positive(air.density) && positive(air.temperature))
+            && self.mount.iter().all(|angle| angle.is_finite())
             && self.inflow_states <= PetersInflow::MAX_STATES
             && self.strips.iter().all(|strip| {
                 positive(strip.semichord)

@@ -45,10 +45,12 @@ pub enum Counterpart {
 }
 
 impl SymmetricHalf {
-    /// The half of an aircraft; `None` when it has no mirror plane.
+    /// The half of an aircraft; `None` when it has no mirror plane, or when gravity or the tunnel's flow is not in it.
     pub fn find(whole: &ReducedModel) -> Option<Self> {
         let unsymmetric = |family| family == ModeFamily::Unsymmetric;
-        if whole.modes.iter().any(|mode| unsymmetric(mode.family)) || !mass_is_symmetric(whole) {
+        let is_upright = (whole.mount.x, whole.mount.z) == (0.0, 0.0);
+        if whole.modes.iter().any(|mode| unsymmetric(mode.family)) || !mass_is_symmetric(whole) || !is_upright
+        {
             return None;
         }
         let symmetric = |&mode: &usize| whole.modes[mode].family == ModeFamily::Symmetric;

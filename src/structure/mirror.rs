@@ -20,7 +20,7 @@ pub struct Mirror {
 const SYMMETRIC: f64 = 1e-9;
 
 /// How translations (x, y, z) and rotations (x, y, z) of a node reflect.
-const SIGN: [f64; 6] = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
+pub(super) const SIGN: [f64; 6] = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
 
 impl Mirror {
     /// The mirror of an aircraft, `None` when its nodes, stiffness or mass have no mirror plane y = 0.

@@ -10,6 +10,7 @@ mod mirror;
 mod modal_integrals;
 mod mode_count;
 mod modes;
+mod pairs;
 mod particles;
 mod reduced;
 mod strain_energy;

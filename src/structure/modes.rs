@@ -7,6 +7,7 @@ use crate::aircraft::ModeBasis;
 use super::assembly::Structure;
 use super::mirror::{self, Mirror};
 use super::mode_count::{ModeCount, ModeKind};
+use super::pairs::Pairs;
 use super::{Mode, ModeFamily, StructureError};
 
 /// Frequencies closer than this (relative) count as equal: symmetric before antisymmetric.
@@ -25,7 +26,7 @@ pub struct ModalBasis {
 }
 
 impl ModalBasis {
-    /// The lowest modes of all families together.
+    /// The lowest modes of all families together; more where they would cut a pair in half.
     ///
     /// # Errors
     /// As [`with`](Self::with).
@@ -41,18 +42,23 @@ impl ModalBasis {
         let stiffness = structure.stiffness(structure.aircraft.mode_basis == ModeBasis::BendingTorsion);
         let mass = structure.mass();
         // Axially rigid beams would hide a difference in bending.
-        let modes = match Mirror::find(structure.aircraft, &structure.stiffness(false), &mass) {
+        let (mut modes, pairs) = match Mirror::find(structure.aircraft, &structure.stiffness(false), &mass) {
             Some(mirror) => {
                 let family_modes = |family| family_modes(&stiffness, &mass, &mirror.subspace(family), family);
-                merge(family_modes(ModeFamily::Symmetric)?, family_modes(ModeFamily::Antisymmetric)?)
+                (merge(family_modes(ModeFamily::Symmetric)?, family_modes(ModeFamily::Antisymmetric)?), None)
             }
             None => {
                 let whole = mirror::whole_space(structure.unknowns());
-                family_modes(&stiffness, &mass, &whole, ModeFamily::Unsymmetric)?
+                let modes = family_modes(&stiffness, &mass, &whole, ModeFamily::Unsymmetric)?;
+                (modes, Some(Pairs::new(structure.aircraft, &mass)))
             }
         };
         let count = count.lowest(kind, modes.iter().map(|(mode, _)| mode.family))?;
-        let (modes, shapes): (Vec<_>, Vec<_>) = modes.into_iter().take(count).unzip();
+        if let Some(pairs) = pairs {
+            pairs.mark(&mut modes, count);
+        }
+        let completed = modes[count..].iter().take_while(|(mode, _)| mode.completes_a_pair).count();
+        let (modes, shapes): (Vec<_>, Vec<_>) = modes.into_iter().take(count + completed).unzip();
         let shapes = if shapes.is_empty() {
             DMatrix::zeros(structure.unknowns(), 0)
         } else {
@@ -94,7 +100,7 @@ fn family_modes(
         lower.tr_solve_lower_triangular_mut(&mut shape);
         let mut shape = mirror::expand(shape.as_slice(), basis, mass.nrows());
         fix_sign(&mut shape);
-        modes.push((Mode { family, angular_frequency }, shape));
+        modes.push((Mode { family, angular_frequency, completes_a_pair: false }, shape));
     }
     Ok(modes)
 }

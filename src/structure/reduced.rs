@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Vector3};
 use serde::{Deserialize, Serialize};
 
-use crate::aircraft::{Aircraft, Flap, Limits, Support};
+use crate::aircraft::{Aircraft, Flap, Limits, Support, TunnelAir};
 
 use super::assembly::Structure;
 use super::mode_count::{MOST_MODES, ModeCount, ModeKind};
@@ -27,6 +27,8 @@ pub struct Mode {
     pub family: ModeFamily,
     /// ω at nominal stiffness, rad/s.
     pub angular_frequency: f64,
+    /// Whether it belongs to lower modes: a basis that ends right before it has one of a pair and not the other.
+    pub completes_a_pair: bool,
 }
 
 /// Mode shapes at one point of the structure, row-major 3 × n each.
@@ -55,6 +57,10 @@ pub struct ReducedModel {
     pub altitude: f64,
     /// What its trims should stay within.
     pub limits: Limits,
+    /// The air around a clamped aircraft; `None`: that of the standard atmosphere.
+    pub tunnel_air: Option<TunnelAir>,
+    /// Roll, pitch and yaw of a clamped aircraft in the tunnel, rad.
+    pub mount: Vector3<f64>,
     /// Lowest frequency first.
     pub modes: Vec<Mode>,
     /// Integrals over the mass.
@@ -147,7 +153,8 @@ impl ReducedModel {
     /// The most modes that a model can have.
     pub const MOST_MODES: usize = MOST_MODES;
 
-    /// Reduces an aircraft to its lowest modes of all families together; a plain number is one that is asked for.
+    /// Reduces an aircraft to its lowest modes of all families together, and to those that they make pairs with; a plain
+    /// number is one that is asked for.
     ///
     /// # Errors
     /// When there are no such modes, too many are asked for, or the numbers overflow.
@@ -170,6 +177,8 @@ impl ReducedModel {
             airspeed: aircraft.airspeed,
             altitude: aircraft.altitude,
             limits: aircraft.limits,
+            tunnel_air: aircraft.tunnel_air,
+            mount: aircraft.mount,
             integrals: ModalIntegrals::new(&structure, &basis.shapes),
             strain_energy: StrainEnergy::new(&structure, &basis.shapes),
             strips: reduced_strips(&structure, &basis.shapes),

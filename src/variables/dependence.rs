@@ -26,7 +26,6 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot) -> bool {
         OutputSlot::Position(Axis::Z) => parameter == Altitude,
         OutputSlot::Attitude(Axis::Z) => parameter == Heading,
         OutputSlot::Position(_)
-        | OutputSlot::Attitude(Axis::X)
         | OutputSlot::Rate(_)
         | OutputSlot::StationRate { .. }
         | OutputSlot::ModalRate(_) => false,
@@ -35,15 +34,22 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot) -> bool {
         }
         OutputSlot::Air(AirQuantity::Density) => parameter == Altitude,
         OutputSlot::Air(_) => parameter == Heading || trims(parameter),
-        OutputSlot::Elevator | OutputSlot::Thrust(_) => parameter == InputReference || trims(parameter),
-        OutputSlot::Aileron | OutputSlot::AileronSymmetric | OutputSlot::Rudder => false,
-        OutputSlot::Attitude(Axis::Y)
+        OutputSlot::Elevator | OutputSlot::Aileron | OutputSlot::Rudder | OutputSlot::Thrust(_) => {
+            parameter == InputReference || trims(parameter)
+        }
+        OutputSlot::AileronSymmetric => false,
+        OutputSlot::Attitude(_)
         | OutputSlot::Velocity(_)
         | OutputSlot::Deflection { .. }
         | OutputSlot::ModalCoordinate(_)
         | OutputSlot::TrimPitch
         | OutputSlot::TrimElevator
-        | OutputSlot::TrimThrust => trims(parameter),
+        | OutputSlot::TrimThrust
+        | OutputSlot::TrimClimbAngle
+        | OutputSlot::TrimRoll
+        | OutputSlot::TrimSideslip
+        | OutputSlot::TrimAileron
+        | OutputSlot::TrimRudder => trims(parameter),
     }
 }
 

@@ -13,7 +13,6 @@ pub use slot::{
     AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot,
     Value,
 };
-pub use table::start_settings;
 pub use unit::{BaseUnit, DisplayUnit, Unit};
 
 use crate::structure::ReducedModel;

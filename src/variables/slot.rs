@@ -178,6 +178,11 @@ pub enum OutputSlot {
     TrimPitch,
     TrimElevator,
     TrimThrust,
+    TrimClimbAngle,
+    TrimRoll,
+    TrimSideslip,
+    TrimAileron,
+    TrimRudder,
 }
 
 /// Where the value of a variable lives. It implies the FMI causality.
@@ -311,6 +316,11 @@ impl OutputSlot {
             OutputSlot::TrimPitch => trim.pitch,
             OutputSlot::TrimElevator => trim.elevator,
             OutputSlot::TrimThrust => trim.thrust,
+            OutputSlot::TrimClimbAngle => trim.climb_angle,
+            OutputSlot::TrimRoll => trim.roll,
+            OutputSlot::TrimSideslip => trim.sideslip,
+            OutputSlot::TrimAileron => trim.aileron,
+            OutputSlot::TrimRudder => trim.rudder,
         }
     }
 }

@@ -5,7 +5,7 @@ use super::{
     Type, Unit, Value, Variability, Variable,
 };
 use crate::aerodynamics::PetersInflow;
-use crate::aircraft::{AIRSPEEDS, ALTITUDES};
+use crate::aircraft::{ALTITUDES, Support};
 use crate::simulation::Settings;
 use crate::structure::ReducedModel;
 
@@ -56,7 +56,8 @@ fn inputs(model: &ReducedModel) -> Vec<Variable> {
 
 fn parameters(model: &ReducedModel) -> Vec<Variable> {
     use ParameterSlot as P;
-    let start = start_settings(model);
+    let start = Settings::of(model);
+    let airspeeds = model.support.airspeeds();
     let choice = |name, slot, kind: EnumerationType, text| {
         Variable { kind: Type::Enumeration(kind), ..parameter(name, slot, &start, text) }
             .between(1.0, kind.items().len() as f64)
@@ -65,7 +66,7 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
         Variable { kind: Type::Integer, ..parameter(name, slot, &start, text) }.between(0.0, max as f64)
     };
     let real = |name, slot, unit, text| Variable { unit: Some(unit), ..parameter(name, slot, &start, text) };
-    vec![
+    let rows = vec![
         choice(
             "input_reference",
             P::InputReference,
@@ -79,7 +80,7 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
             Unit::MetrePerSecond,
             "True airspeed of the trimmed flight at the start",
         )
-        .between(*AIRSPEEDS.start(), *AIRSPEEDS.end()),
+        .between(*airspeeds.start(), *airspeeds.end()),
         real("altitude", P::Altitude, Unit::Metre, "Altitude of the trimmed flight at the start")
             .between(*ALTITUDES.start(), *ALTITUDES.end())
             .nominal(10_000.0),
@@ -89,7 +90,12 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
         real("structural_damping", P::StructuralDamping, Unit::One, "Modal damping ratio of every mode")
             .at_least(0.0),
         choice("mode_family", P::ModeFamily, EnumerationType::ModeFamily, "Families of modes that take part"),
-        count("mode_count", P::ModeCount, model.modes.len(), "Number of modes that take part, lowest first"),
+        count(
+            "mode_count",
+            P::ModeCount,
+            model.modes.len(),
+            "Number of modes that take part, lowest first; of mirrored pairs both do",
+        ),
         count(
             "inflow_states",
             P::InflowStates,
@@ -98,20 +104,9 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
         ),
         real("tolerance", P::Tolerance, Unit::One, "Relative tolerance of the internal integrator")
             .between(1e-12, 0.1),
-    ]
-}
-
-/// The settings before any parameter is set: those of the FMU, as far as this aircraft has modes, at the
-/// aircraft's own flight condition.
-pub fn start_settings(model: &ReducedModel) -> Settings {
-    let settings = Settings::default();
-    Settings {
-        mode_count: settings.mode_count.min(model.modes.len()),
-        inflow_states: model.inflow_states,
-        airspeed: model.airspeed,
-        altitude: model.altitude,
-        ..settings
-    }
+    ];
+    let has_altitude = model.tunnel_air.is_none();
+    rows.into_iter().filter(|row| has_altitude || row.slot != Slot::Parameter(P::Altitude)).collect()
 }
 
 fn motion() -> Vec<Variable> {
@@ -256,10 +251,19 @@ fn controls_and_trim(model: &ReducedModel) -> Vec<Variable> {
         let name = format!("engine.{}.thrust", engine.name);
         rows.push(output(name, Unit::Newton, OutputSlot::Thrust(i), text).nominal(10_000.0));
     }
+    let glides = model.support == Support::Free && model.engines.is_empty();
     let trim = [
         ("pitch", Unit::Radian, OutputSlot::TrimPitch, "Pitch angle"),
         ("elevator", Unit::Radian, OutputSlot::TrimElevator, "Elevator deflection"),
-        ("thrust", Unit::Newton, OutputSlot::TrimThrust, "Thrust per engine"),
+        if glides {
+            ("climb_angle", Unit::Radian, OutputSlot::TrimClimbAngle, "Angle of the path above the horizon")
+        } else {
+            ("thrust", Unit::Newton, OutputSlot::TrimThrust, "Thrust per engine")
+        },
+        ("roll", Unit::Radian, OutputSlot::TrimRoll, "Bank angle"),
+        ("beta", Unit::Radian, OutputSlot::TrimSideslip, "Sideslip angle"),
+        ("aileron", Unit::Radian, OutputSlot::TrimAileron, "Aileron deflection"),
+        ("rudder", Unit::Radian, OutputSlot::TrimRudder, "Rudder deflection"),
     ];
     for (name, unit, slot, text) in trim {
         let text = format!("{text} of the trim found at initialisation");

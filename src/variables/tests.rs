@@ -38,7 +38,7 @@ fn the_jet_has_exactly_the_variables_of_the_contract() {
         "velocity.x velocity.y velocity.z rate.x rate.y rate.z acceleration.x acceleration.y acceleration.z",
         "load_factor.x load_factor.y load_factor.z air.speed air.alpha air.beta air.mach air.density",
         "air.dynamic_pressure surface.elevator surface.aileron surface.rudder engine.left.thrust",
-        "engine.right.thrust trim.pitch trim.elevator trim.thrust",
+        "engine.right.thrust trim.pitch trim.elevator trim.thrust trim.roll trim.beta trim.aileron trim.rudder",
     ]
     .iter()
     .flat_map(|line| line.split(' ').map(str::to_owned))
@@ -93,8 +93,16 @@ fn airspeed_and_altitude_start_where_the_aircraft_file_says() {
 }
 
 #[test]
+fn settings_start_from_the_aircrafts_own_flight_condition() {
+    let model =
+        ReducedModel { airspeed: 35.0, altitude: 1000.0, inflow_states: 3, ..jet().select(&[0, 1, 2]) };
+    let Settings { airspeed, altitude, inflow_states, mode_count, .. } = Settings::of(&model);
+    assert_eq!((airspeed, altitude, inflow_states, mode_count), (35.0, 1000.0, 3, 3));
+}
+
+#[test]
 fn every_parameter_reads_back_what_was_set() {
-    let mut settings = Settings::default();
+    let mut settings = Settings::of(jet());
     for (_, variable) in table().iter() {
         let Slot::Parameter(slot) = variable.slot else { continue };
         let value = match variable.kind {

@@ -154,11 +154,51 @@ fn duplicate_engine() {
 }
 
 #[test]
-fn no_engine_on_a_free_aircraft() {
+fn a_tunnels_air_and_mount_around_a_free_aircraft() {
     assert_messages(
-        &[("[[engine]]\nname = \"only\"\ncomponent = \"fuselage\"\nat_m = 0\ndirection = [1, 0, 0]\n", "")],
+        &[("symmetric = true", "density_kg_m3 = 1.1\nmount_attitude_deg = [90, 0, 0]")],
         &[
-            "small.toml:4:11: support: found \"free\" and no engine; at least one [[engine]], or support = \"clamped\", is allowed",
+            "small.toml:7:17: density_kg_m3: found it with support = \"free\"; support = \"clamped\" is allowed with it",
+            "small.toml:8:22: mount_attitude_deg: found it with support = \"free\"; support = \"clamped\" is allowed with it",
+        ],
+    );
+}
+
+#[test]
+fn density_and_altitude_together() {
+    assert_messages(
+        &[("\"free\"", "\"clamped\""), ("symmetric = true", "density_kg_m3 = 1.1\naltitude_m = 0")],
+        &[
+            "small.toml:8:14: altitude_m: found \"altitude_m\" and \"density_kg_m3\"; one of the two is allowed",
+        ],
+    );
+}
+
+#[test]
+fn temperature_without_density() {
+    assert_messages(
+        &[("\"free\"", "\"clamped\""), ("symmetric = true", "temperature_K = 300")],
+        &[
+            "small.toml:7:17: temperature_K: found a temperature without density_kg_m3; both together are allowed; at an altitude_m the air has that of the standard atmosphere",
+        ],
+    );
+}
+
+#[test]
+fn densities_temperatures_and_attitudes_that_no_tunnel_has() {
+    assert_messages(
+        &[
+            ("\"free\"", "\"clamped\""),
+            (
+                "symmetric = true",
+                "density_kg_m3 = 0\ntemperature_K = -20\nmount_attitude_deg = [0, 90, 0]\nairspeed_m_s = -1",
+            ),
+        ],
+        &[
+            "small.toml:7:17: density_kg_m3: found 0; a density in kg/m³ from 1e-9 to 1e5 is allowed",
+            "small.toml:8:17: temperature_K: found -20; a temperature in K from 1 to 2000 is allowed",
+            "small.toml:9:22: mount_attitude_deg: found a pitch of 90; a pitch in degrees from -89 to 89 is allowed",
+            "small.toml:10:16: airspeed_m_s: found -1; an airspeed in m/s from 0 to 400 is allowed",
         ],
     );
 }

@@ -65,7 +65,7 @@ fn a_wing_of_two_surfaces_bends_as_a_wing_of_one() {
     let bent = |surfaces: &str| {
         let clamped = [FIVE, (SURFACE, surfaces), ("\"free\"", "\"clamped\"")];
         let model = ReducedModel::new(&edited(&clamped).unwrap(), 8).unwrap();
-        let settings = Settings { airspeed: 60.0, altitude: 0.0, mode_count: 8, ..Settings::default() };
+        let settings = Settings { airspeed: 60.0, altitude: 0.0, mode_count: 8, ..Settings::of(&model) };
         let mut flight = Simulation::new(Arc::new(model), &settings, 0.0).unwrap();
         flight.outputs().deflections[0].displacement.z
     };

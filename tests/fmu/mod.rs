@@ -66,7 +66,8 @@ fn inputs_at(time: f64) -> Inputs {
 fn fmu_and_rust_library_give_the_same_bits() {
     let aircraft = Aircraft::read(&jet_file()).unwrap();
     let model = Arc::new(ReducedModel::new(&aircraft, MODE_COUNT).unwrap());
-    let mut flight = Simulation::new(model, &Settings::default(), 0.0).unwrap();
+    let settings = Settings::of(&model);
+    let mut flight = Simulation::new(model, &settings, 0.0).unwrap();
 
     let (fmu, _folder) = fmu();
     let mut names: Vec<String> = ["elevator", "aileron", "rudder"].map(String::from).to_vec();

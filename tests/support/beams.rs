@@ -72,6 +72,8 @@ impl Cantilever {
             airspeed: 127.0,
             altitude: 7620.0,
             limits: Limits::default(),
+            tunnel_air: None,
+            mount: Vector3::zeros(),
             nodes: (0..=elements).map(|i| self.axis * (i as f64 * step)).collect(),
             beams: (0..elements).map(beam).collect(),
             bays: (0..elements).flat_map(|i| self.lumps.iter().map(move |lump| (i, lump))).map(bay).collect(),

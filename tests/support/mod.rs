@@ -34,7 +34,7 @@ pub fn up(outputs: &Outputs, name: &str) -> f64 {
 
 /// Longitudinal cases use the eight lowest symmetric modes (physics.md §1, fourth trap).
 pub fn eight_symmetric() -> Settings {
-    Settings { mode_selection: ModeSelection::Symmetric, mode_count: 8, ..Settings::default() }
+    Settings { mode_selection: ModeSelection::Symmetric, mode_count: 8, ..Settings::of(&jet()) }
 }
 
 /// The 2-3-1-1 of physics.md §7 at a time, before its filter: 0.05 rad, unit 0.7 s, from 1 s, nose-up first.

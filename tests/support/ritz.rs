@@ -58,9 +58,10 @@ pub fn ritz_modes(structure: &Structure, trial: &DMatrix<f64>) -> (Vec<Mode>, DM
         .collect();
     let normal = DMatrix::from_columns(&columns);
     let eigen = SymmetricEigen::new(normal.transpose() * structure.stiffness(false) * &normal);
-    let modes = eigen
-        .eigenvalues
-        .iter()
-        .map(|square| Mode { family: ModeFamily::Unsymmetric, angular_frequency: libm::sqrt(*square) });
+    let modes = eigen.eigenvalues.iter().map(|square| Mode {
+        family: ModeFamily::Unsymmetric,
+        angular_frequency: libm::sqrt(*square),
+        completes_a_pair: false,
+    });
     (modes.collect(), normal * eigen.eigenvectors)
 }

@@ -110,6 +110,8 @@ fn model(strip: ReducedStrip) -> ReducedModel {
         airspeed: 127.0,
         altitude: 7620.0,
         limits: Limits::default(),
+        tunnel_air: None,
+        mount: Vector3::zeros(),
         modes: Vec::new(),
         integrals: ModalIntegrals {
             mass: 0.0,

@@ -36,17 +36,7 @@ fn coincident_nodes_leave_the_mirror_plane() {
 }
 
 fn settings(model: &ReducedModel, mode_selection: ModeSelection, mode_count: usize) -> Settings {
-    let Settings { inflow_states, .. } = Settings::default();
-    let (airspeed, altitude) = (model.airspeed, model.altitude);
-    Settings {
-        airspeed,
-        altitude,
-        inflow_states,
-        mode_selection,
-        mode_count,
-        tolerance: 1e-8,
-        ..Settings::default()
-    }
+    Settings { mode_selection, mode_count, tolerance: 1e-8, ..Settings::of(model) }
 }
 
 #[test]

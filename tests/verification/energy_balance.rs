@@ -84,8 +84,8 @@ fn balance(fidelity: Fidelity) -> (f64, f64) {
         let wave = libm::sin(std::f64::consts::TAU * 0.5 * time);
         let mut controls = Controls::neutral(2);
         (controls.elevator, controls.aileron, controls.rudder) =
-            (trim.elevator - 0.05 * wave, 0.03 * wave, 0.02 * wave);
-        controls.thrust.fill(trim.thrust * (1.0 + 0.3 * wave));
+            (trim.point.elevator - 0.05 * wave, 0.03 * wave, 0.02 * wave);
+        controls.thrust.fill(trim.point.thrust * (1.0 + 0.3 * wave));
         let mut rates = vec![0.0; state.len()];
         // The last entry is the work.
         let aircraft = &state.as_slice()[..state.len() - 1];

@@ -5,7 +5,7 @@ use nalgebra::Complex;
 
 use super::record::Record;
 use crate::support::linearised::{eigenvalue_near, state_matrix};
-use crate::support::{eight_symmetric, fly, two_three_one_one, up};
+use crate::support::{eight_symmetric, fly, jet, two_three_one_one, up};
 
 const FLEXIBLE: [Fidelity; 4] = [
     Fidelity::Exact,
@@ -24,7 +24,7 @@ fn differences_to_rigid(fidelity: Fidelity, mode_count: usize, seconds: f64) -> 
     let flight = |fidelity, stiffness_scale| {
         // The integrator's errors are to be far below what is compared.
         let tolerance = 1e-8;
-        let settings = Settings { fidelity, stiffness_scale, mode_count, tolerance, ..Settings::default() };
+        let settings = Settings { fidelity, stiffness_scale, mode_count, tolerance, ..Settings::of(&jet()) };
         fly(&settings, seconds, |_| -0.05, elevator)
     };
     let (rigid, flexible) = (flight(Fidelity::Rigid, 1.0), flight(fidelity, 1e6));

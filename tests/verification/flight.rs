@@ -9,7 +9,7 @@ use crate::support::{doublet, fly, jet, two_three_one_one, up};
 #[test]
 fn a_mirrored_rudder_gives_the_mirrored_flight() {
     let flight = |sign: f64| {
-        let settings = Settings { stiffness_scale: 0.1, ..Settings::default() };
+        let settings = Settings { stiffness_scale: 0.1, ..Settings::of(&jet()) };
         fly(&settings, 8.0, doublet, |inputs, angle| inputs.rudder = sign * angle)
     };
     let mut largest = [0.0_f64; 5];
@@ -41,7 +41,7 @@ fn a_mirrored_rudder_gives_the_mirrored_flight() {
 
 #[test]
 fn both_ailerons_down_bend_both_wings_up_alike() {
-    let settings = Settings::default();
+    let settings = Settings::of(&jet());
     let neutral = Simulation::new(jet(), &settings, 0.0).unwrap().outputs().clone();
     let lifted = fly(&settings, 0.5, |_| 0.05, |inputs, angle| inputs.aileron_symmetric = angle);
     let last = lifted.last().unwrap();
@@ -55,7 +55,7 @@ fn both_ailerons_down_bend_both_wings_up_alike() {
 
 #[test]
 fn a_rudder_to_the_right_yaws_and_an_aileron_to_the_right_rolls_right() {
-    let settings = Settings::default();
+    let settings = Settings::of(&jet());
     let yawed = fly(&settings, 2.0, |_| 0.02, |inputs, angle| inputs.rudder = angle);
     assert!(yawed[199].attitude.z > 1e-3, "{:?}", yawed[199].attitude);
     let rolled = fly(&settings, 2.0, |_| 0.02, |inputs, angle| inputs.aileron = angle);
@@ -72,7 +72,7 @@ fn without_input_every_level_stays_trimmed_for_a_minute() {
         "steady level flight is a solution",
     );
     for fidelity in Fidelity::ALL {
-        let settings = Settings { fidelity, ..Settings::default() };
+        let settings = Settings { fidelity, ..Settings::of(&jet()) };
         let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
         let pitch = flight.trim().pitch;
         flight.advance_to(60.0).unwrap();
@@ -87,7 +87,7 @@ fn without_input_every_level_stays_trimmed_for_a_minute() {
 
 #[test]
 fn absolute_inputs_at_the_trim_values_are_the_trimmed_flight() {
-    let settings = Settings { input_reference: InputReference::Absolute, ..Settings::default() };
+    let settings = Settings { input_reference: InputReference::Absolute, ..Settings::of(&jet()) };
     let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
     let trim = *flight.trim();
     let mut inputs = Inputs::zero(2);
@@ -100,8 +100,8 @@ fn absolute_inputs_at_the_trim_values_are_the_trimmed_flight() {
 
 #[test]
 fn the_heading_only_turns_the_flight() {
-    let north = fly(&Settings::default(), 4.0, two_three_one_one, |inputs, angle| inputs.elevator = angle);
-    let settings = Settings { heading: 2.0, ..Settings::default() };
+    let north = fly(&Settings::of(&jet()), 4.0, two_three_one_one, |inputs, angle| inputs.elevator = angle);
+    let settings = Settings { heading: 2.0, ..Settings::of(&jet()) };
     let turned = fly(&settings, 4.0, two_three_one_one, |inputs, angle| inputs.elevator = angle);
     let (sin, cos) = libm::sincos(2.0);
     let (mut position, mut velocity) = (0.0_f64, 0.0_f64);
@@ -127,7 +127,7 @@ fn the_heading_only_turns_the_flight() {
 #[test]
 fn one_long_step_and_many_short_ones_give_the_same_bits() {
     let flight = |steps_per_centisecond: u32| {
-        let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+        let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
         let (mut inputs, rates) = (Inputs::zero(2), Inputs::zero(2));
         for centisecond in 0..300 {
             let time = f64::from(centisecond) * 0.01;
@@ -146,7 +146,7 @@ fn one_long_step_and_many_short_ones_give_the_same_bits() {
 
 #[test]
 fn a_restored_snapshot_continues_with_the_same_bits_and_damage_is_refused() {
-    let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+    let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
     let mut inputs = Inputs::zero(2);
     inputs.rudder = 0.02;
     inputs.wind = Vector3::new(1.0, 2.0, -3.0);
@@ -156,7 +156,7 @@ fn a_restored_snapshot_continues_with_the_same_bits_and_damage_is_refused() {
     flight.snapshot(&mut bytes);
     assert_eq!(bytes.len(), flight.snapshot_size());
 
-    let mut other = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+    let mut other = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
     other.restore(&bytes).unwrap();
     for flight in [&mut flight, &mut other] {
         flight.advance_to(2.5).unwrap();
@@ -171,7 +171,7 @@ fn a_restored_snapshot_continues_with_the_same_bits_and_damage_is_refused() {
     }
     assert!(other.restore(&bytes[..bytes.len() - 1]).is_err());
     let mut stiffer =
-        Simulation::new(jet(), &Settings { stiffness_scale: 2.0, ..Settings::default() }, 0.0).unwrap();
+        Simulation::new(jet(), &Settings { stiffness_scale: 2.0, ..Settings::of(&jet()) }, 0.0).unwrap();
     assert!(stiffer.restore(&bytes).unwrap_err().to_string().contains("other parameters"));
     assert_eq!(*other.outputs(), before);
 }
@@ -179,7 +179,7 @@ fn a_restored_snapshot_continues_with_the_same_bits_and_damage_is_refused() {
 #[test]
 fn a_steady_wind_carries_the_trimmed_flight_along() {
     // The wind builds up so slowly that the aircraft follows it.
-    let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+    let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
     let mut inputs = Inputs::zero(2);
     inputs.wind.z = -5.0;
     flight.set_inputs(&inputs, &Inputs::zero(2));
@@ -198,7 +198,7 @@ fn a_steady_wind_carries_the_trimmed_flight_along() {
 
 #[test]
 fn leaving_the_models_validity_is_an_error_and_leaves_the_flight_as_it_was() {
-    let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+    let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
     let mut inputs = Inputs::zero(2);
     flight.advance_to(0.5).unwrap();
     inputs.wind.x = 300.0;
@@ -241,7 +241,7 @@ fn leaving_the_models_validity_is_an_error_and_leaves_the_flight_as_it_was() {
 #[test]
 fn every_number_of_inflow_states_flies_and_they_converge() {
     let flight = |inflow_states| {
-        let settings = Settings { inflow_states, ..Settings::default() };
+        let settings = Settings { inflow_states, ..Settings::of(&jet()) };
         let history = fly(&settings, 4.0, two_three_one_one, |inputs, angle| inputs.elevator = angle);
         history.iter().map(|outputs| outputs.load_factor.z).fold(0.0, f64::max)
     };
@@ -258,7 +258,7 @@ fn every_number_of_inflow_states_flies_and_they_converge() {
 #[test]
 fn pitch_wing_tip_and_load_factor_are_as_close_as_the_tolerance_asks() {
     let flight = |tolerance| {
-        let settings = Settings { tolerance, ..Settings::default() };
+        let settings = Settings { tolerance, ..Settings::of(&jet()) };
         fly(&settings, 5.0, two_three_one_one, |inputs, angle| inputs.elevator = angle)
     };
     let tight = flight(1e-10);

@@ -25,7 +25,7 @@ fn sweep(file: &str, settings: &Settings, [from, to]: [f64; 2], points: usize) -
 }
 
 fn settings(altitude: f64, mode_count: usize, inflow_states: usize) -> Settings {
-    Settings { altitude, mode_count, inflow_states, ..Settings::default() }
+    Settings { altitude, mode_count, inflow_states, ..Settings::of(&jet()) }
 }
 
 /// The lowest onset of a kind: airspeed, m/s, and angular frequency, rad/s.

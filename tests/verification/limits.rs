@@ -16,8 +16,8 @@ fn warnings(settings: &Settings) -> Vec<(LimitedQuantity, String)> {
 /// The jet's nominal trim is within the usual limits; at 55 m/s it needs more elevator than a circle has.
 #[test]
 fn a_trim_that_nobody_could_fly_is_warned_of_and_stands() {
-    assert_eq!(warnings(&Settings::default()), []);
-    let slow = Settings { airspeed: 55.0, ..Settings::default() };
+    assert_eq!(warnings(&Settings::of(&jet())), []);
+    let slow = Settings { airspeed: 55.0, ..Settings::of(&jet()) };
     let mut flight = Simulation::new(jet(), &slow, 0.0).unwrap();
     let elevator = flight.trim().elevator;
     let expected = format!(
@@ -34,7 +34,7 @@ fn a_trim_that_nobody_could_fly_is_warned_of_and_stands() {
 #[test]
 fn mach_0_7_is_worth_a_warning() {
     let warned = |airspeed: f64| {
-        let warnings = warnings(&Settings { airspeed, mode_count: 4, ..Settings::default() });
+        let warnings = warnings(&Settings { airspeed, mode_count: 4, ..Settings::of(&jet()) });
         warnings.into_iter().any(|(quantity, text)| {
             quantity == LimitedQuantity::Mach
                 && text.starts_with("Mach number 0.7")

@@ -10,7 +10,7 @@ fn trimmed() -> (StateMatrix, f64) {
     let settings = eight_symmetric();
     let equations = settings.equations(&jet()).unwrap();
     let trim = equations.trim(&settings.trim_condition()).unwrap();
-    (equations.linearise(&trim), trim.pitch)
+    (equations.linearise(&trim), trim.point.pitch)
 }
 
 /// ∂(rate of `row`)/∂`column`.
@@ -54,7 +54,7 @@ fn longitudinal_and_lateral_motion_do_not_couple() {
 #[test]
 fn a_free_aircraft_keeps_nine_rigid_unknowns_and_a_clamped_one_none() {
     let unknowns = |model: &flexible_aircraft::structure::ReducedModel| {
-        let settings = Settings { mode_count: 4, inflow_states: 3, ..Settings::default() };
+        let settings = Settings { mode_count: 4, inflow_states: 3, ..Settings::of(model) };
         let equations = settings.equations(model).unwrap();
         equations.linearise(&equations.trim(&settings.trim_condition()).unwrap()).unknowns
     };

@@ -1,5 +1,6 @@
 //! Physics: each file holds one claim against a source that is not this program.
 
+mod asymmetry;
 mod beam;
 mod coincident_nodes;
 mod conservation;
@@ -10,6 +11,7 @@ mod fidelity_levels;
 mod flight;
 mod flutter;
 mod frequencies;
+mod gliding;
 mod inflow;
 mod limits;
 mod linearisation;

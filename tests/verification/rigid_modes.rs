@@ -15,7 +15,7 @@ fn longitudinal(equations: &EquationsOfMotion, trim: &Trim) -> DMatrix<f64> {
     let StateMatrix { unknowns, matrix } = equations.linearise(trim);
     let place = |wanted| unknowns.iter().position(|unknown| *unknown == wanted).unwrap();
     let (x, z) = (place(Unknown::Velocity(0)), place(Unknown::Velocity(2)));
-    let (sin, cos) = libm::sincos(trim.pitch);
+    let (sin, cos) = libm::sincos(trim.point.pitch);
     // How each variable moves the unknowns, and how it is read from their rates.
     let moves = [
         vec![(x, cos), (z, sin)],
@@ -64,8 +64,8 @@ fn phugoid_and_short_period_are_those_of_the_textbooks() {
 
     let gravity = jet().gravity;
     let weight = equations.integrals().mass * gravity;
-    let (sin, cos) = libm::sincos(trim.pitch);
-    let drag_over_lift = 2.0 * trim.thrust * cos / (weight - 2.0 * trim.thrust * sin);
+    let (sin, cos) = libm::sincos(trim.point.pitch);
+    let drag_over_lift = 2.0 * trim.point.thrust * cos / (weight - 2.0 * trim.point.thrust * sin);
     let lanchester = Complex::new(-gravity / SPEED * drag_over_lift, libm::sqrt(2.0) * gravity / SPEED);
     both(&mut record, "phugoid, Lanchester", lanchester, [0.15, 0.06], phugoid);
     // ISA: ρ′/ρ = −(g₀/R − 0.0065)/T.

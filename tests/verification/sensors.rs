@@ -38,7 +38,7 @@ impl Sample {
 /// Flies a manoeuvre about all axes at a tenth of the stiffness, so that wing tips move by metres; returns the
 /// outputs at five neighbouring instants.
 fn five_instants() -> Vec<Outputs> {
-    let settings = Settings { stiffness_scale: 0.1, tolerance: 1e-11, ..Settings::default() };
+    let settings = Settings { stiffness_scale: 0.1, tolerance: 1e-11, ..Settings::of(&jet()) };
     let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
     let mut inputs = Inputs::zero(2);
     (inputs.elevator, inputs.aileron, inputs.rudder) = (-0.05, 0.03, 0.02);
@@ -83,7 +83,7 @@ fn accelerometers_and_gyros_on_deformed_sections_read_what_their_paths_say() {
 
 #[test]
 fn in_level_flight_accelerometers_feel_the_weight_turned_into_their_section() {
-    let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+    let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
     let outputs = flight.outputs();
     for sensors in &outputs.sensors {
         assert!((sensors.specific_force.norm() - jet().gravity).abs() < 1e-6, "{sensors:?}");

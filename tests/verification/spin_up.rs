@@ -90,6 +90,8 @@ fn model(elements: usize) -> ReducedModel {
         airspeed: 127.0,
         altitude: 7620.0,
         limits: Limits::default(),
+        tunnel_air: None,
+        mount: Vector3::zeros(),
         modes,
         integrals: ModalIntegrals::new(&structure, &shapes),
         strain_energy: StrainEnergy::new(&structure, &shapes),

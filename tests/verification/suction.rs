@@ -109,7 +109,7 @@ fn with_the_same_zero_lift_line_any_camber_trims_at_the_same_thrust() {
 #[test]
 fn a_cambered_aircraft_without_thrust_loses_energy() {
     let model = with_camber(1.0, 3.0_f64.to_radians());
-    let mut flight = Simulation::new(model.into(), &Settings::default(), 0.0).unwrap();
+    let mut flight = Simulation::new(model.into(), &Settings::of(&jet()), 0.0).unwrap();
     let mut inputs = Inputs::zero(2);
     inputs.thrust.fill(-flight.trim().thrust);
     flight.set_inputs(&inputs, &Inputs::zero(2));
@@ -139,9 +139,9 @@ fn yaw_of_ailerons(suction: f64) -> f64 {
     };
     // The same state for every suction.
     let trimmed = EquationsOfMotion::new(&jet(), &configuration);
-    let trim = trimmed.trim(&Settings::default().trim_condition()).unwrap();
+    let trim = trimmed.trim(&Settings::of(&jet()).trim_condition()).unwrap();
     let equations = EquationsOfMotion::new(&with_camber(suction, 0.0), &configuration);
-    let (sin, cos) = libm::sincos(trim.pitch);
+    let (sin, cos) = libm::sincos(trim.point.pitch);
     let mut controls = trim.controls(2);
     let mut yaw = |aileron: f64| {
         controls.aileron = aileron;

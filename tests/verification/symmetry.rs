@@ -29,8 +29,13 @@ fn half_the_aircraft_flies_as_the_whole_one_does() {
         "the whole aircraft, kept from using its symmetry by an aileron of 1e-300 rad",
     );
     for fidelity in Fidelity::ALL {
-        let settings =
-            Settings { fidelity, stiffness_scale: 0.3, heading: 1.0, tolerance: 1e-8, ..Settings::default() };
+        let settings = Settings {
+            fidelity,
+            stiffness_scale: 0.3,
+            heading: 1.0,
+            tolerance: 1e-8,
+            ..Settings::of(&jet())
+        };
         let (half, whole) = (manoeuvre(&settings, 0.0), manoeuvre(&settings, NOTHING));
         let largest = |difference: fn(&Outputs, &Outputs) -> f64| {
             half.iter()
@@ -80,7 +85,7 @@ fn set(flight: &mut Simulation, change: impl FnOnce(&mut Inputs)) {
 #[test]
 fn whatever_acts_on_one_side_alone_makes_the_whole_aircraft_fly() {
     let flies_as_half = |change: fn(&mut Inputs)| {
-        let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+        let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
         set(&mut flight, change);
         flight.advance_to(0.02).unwrap();
         flight.is_symmetric()
@@ -98,7 +103,7 @@ fn whatever_acts_on_one_side_alone_makes_the_whole_aircraft_fly() {
 #[test]
 fn reading_what_one_side_would_do_changes_nothing_of_what_follows() {
     let flight = |looks: bool| {
-        let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+        let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
         flight.advance_to(0.015).unwrap();
         set(&mut flight, |inputs| inputs.aileron = 0.1);
         if looks {
@@ -115,7 +120,7 @@ fn reading_what_one_side_would_do_changes_nothing_of_what_follows() {
 
 #[test]
 fn the_whole_aircraft_goes_on_where_the_half_stood() {
-    let mut flight = Simulation::new(jet(), &Settings::default(), 0.0).unwrap();
+    let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
     set(&mut flight, |inputs| (inputs.elevator, inputs.wind.z) = (-0.03, -2.0));
     flight.advance_to(0.777).unwrap();
     let half = flight.outputs().clone();
@@ -135,9 +140,9 @@ fn the_whole_aircraft_goes_on_where_the_half_stood() {
 
 #[test]
 fn a_snapshot_of_the_half_brings_it_back_when_the_whole_aircraft_flies() {
-    bring_the_half_back(&Settings::default(), true);
+    bring_the_half_back(&Settings::of(&jet()), true);
     // Half and whole have as many states.
-    let settings = Settings { fidelity: Fidelity::Rigid, inflow_states: 0, ..Settings::default() };
+    let settings = Settings { fidelity: Fidelity::Rigid, inflow_states: 0, ..Settings::of(&jet()) };
     bring_the_half_back(&settings, false);
 }
 
@@ -165,7 +170,7 @@ fn bring_the_half_back(settings: &Settings, grows: bool) {
 #[test]
 fn half_of_a_clamped_aircraft_swings_as_the_whole_one_does() {
     let model = Arc::new(ReducedModel { support: Support::Clamped, ..(*jet()).clone() });
-    let settings = Settings { airspeed: 60.0, heading: 2.0, tolerance: 1e-8, ..Settings::default() };
+    let settings = Settings { airspeed: 60.0, heading: 2.0, tolerance: 1e-8, ..Settings::of(&jet()) };
     let swing = |aileron: f64| {
         let mut flight = Simulation::new(Arc::clone(&model), &settings, 0.0).unwrap();
         set(&mut flight, |inputs| (inputs.wind.z, inputs.aileron) = (-3.0, aileron));

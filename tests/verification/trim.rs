@@ -88,7 +88,7 @@ fn every_level_inflow_and_stiffness_has_a_trim_and_the_inflow_does_not_change_it
     for fidelity in Fidelity::ALL {
         for stiffness_scale in [0.1, 1.0, 10.0] {
             let trim = |inflow_states| {
-                let settings = Settings { fidelity, stiffness_scale, inflow_states, ..Settings::default() };
+                let settings = Settings { fidelity, stiffness_scale, inflow_states, ..Settings::of(&jet()) };
                 *Simulation::new(jet(), &settings, 0.0).unwrap().trim()
             };
             let steady = trim(0);
@@ -105,8 +105,12 @@ fn every_level_inflow_and_stiffness_has_a_trim_and_the_inflow_does_not_change_it
 
 #[test]
 fn a_speed_at_which_nothing_balances_is_refused_with_what_remained() {
-    let settings = Settings { airspeed: 3.0, ..Settings::default() };
+    let settings = Settings { airspeed: 3.0, ..Settings::of(&jet()) };
     let message = Simulation::new(jet(), &settings, 0.0).unwrap_err().to_string();
     assert!(message.contains("no steady level flight found at 3 m/s"), "{message}");
     assert!(message.contains("imbalance"), "{message}");
+    assert!(
+        message.contains("too slow: at 15° of incidence the wings carry 0.1 % of the weight"),
+        "{message}"
+    );
 }

@@ -40,7 +40,7 @@ pub struct EquationCosts {
 impl EquationCosts {
     /// Measures about the trim.
     pub fn measure(model: &ReducedModel) -> Result<Self, BenchError> {
-        let settings = Settings::default();
+        let settings = Settings::of(model);
         let whole = settings.equations(model)?;
         let half = settings.symmetric_equations(model)?.ok_or(BenchError::NoMirrorPlane)?;
         let narrow = whole.clone().one_strip_at_a_time();

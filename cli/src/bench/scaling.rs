@@ -44,7 +44,7 @@ impl Scaling {
     /// Measures about the trim of the standard flight.
     pub fn measure(aircraft: &Aircraft, model: &Arc<ReducedModel>) -> Result<Self, BenchError> {
         let most = Arc::new(ReducedModel::new(aircraft, ModeCount::Usual(40))?);
-        let standard = Settings::default();
+        let standard = Settings::of(model);
         let counts = [0, 4, 8, 12, 20, 30, 40].into_iter().filter(|&count| count <= most.modes.len());
         let modes = counts.map(|mode_count| {
             let settings = Settings { mode_count, ..standard.clone() };
@@ -123,7 +123,7 @@ fn with_strips_in_parts(model: &ReducedModel, parts: usize) -> ReducedModel {
 /// What a simulation takes, bytes: the growth of the process over many; `None` where the system does not tell.
 fn memory(model: &Arc<ReducedModel>) -> Result<Option<usize>, BenchError> {
     const MANY: usize = 50;
-    let standard = Settings::default();
+    let standard = Settings::of(model);
     let Some(before) = resident() else { return Ok(None) };
     let flights = (0..MANY)
         .map(|_| Simulation::new(Arc::clone(model), &standard, 0.0))

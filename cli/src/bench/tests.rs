@@ -1,10 +1,12 @@
 use std::path::Path;
 
-use flexible_aircraft::simulation::Settings;
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{Package, Platform};
 
 use super::standard_flight::{errors, fly};
+
+/// The FMU's default.
+const TOLERANCE: f64 = 1e-5;
 
 /// The jet's FMU with the library that cargo built beside this test.
 fn jet() -> (tempfile::TempDir, Fmu) {
@@ -24,11 +26,11 @@ fn jet() -> (tempfile::TempDir, Fmu) {
 fn the_standard_flight_keeps_its_tolerance_and_its_bits() {
     let (_folder, fmu) = jet();
     let exact = fly(&fmu, 1e-10, 1, |_| {}).unwrap();
-    let usual = fly(&fmu, Settings::default().tolerance, 1, |_| {}).unwrap();
+    let usual = fly(&fmu, TOLERANCE, 1, |_| {}).unwrap();
     let found = errors(&usual.history, &exact.history);
     assert!(found.iter().all(|error| *error < 1e-5 && *error > 0.0), "{found:?}");
     let mut steps = 0;
-    let in_parts = fly(&fmu, Settings::default().tolerance, 10, |_| steps += 1).unwrap();
+    let in_parts = fly(&fmu, TOLERANCE, 10, |_| steps += 1).unwrap();
     assert_eq!(steps, 15_000);
     assert_eq!(usual.history, in_parts.history);
 }

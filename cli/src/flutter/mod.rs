@@ -179,7 +179,7 @@ fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
         mode_selection: options.mode_family.selection(),
         mode_count,
         inflow_states: options.inflow_states.unwrap_or(aircraft.inflow_states),
-        ..Settings::default()
+        ..Settings::of(&model)
     };
     let progress = progress(airspeeds.len());
     let sweep = Sweep::watched(&model, &settings, &airspeeds, &|| progress.inc(1))?;
@@ -255,7 +255,8 @@ impl Modes {
 impl Analysis {
     /// kg/m³.
     fn density(&self) -> f64 {
-        Air::at(self.settings.altitude).density
+        let tunnel = self.model.tunnel_air.as_ref().map(Air::of_tunnel);
+        tunnel.unwrap_or_else(|| Air::at(self.settings.altitude)).density
     }
 }
 

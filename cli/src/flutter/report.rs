@@ -55,14 +55,15 @@ fn heading(analysis: &Analysis) -> String {
         Support::Free => "free, trimmed at each airspeed",
         Support::Clamped => "clamped in a wind tunnel",
     };
+    let altitude =
+        if model.tunnel_air.is_some() { String::new() } else { format!("{} m, ", settings.altitude) };
     format!(
-        "{}, {support}\n{level} model, stiffness × {}, {} modes, {} inflow states, {} m ({:.4} kg/m³)\n\
+        "{}, {support}\n{level} model, stiffness × {}, {} modes, {} inflow states, {altitude}{:.4} kg/m³\n\
          {} airspeeds from {from} to {to} m/s\n\n",
         model.name,
         settings.stiffness_scale,
         model.modes.len(),
         settings.inflow_states,
-        settings.altitude,
         analysis.density(),
         sweep.airspeeds.len() + sweep.skipped.len(),
     )

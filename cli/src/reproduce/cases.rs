@@ -5,6 +5,7 @@
 //! at 177.8 m/s, 1.4 × 127.
 
 use flexible_aircraft::simulation::{Fidelity, Inputs, ModeSelection, Settings};
+use flexible_aircraft::structure::ReducedModel;
 
 use crate::manoeuvre::Manoeuvre;
 
@@ -147,8 +148,8 @@ impl Flight {
         Flight { case: Case::ElevatorTenthFast, fidelity, inflow_states: 0 }
     }
 
-    /// The parameters of the simulation.
-    pub fn settings(&self) -> Settings {
+    /// The parameters of the simulation of an aircraft.
+    pub fn settings(&self, model: &ReducedModel) -> Settings {
         let (mode_count, mode_selection) = self.case.modes();
         Settings {
             fidelity: self.fidelity,
@@ -158,7 +159,7 @@ impl Flight {
             mode_selection,
             mode_count,
             inflow_states: self.inflow_states,
-            ..Settings::default()
+            ..Settings::of(model)
         }
     }
 

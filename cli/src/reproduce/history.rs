@@ -198,7 +198,7 @@ fn record(
 ) -> Result<(), SimulationError> {
     let surface = flight.case.surface();
     let manoeuvre = surface.manoeuvre();
-    let mut simulation = Simulation::new(Arc::clone(model), &flight.settings(), 0.0)?;
+    let mut simulation = Simulation::new(Arc::clone(model), &flight.settings(model), 0.0)?;
     let (mut inputs, mut rates) = (Inputs::zero(model.engines.len()), Inputs::zero(model.engines.len()));
     let steps = (duration / STEP).round() as u32;
     for step in 0..=steps {

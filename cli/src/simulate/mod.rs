@@ -10,7 +10,7 @@ use clap::Args;
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 use flexible_aircraft::simulation::{Inputs, Settings, Simulation, SimulationError};
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
-use flexible_aircraft::variables::{OutputSlot, Slot, VariableTable, start_settings};
+use flexible_aircraft::variables::{OutputSlot, Slot, VariableTable};
 
 use crate::diagnostics;
 
@@ -80,7 +80,7 @@ pub fn run(options: &SimulateOptions) -> Result<(), Error> {
     let count = ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES);
     let model = Arc::new(ReducedModel::new(&Aircraft::read(&options.aircraft)?, count)?);
     let variables = VariableTable::new(&model);
-    let mut settings = start_settings(&model);
+    let mut settings = Settings::of(&model);
     for assignment in &options.set {
         parameter::set(assignment, &variables, &mut settings)?;
     }
@@ -165,7 +165,7 @@ mod tests {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft/generic-business-jet.toml");
         let model = Arc::new(ReducedModel::new(&Aircraft::read(&path).unwrap(), 4).unwrap());
         let variables = VariableTable::new(&model);
-        let settings = Settings { mode_count: 4, ..start_settings(&model) };
+        let settings = Settings { mode_count: 4, ..Settings::of(&model) };
         let schedule = Schedule::parse(inputs, &variables).unwrap();
         let mut sink = Vec::new();
         let flown = fly(model, &settings, &schedule, &variables, &mut sink);

@@ -59,14 +59,15 @@ mod tests {
 
     use super::*;
 
-    fn variables() -> VariableTable {
+    fn variables() -> (VariableTable, Settings) {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/small-aircraft.toml");
-        VariableTable::new(&ReducedModel::new(&Aircraft::read(&path).unwrap(), 2).unwrap())
+        let model = ReducedModel::new(&Aircraft::read(&path).unwrap(), 2).unwrap();
+        (VariableTable::new(&model), Settings::of(&model))
     }
 
     #[test]
     fn numbers_and_items_become_settings() {
-        let (variables, mut settings) = (variables(), Settings::default());
+        let (variables, mut settings) = variables();
         for assignment in ["model=rigid", "stiffness_scale=0.1", "mode_count=2", "mode_family=2"] {
             set(assignment, &variables, &mut settings).unwrap();
         }
@@ -76,7 +77,7 @@ mod tests {
 
     #[test]
     fn a_wrong_assignment_is_told_what_is_allowed() {
-        let variables = variables();
+        let (variables, mut settings) = variables();
         let cases = [
             ("model", "model: found `model`, allowed is NAME=VALUE"),
             ("elevator=1", "elevator=1: found `elevator`, allowed is "),
@@ -89,7 +90,7 @@ mod tests {
             ("airspeed=NaN", "airspeed=NaN: found `NaN`, allowed is 1 to 400"),
         ];
         for (assignment, expected) in cases {
-            let mistake = set(assignment, &variables, &mut Settings::default()).unwrap_err().to_string();
+            let mistake = set(assignment, &variables, &mut settings).unwrap_err().to_string();
             assert!(mistake.starts_with(expected), "{mistake}");
         }
     }

@@ -20,7 +20,6 @@ use crate::fmi2::model_description;
 use crate::sealed::hash;
 use crate::simulation::{Inputs, Settings, Simulation};
 use crate::structure::ReducedModel;
-use crate::variables::start_settings;
 
 /// A change of a sequence of bytes.
 #[derive(Clone, Debug)]
@@ -104,7 +103,7 @@ fn each<S: Strategy>(cases: u32, strategy: S, check: impl Fn(S::Value)) {
 /// Everything that an FMU does with a model that has been accepted.
 fn fly(model: ReducedModel) {
     assert!(model_description::write(&model).contains(&guid(&model)));
-    let settings = Settings { mode_count: model.modes.len(), ..start_settings(&model) };
+    let settings = Settings { mode_count: model.modes.len(), ..Settings::of(&model) };
     let (inputs, zero) =
         (Inputs { elevator: 0.01, ..Inputs::zero(model.engines.len()) }, Inputs::zero(model.engines.len()));
     if let Ok(mut flight) = Simulation::new(Arc::new(model), &settings, 0.0) {

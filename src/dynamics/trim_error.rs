@@ -1,0 +1,120 @@
+//! Why there is no trim, for people.
+
+use std::fmt;
+
+use crate::aircraft::Support;
+
+use super::trim::TrimPoint;
+
+/// Why there is no trim.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum TrimFailure {
+    /// Newton's method ended elsewhere.
+    #[error("no steady level flight found")]
+    NotFound,
+    /// The wings do not carry the weight.
+    #[error("no steady level flight found")]
+    TooSlow {
+        /// Of the weight, at 15° of incidence.
+        share: f64,
+    },
+    /// The unknowns do not move the forces independently.
+    #[error(
+        "no steady level flight: what should balance the aircraft does not act independently (is there a wing, an elevator, an engine?)"
+    )]
+    NoAuthority,
+    /// The plane of symmetry is in balance, the rest is not, and nothing steers it.
+    #[error(
+        "no steady level flight: the aircraft is not symmetric and has neither aileron nor rudder; a side force of \
+         {side_force:.1} N, a rolling moment of {rolling:.1} N m and a yawing moment of {yawing:.1} N m about O stay unbalanced"
+    )]
+    NoLateralControl {
+        /// To the right, N.
+        side_force: f64,
+        /// About O, right wing down, N m.
+        rolling: f64,
+        /// About O, nose right, N m.
+        yawing: f64,
+    },
+    /// A clamped aircraft finds no shape at rest.
+    #[error("no deformation at rest found in the wind tunnel")]
+    NoRest,
+}
+
+/// A trim that was not found, and where the search ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrimError {
+    /// Why.
+    pub failure: TrimFailure,
+    /// m/s.
+    pub airspeed: f64,
+    /// m.
+    pub altitude: f64,
+    /// Of the air there, kg/m³.
+    pub density: f64,
+    /// Newton steps taken.
+    pub steps: usize,
+    /// Where they ended.
+    pub point: TrimPoint,
+    /// Whether it flies.
+    pub support: Support,
+    /// Whether anything drives the aircraft.
+    pub has_engines: bool,
+    /// v̇ and ω̇ that remained, m/s² and rad/s².
+    pub rigid: [f64; 6],
+    /// Largest |q̈| that remained.
+    pub modal: f64,
+}
+
+/// The components of v and ω by the names of their outputs, and what their accelerations do.
+const COMPONENTS: [(&str, &str); 6] = [
+    ("velocity.x", "forwards"),
+    ("velocity.y", "sideways"),
+    ("velocity.z", "downwards"),
+    ("rate.x", "roll"),
+    ("rate.y", "pitch"),
+    ("rate.z", "yaw"),
+];
+
+impl std::error::Error for TrimError {}
+
+impl fmt::Display for TrimError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let TrimError { failure, airspeed, altitude, density, steps, modal, .. } = self;
+        if self.support == Support::Clamped {
+            return write!(
+                f,
+                "{failure} at {airspeed} m/s in air of {density:.4} kg/m³: {steps} Newton steps ended with the largest modal \
+                 acceleration {modal:.2e}"
+            );
+        }
+        write!(f, "{failure} at {airspeed} m/s and {altitude} m: ")?;
+        if let TrimFailure::TooSlow { share } = failure {
+            let enough = airspeed / libm::sqrt(*share);
+            write!(
+                f,
+                "too slow: at 15° of incidence the wings carry {:.1} % of the weight, at {enough:.0} m/s all of it; ",
+                100.0 * share
+            )?;
+        }
+        write!(f, "{steps} Newton steps ended at {}", self.point.describe(self.has_engines))?;
+        let [x, y, z, roll, pitch, yaw] = self.rigid;
+        write!(
+            f,
+            " with the imbalance v̇ = ({x:.2e}, {y:.2e}, {z:.2e}) m/s², ω̇ = ({roll:.2e}, {pitch:.2e}, {yaw:.2e}) rad/s², \
+             largest modal acceleration {modal:.2e}"
+        )?;
+        if let Some((name, what)) = self.most_unbalanced() {
+            write!(f, "; most of all {name} ({what}) stays unbalanced")?;
+        }
+        Ok(())
+    }
+}
+
+impl TrimError {
+    /// The component of the rigid motion with the largest acceleration, rotations by those of a point at 1 m.
+    fn most_unbalanced(&self) -> Option<(&'static str, &'static str)> {
+        let largest = (0..6).max_by(|&a, &b| self.rigid[a].abs().total_cmp(&self.rigid[b].abs()))?;
+        (self.rigid[largest] != 0.0).then_some(COMPONENTS[largest])
+    }
+}
