@@ -16,7 +16,8 @@ const HEIGHT: f64 = 440.0;
 /// Left and right of the axes, px.
 const MARGINS: (f64, f64) = (92.0, 18.0);
 
-const FONT: &str = "system-ui, sans-serif";
+/// Of all letters.
+pub const FONT: &str = "system-ui, sans-serif";
 
 /// Geometry of the legend, px.
 const LEGEND_LEFT: f64 = 92.0;
@@ -121,19 +122,22 @@ impl Window {
 }
 
 impl Chart {
-    /// The chart as an SVG element that stands alone in a file and scales within a page.
+    /// The chart with its legend as an SVG element that stands alone in a file and scales within a page.
     pub fn to_svg(&self) -> String {
+        let labels: Vec<&str> = self.curves.iter().map(|curve| curve.label.as_str()).collect();
+        let (legend, legend_height) = legend_entries(&labels, LEGEND_LEFT, WIDTH, HEIGHT);
+        element(WIDTH, HEIGHT + legend_height, &(self.panel() + &legend))
+    }
+
+    /// The same without the legend, for several charts that share one.
+    pub fn to_svg_without_legend(&self) -> String {
+        element(WIDTH, HEIGHT, &self.panel())
+    }
+
+    fn panel(&self) -> String {
         let plots: Vec<Plot> = self.curves.iter().enumerate().map(|(i, curve)| self.plot(i, curve)).collect();
         let layout = self.layout(&plots);
-        let drawing = kuva::render_to_svg(plots, layout);
-        let (legend, legend_height) = self.legend();
-        let height = HEIGHT + legend_height;
-        format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" \
-             height=\"{height}\" role=\"img\" font-family=\"{FONT}\">\
-             <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>{drawing}{}{legend}</svg>\n",
-            self.upright_label()
-        )
+        kuva::render_to_svg(plots, layout) + &self.upright_label()
     }
 
     /// The label of the vertical axis, where no tick label reaches.
@@ -143,27 +147,6 @@ impl Chart {
             -0.495 * HEIGHT,
             escaped(&self.y.label)
         )
-    }
-
-    /// The legend below the drawing and its height, px: strokes long enough to show their dashes.
-    fn legend(&self) -> (String, f64) {
-        let letters = self.curves.iter().map(|curve| curve.label.chars().count()).max().unwrap_or(0);
-        let entry_width = LEGEND_STROKE + 24.0 + 8.0 * letters as f64;
-        let columns = ((WIDTH - LEGEND_LEFT) / entry_width).floor().clamp(1.0, 7.0) as usize;
-        let mut svg = String::from("<g font-size=\"15\">");
-        for (index, curve) in self.curves.iter().enumerate() {
-            let x = LEGEND_LEFT + entry_width * (index % columns) as f64;
-            let y = HEIGHT + LEGEND_ROW * ((index / columns) as f64 + 0.4);
-            let Style { colour, dash, width } = Style::of(index);
-            svg += &format!(
-                "<path d=\"M{x} {y}h{LEGEND_STROKE}\" stroke=\"{colour}\" stroke-width=\"{width}\" \
-                 stroke-dasharray=\"{dash}\"/><text x=\"{}\" y=\"{}\">{}</text>",
-                x + LEGEND_STROKE + 8.0,
-                y + 5.0,
-                escaped(&curve.label)
-            );
-        }
-        (svg + "</g>", LEGEND_ROW * self.curves.len().div_ceil(columns) as f64)
     }
 
     fn plot(&self, index: usize, curve: &Curve) -> Plot {
@@ -229,6 +212,49 @@ impl Style {
         let width = if index == 0 { 2.8 } else { 1.9 };
         Style { colour: COLOURS[index % COLOURS.len()], dash: DASHES[index % DASHES.len()], width }
     }
+}
+
+/// The legend of charts whose curves have these labels, as an SVG element of its own. It is as wide as its entries
+/// in one row, at most `most`, px.
+pub fn legend(labels: &[&str], most: f64) -> String {
+    let width = (labels.len() as f64 * entry_width(labels)).min(most);
+    let (entries, height) = legend_entries(labels, 8.0, width + 8.0, 0.0);
+    element(width + 8.0, height, &entries)
+}
+
+/// The entries of a legend, in as many columns as there is room, below `top`, and their height, px: strokes long
+/// enough to show their dashes.
+fn legend_entries(labels: &[&str], left: f64, width: f64, top: f64) -> (String, f64) {
+    let entry_width = entry_width(labels);
+    let columns = ((width - left) / entry_width + 1e-9).floor().clamp(1.0, 7.0) as usize;
+    let mut svg = String::from("<g font-size=\"15\">");
+    for (index, label) in labels.iter().enumerate() {
+        let x = left + entry_width * (index % columns) as f64;
+        let y = top + LEGEND_ROW * ((index / columns) as f64 + 0.4);
+        let Style { colour, dash, width } = Style::of(index);
+        svg += &format!(
+            "<path d=\"M{x} {y}h{LEGEND_STROKE}\" stroke=\"{colour}\" stroke-width=\"{width}\" \
+             stroke-dasharray=\"{dash}\"/><text x=\"{}\" y=\"{}\">{}</text>",
+            x + LEGEND_STROKE + 8.0,
+            y + 5.0,
+            escaped(label)
+        );
+    }
+    (svg + "</g>", LEGEND_ROW * labels.len().div_ceil(columns) as f64)
+}
+
+fn entry_width(labels: &[&str]) -> f64 {
+    let letters = labels.iter().map(|label| label.chars().count()).max().unwrap_or(0);
+    LEGEND_STROKE + 24.0 + 8.0 * letters as f64
+}
+
+/// A white SVG element of a size, px, with a content.
+fn element(width: f64, height: f64, content: &str) -> String {
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
+         height=\"{height}\" role=\"img\" font-family=\"{FONT}\">\
+         <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>{content}</svg>\n"
+    )
 }
 
 /// Text as the content of an XML element.
@@ -336,6 +362,16 @@ mod tests {
         let svg = Chart { y, frame: None, ..chart() }.to_svg();
         for tick in [">−0.15<", ">−0.1<", ">0<", ">0.1<"] {
             assert!(svg.contains(tick), "{tick}");
+        }
+    }
+
+    #[test]
+    fn charts_can_share_one_legend() {
+        let (with, without) = (chart().to_svg(), chart().to_svg_without_legend());
+        assert!(with.contains(">ramp<") && !without.contains(">ramp<"));
+        let shared = legend(&["wave", "ramp"], 700.0);
+        for label in [">wave<", ">ramp<"] {
+            assert_eq!(shared.matches(label).count(), 1);
         }
     }
 

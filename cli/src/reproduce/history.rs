@@ -81,8 +81,28 @@ impl Quantity {
             Quantity::AccelerationX => "ax (m/s²)",
             Quantity::AccelerationY => "ay (m/s²)",
             Quantity::AccelerationZ => "az (m/s²)",
-            Quantity::WingTip => "wing tip deflection (m)",
-            Quantity::TailTip => "tail tip deflection (m)",
+            Quantity::WingTip => "deflection (m)",
+            Quantity::TailTip => "deflection (m)",
+        }
+    }
+
+    /// In words, as in a title.
+    pub fn name(self) -> &'static str {
+        match self {
+            Quantity::VelocityX => "forward velocity",
+            Quantity::VelocityY => "velocity to the right",
+            Quantity::VelocityZ => "downward velocity",
+            Quantity::RateX => "roll rate",
+            Quantity::RateY => "pitch rate",
+            Quantity::RateZ => "yaw rate",
+            Quantity::Roll => "roll angle",
+            Quantity::Pitch => "pitch angle",
+            Quantity::Yaw => "yaw angle",
+            Quantity::AccelerationX => "forward acceleration",
+            Quantity::AccelerationY => "acceleration to the right",
+            Quantity::AccelerationZ => "downward acceleration",
+            Quantity::WingTip => "right wing tip, upwards",
+            Quantity::TailTip => "right tail tip, upwards",
         }
     }
 
