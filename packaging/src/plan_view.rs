@@ -158,27 +158,23 @@ fn label(svg: &mut String, points: &[Point], size: [f64; 2]) {
     }
 }
 
-/// Where the name of a point may stand, the best first: beside it, outwards, above, below, ever farther.
+/// Where the name of a point may stand, the best first: beside it, outwards; above or below, ever farther; inwards.
 fn spaces([x, y]: [f64; 2], width: f64, [picture_width, height]: [f64; 2]) -> Vec<Rectangle> {
-    let gap = DOT + 3.0;
-    let outwards = if x < picture_width / 2.0 { x - gap - width } else { x + gap };
-    let inwards = if x < picture_width / 2.0 { x + gap } else { x - gap - width };
-    let mut spaces = Vec::new();
+    let (gap, right) = (DOT + 3.0, picture_width - 2.0 - width);
+    let (before, after) = (x - gap - width, x + gap);
+    let (outwards, inwards) = if x < picture_width / 2.0 { (before, after) } else { (after, before) };
+    let beside = y - Rectangle::HEIGHT / 2.0;
+    let mut spaces = vec![Rectangle { left: outwards, top: beside, width }];
     for row in 0..4 {
-        let away = f64::from(row) * Rectangle::HEIGHT;
-        let middle = y - Rectangle::HEIGHT / 2.0;
-        for left in [outwards, x - width / 2.0, inwards] {
-            let beside = if left == x - width / 2.0 { gap + Rectangle::HEIGHT / 2.0 } else { 0.0 };
-            for top in [middle - beside - away, middle + beside + away] {
-                spaces.push(Rectangle { left, top, width });
-            }
+        let away = gap + f64::from(row) * Rectangle::HEIGHT;
+        let left = (x - width / 2.0).min(right).max(2.0);
+        for top in [y - away - Rectangle::HEIGHT, y + away] {
+            spaces.push(Rectangle { left, top, width });
         }
     }
+    spaces.push(Rectangle { left: inwards, top: beside, width });
     let fits = |space: &Rectangle| {
-        space.left >= 2.0
-            && space.left + width <= picture_width - 2.0
-            && space.top >= 0.0
-            && space.top + Rectangle::HEIGHT <= height
+        (2.0..=right).contains(&space.left) && space.top >= 0.0 && space.top + Rectangle::HEIGHT <= height
     };
     spaces.retain(fits);
     spaces
