@@ -3,11 +3,15 @@
 //! The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008), which colour-blind readers
 //! can tell apart; the dashes do the same in print without colour.
 
+mod thinning;
+
 use kuva::plot::LinePlot;
 use kuva::plot::line::LineStyle;
 use kuva::render::annotations::{ReferenceLine, ShadedRegion};
 use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
+
+use thinning::thinned;
 
 /// Size of a chart, px of its view box; it scales.
 const WIDTH: f64 = 720.0;
@@ -23,9 +27,6 @@ pub const FONT: &str = "system-ui, sans-serif";
 const LEGEND_LEFT: f64 = 92.0;
 const LEGEND_ROW: f64 = 26.0;
 const LEGEND_STROKE: f64 = 44.0;
-
-/// Curves are thinned until they deviate by this share of the window, about a tenth of a pixel.
-const FLATNESS: f64 = 2.5e-4;
 
 /// Points farther than this many windows outside of the window are brought there.
 const FAR_OUTSIDE: f64 = 20.0;
@@ -296,35 +297,6 @@ fn tick_label(value: f64) -> String {
     text.replace('-', "−")
 }
 
-/// The curve with fewer points, by the method of Ramer, Douglas and Peucker: no point of the old one is
-/// farther than [`FLATNESS`] from the new one, in units of `scale`.
-fn thinned(points: &[(f64, f64)], scale: (f64, f64)) -> Vec<(f64, f64)> {
-    let mut kept = Vec::new();
-    let mut open: Vec<(usize, usize)> =
-        points.len().checked_sub(1).map(|last| (0, last)).into_iter().collect();
-    kept.extend(points.first());
-    while let Some((first, last)) = open.pop() {
-        let deviations =
-            (first + 1..last).map(|i| (i, deviation(points[i], points[first], points[last], scale)));
-        match deviations.max_by(|a, b| a.1.total_cmp(&b.1)) {
-            Some((middle, deviation)) if deviation > FLATNESS => {
-                open.extend([(middle, last), (first, middle)]);
-            }
-            _ => kept.push(points[last]),
-        }
-    }
-    kept
-}
-
-/// Distance of `p` from the segment `a`–`b`, in units of `scale`.
-fn deviation(p: (f64, f64), a: (f64, f64), b: (f64, f64), scale: (f64, f64)) -> f64 {
-    let from_a = |q: (f64, f64)| ((q.0 - a.0) / scale.0, (q.1 - a.1) / scale.1);
-    let ((px, py), (bx, by)) = (from_a(p), from_a(b));
-    let length = bx * bx + by * by;
-    let along = if length > 0.0 { ((px * bx + py * by) / length).clamp(0.0, 1.0) } else { 0.0 };
-    (px - along * bx).hypot(py - along * by)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -380,18 +352,6 @@ mod tests {
         assert_eq!(chart().to_svg().matches("#808080").count(), 2);
         let whole = Chart { frame: Some(Window::new(-0.5, 1.5)), ..chart() };
         assert_eq!(whole.to_svg().matches("#808080").count(), 0);
-    }
-
-    #[test]
-    fn thinning_keeps_the_ends_and_the_shape() {
-        let points = &chart().curves[0].points;
-        let thin = thinned(points, (15.0, 2.0));
-        assert!(thin.len() < points.len() / 3);
-        assert_eq!((thin.first(), thin.last()), (points.first(), points.last()));
-        for &p in points {
-            let nearest = thin.windows(2).map(|ends| deviation(p, ends[0], ends[1], (15.0, 2.0)));
-            assert!(nearest.fold(f64::INFINITY, f64::min) <= FLATNESS);
-        }
     }
 
     #[test]

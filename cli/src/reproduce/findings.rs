@@ -62,17 +62,8 @@ const NOTICEABLE: f64 = 0.02;
 /// The result in short.
 pub fn in_short(table: &Table) -> Vec<String> {
     let mut found = vec![(if table.is_shipped { SHIPPED } else { OTHER }).to_owned()];
-    let tips: [(&str, fn(&Row) -> Tip); 2] = [("wing", |row| row.wing), ("tail", |row| row.tail)];
-    for (part, tip) in tips {
-        let differences = table.rows.iter().filter_map(|row| Some((row, tip(row).difference()?)));
-        if let Some((row, difference)) = differences.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
-            found.push(format!(
-                "The {part} tip's deflections in trim differ from the thesis' by at most {} % ({}).",
-                number(100.0 * difference.abs(), 1),
-                row.title()
-            ));
-        }
-    }
+    found.extend(largest_difference(table, "wing", |row| row.wing));
+    found.extend(largest_difference(table, "tail", |row| row.tail));
     let soft = table.rows.iter().filter(|row| row.is_soft());
     let mut soft: Vec<(&Row, f64)> = soft.filter_map(|row| Some((row, row.wing.ours?))).collect();
     soft.sort_by(|a, b| a.1.total_cmp(&b.1));
@@ -86,6 +77,15 @@ pub fn in_short(table: &Table) -> Vec<String> {
         ));
     }
     found
+}
+
+fn largest_difference(table: &Table, part: &str, tip: fn(&Row) -> Tip) -> Option<String> {
+    let differences = table.rows.iter().filter_map(|row| Some((row, tip(row).difference()?)));
+    let (row, difference) = differences.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+    let (percent, row) = (number(100.0 * difference.abs(), 1), row.title());
+    Some(format!(
+        "The {part} tip's deflections in trim differ from the thesis' by at most {percent} % ({row})."
+    ))
 }
 
 /// What the flights of a group of figures show.
@@ -110,7 +110,8 @@ pub fn of(group: &Group, plots: &[Plot], histories: &[History]) -> Vec<String> {
 /// Pitch and wing tip at the start.
 fn trims(flown: &[(&str, &History)]) -> Option<String> {
     let each = |quantity: Quantity, digits: usize| {
-        let values = flown.iter().filter_map(|(label, history)| {
+        let shown = flown.iter().filter(|(_, history)| quantity.is_of(&history.flight));
+        let values = shown.filter_map(|(label, history)| {
             Some(format!("{label} {}", number(history.samples.first()?.value(quantity), digits)))
         });
         values.collect::<Vec<_>>().join(", ")
@@ -130,7 +131,8 @@ fn differences(
     let each: Vec<String> = others
         .iter()
         .filter_map(|(label, history)| {
-            let shares = quantities.iter().filter_map(|&q| Some((q, distance(reference, history, q)?)));
+            let shown = quantities.iter().filter(|quantity| quantity.is_of(&history.flight));
+            let shares = shown.filter_map(|&q| Some((q, distance(reference, history, q)?)));
             let (quantity, share) = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
             Some(format!("{label} {} % ({})", number(100.0 * share, 0), quantity.name()))
         })
@@ -202,4 +204,60 @@ fn height(values: &[f64]) -> f64 {
     let (low, high) =
         values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
     (high - low).max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use flexible_aircraft::simulation::Fidelity;
+
+    use super::*;
+    use crate::reproduce::cases::{Case, Flight, UNSTEADY};
+    use crate::reproduce::figures::GROUPS;
+
+    /// What is said of two models in the first group of figures, with these motions.
+    fn said(exact: fn(Quantity, f64) -> f64, linear: fn(Quantity, f64) -> f64) -> Vec<String> {
+        let flight = |fidelity| Flight { case: Case::ElevatorNominal, fidelity, inflow_states: UNSTEADY };
+        let histories = [
+            History::made_up(flight(Fidelity::Exact), exact),
+            History::made_up(flight(Fidelity::RuthlesslyLinearised), linear),
+        ];
+        let plots: Vec<Plot> = GROUPS[0].figures().map(|figure| Plot::new(figure, &histories)).collect();
+        of(&GROUPS[0], &plots, &histories)
+    }
+
+    #[test]
+    fn what_is_said_follows_the_flights() {
+        let calm = said(|_, time| time, |_, time| time);
+        assert!(calm.iter().any(|text| text.contains("RL 0 %")), "{calm:?}");
+        let apart = said(|_, time| time, |_, time| 1.0 + 1.3 * time);
+        assert!(apart.iter().any(|text| text.contains("RL 30 %")), "{apart:?}");
+        assert!(apart.iter().any(|text| text.contains("pitch E 0.000, RL 1.000 rad")), "{apart:?}");
+        // Figure 5.5, pitch, shows 0.12 to 0.17 rad.
+        let inside = said(|_, _| 0.15, |q, _| if q == Quantity::Pitch { 0.18 } else { 0.15 });
+        let left = inside.iter().find(|text| text.starts_with("Windows")).unwrap();
+        assert!(!left.split(';').next().unwrap().contains("5.5") && left.ends_with("5.5."), "{left}");
+    }
+
+    #[test]
+    fn only_an_oscillation_that_grows_is_said_to_grow() {
+        let decays = |_: Quantity, time: f64| (-0.1 * time).exp() * (9.0 * time).sin();
+        let grows = |_: Quantity, time: f64| (0.1 * time).exp() * (9.0 * time).sin();
+        let found = said(decays, grows);
+        let growing: Vec<_> = found.iter().filter(|text| text.contains("grows at the end")).collect();
+        assert!(growing.len() == 1 && growing[0].starts_with("RL "), "{found:?}");
+    }
+
+    #[test]
+    fn another_aircraft_is_not_said_to_be_the_thesis_jet() {
+        let mut table = Table::new(false, &[]);
+        assert_eq!(in_short(&table), [OTHER]);
+        table.rows[1].wing.ours = Some(1.42);
+        let found = in_short(&table);
+        // 1.42 m instead of the thesis' 2.84.
+        assert!(found[1].contains("at most 50.0 % (E, a tenth)"), "{found:?}");
+        assert!(!table.markdown().contains("independent"));
+        table.is_shipped = true;
+        assert_eq!(in_short(&table)[0], SHIPPED);
+        assert!(table.markdown().contains("independent"));
+    }
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::sync::Arc;
 
-use flexible_aircraft::simulation::{Inputs, Outputs, Simulation, SimulationError};
+use flexible_aircraft::simulation::{Fidelity, Inputs, Outputs, Simulation, SimulationError};
 use flexible_aircraft::structure::ReducedModel;
 
 use super::Error;
@@ -65,6 +65,11 @@ impl Quantity {
         Quantity::WingTip,
         Quantity::TailTip,
     ];
+
+    /// Whether a flight has it: the rigid aircraft has no deflection.
+    pub fn is_of(self, flight: &Flight) -> bool {
+        flight.fidelity != Fidelity::Rigid || ![Quantity::WingTip, Quantity::TailTip].contains(&self)
+    }
 
     /// Symbol and unit, as on an axis.
     pub fn label(self) -> &'static str {
@@ -255,4 +260,16 @@ fn sample(time: f64, input: f64, outputs: &Outputs, tips: Tips) -> Sample {
         Quantity::TailTip => up(tips.tail),
     });
     Sample { time, input, values }
+}
+
+#[cfg(test)]
+impl History {
+    /// A history of 15 s as somebody would have it.
+    pub fn made_up(flight: Flight, value: impl Fn(Quantity, f64) -> f64) -> Self {
+        let sample = |step: u32| {
+            let time = STEP * f64::from(step);
+            Sample { time, input: 0.0, values: Quantity::ALL.map(|quantity| value(quantity, time)) }
+        };
+        History { flight, samples: (0..=1500).map(sample).collect(), end: None }
+    }
 }

@@ -31,7 +31,7 @@ figcaption { padding: .4rem .7rem; font-size: .85rem; background: var(--soft); }
 ";
 
 /// The most width of a legend, px: so much that its letters can be read on a phone.
-const LEGEND: f64 = 520.0;
+const LEGEND: f64 = 560.0;
 
 /// The page.
 pub fn html(reproduction: &Reproduction) -> String {
@@ -212,9 +212,11 @@ fn digits(plot: &Plot) -> usize {
     1 + (0..5).find(|&digits| (plot.figure.tick * 10_f64.powi(digits)).fract() < 1e-9).unwrap_or(5) as usize
 }
 
-/// With a true minus.
+/// With a true minus, and none before a zero.
 pub fn number(value: f64, digits: usize) -> String {
-    format!("{value:.digits$}").replace('-', "−")
+    let text = format!("{value:.digits$}");
+    let is_zero = text.chars().all(|c| "-0.".contains(c));
+    if is_zero { text.replace('-', "") } else { text.replace('-', "−") }
 }
 
 #[cfg(test)]
@@ -273,6 +275,16 @@ mod tests {
         assert!(page.contains("E ends early: at 2 s the state is no longer finite"));
         let plot = reproduction().plots().find(|plot| plot.figure.number == 11).unwrap();
         assert!(plot.fit.is_some() && plot.svg.contains("E ends"));
+    }
+
+    #[test]
+    fn only_the_shipped_aircraft_is_compared_with_what_others_found_for_it() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../aircraft/generic-business-jet.toml");
+        let mut aircraft = Aircraft::read(file.as_ref()).unwrap();
+        assert!(Reproduction::new(&aircraft, &[]).table.is_shipped);
+        aircraft.bays[0].mass += 1.0;
+        let page = html(&Reproduction::new(&aircraft, &[]));
+        assert!(!page.contains("independent programs") && page.contains("another aircraft"));
     }
 
     #[test]

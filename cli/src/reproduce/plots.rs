@@ -104,12 +104,12 @@ pub fn overview(title: &str, panels: &[&str]) -> String {
         let (x, y) = (width * (index % 2) as f64, head + height * (index / 2) as f64);
         format!("<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\">{panel}</svg>")
     });
-    let labels = Fidelity::ALL.map(|fidelity| format!("{} ({})", symbol(fidelity), in_words(fidelity)));
+    let labels = Fidelity::ALL.map(|fidelity| format!("{}, {}", symbol(fidelity), in_words(fidelity)));
     let legend = legend(&labels.each_ref().map(String::as_str), whole);
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {whole} {}\"><rect width=\"100%\" height=\"100%\" \
          fill=\"#ffffff\"/><text x=\"{width}\" y=\"32\" text-anchor=\"middle\" font-size=\"24\" \
-         font-family=\"{FONT}\">{}</text>{}<svg x=\"60\" y=\"{}\">{legend}</svg></svg>\n",
+         font-family=\"{FONT}\">{}</text>{}<svg x=\"10\" y=\"{}\">{legend}</svg></svg>\n",
         head + height * rows + foot,
         escaped(title),
         placed.collect::<String>(),
