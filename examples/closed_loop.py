@@ -24,12 +24,12 @@ STOP_TIME = 15.0  # s
 PANELS = {
     "hold": {
         "aircraft.attitude.pitch": ("pitch angle (°)", np.degrees),
-        "aircraft.load_factor.z": ("load factor", np.asarray),
+        "aircraft.load_factor.z": ("load factor (1)", np.asarray),
         "aircraft.surface.elevator": ("elevator (°)", np.degrees),
     },
     "alleviation": {
         "aircraft.deflection.wing_tip_right.up": ("wing tip up (m)", np.asarray),
-        "aircraft.station.wing_tip_right.specific_force.z": ("tip's specific force (m/s²)", np.asarray),
+        "aircraft.station.wing_tip_right.specific_force.z": ("tip, specific force z (m/s²)", np.asarray),
         "aircraft.surface.aileron_symmetric": ("ailerons, both (°)", np.degrees),
     },
 }
@@ -79,8 +79,9 @@ def main(folder):
                 axis.set_ylabel(label)
                 axis.grid(alpha=0.3)
         column[0].set_title(TITLES[system], fontsize="medium", loc="left")
-        column[0].legend(loc="lower right")
         column[-1].set_xlabel("time (s)")
+    # One legend for all: the lines mean the same everywhere.
+    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
     picture = folder / "closed-loop.png"
     figure.savefig(picture, dpi=100)
     print(picture)

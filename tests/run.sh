@@ -16,9 +16,9 @@ cargo test --workspace --doc --release
 
 cargo run --release --quiet -- package --no-check --output "$target/fmu/FlexibleAircraft.fmu"
 
-# The environment of a folder of tests; it is made anew when the pinned versions change.
+# An environment with the packages of a file; it is made anew when the pinned versions change.
 python_of() {
-    local requirements=tests/$1/requirements.txt venv=$target/venv-$1
+    local requirements=$1 venv=$target/venv-$2
     if ! cmp --silent "$requirements" "$venv/requirements.txt"; then
         rm -rf "$venv"
         python3 -m venv "$venv"
@@ -27,9 +27,12 @@ python_of() {
     fi
     echo "$venv/bin/python"
 }
+# An importer whose packages conflict with those of the others.
+GEMSEO_PYTHON=$(python_of tests/masters/requirements-gemseo.txt gemseo)
+export GEMSEO_PYTHON
 export FMU=$target/fmu/FlexibleAircraft.fmu FLEXAIR=$target/release/flexair
 for tests in fmpy masters coupling; do
-    python=$(python_of $tests)
+    python=$(python_of tests/$tests/requirements.txt $tests)
     "$python" -m pytest -rs tests/$tests
 done
 

@@ -3,6 +3,8 @@
 //! The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008), which colour-blind readers
 //! can tell apart; the dashes do the same in print without colour.
 
+mod thinning;
+
 use kuva::plot::LinePlot;
 use kuva::plot::line::LineStyle;
 use kuva::render::annotations::{ReferenceLine, ShadedRegion};
@@ -10,6 +12,7 @@ use kuva::render::layout::{ComputedLayout, Layout, TickFormat};
 use kuva::render::plots::Plot;
 
 use crate::mark_labels::upright_labels;
+use thinning::thinned;
 
 /// Size of a chart, px of its view box; it scales.
 const WIDTH: f64 = 720.0;
@@ -18,15 +21,13 @@ const HEIGHT: f64 = 440.0;
 /// Left and right of the axes, px.
 const MARGINS: (f64, f64) = (92.0, 18.0);
 
-const FONT: &str = "system-ui, sans-serif";
+/// Of all letters.
+pub const FONT: &str = "system-ui, sans-serif";
 
 /// Geometry of the legend, px.
 const LEGEND_LEFT: f64 = 92.0;
 const LEGEND_ROW: f64 = 26.0;
 const LEGEND_STROKE: f64 = 44.0;
-
-/// Curves are thinned until they deviate by this share of the window, about a tenth of a pixel.
-const FLATNESS: f64 = 2.5e-4;
 
 /// Points farther than this many windows outside of the window are brought there.
 const FAR_OUTSIDE: f64 = 20.0;
@@ -123,22 +124,24 @@ impl Window {
 }
 
 impl Chart {
-    /// The chart as an SVG element that stands alone in a file and scales within a page.
+    /// The chart with its legend as an SVG element that stands alone in a file and scales within a page.
     pub fn to_svg(&self) -> String {
+        let labels: Vec<&str> = self.curves.iter().map(|curve| curve.label.as_str()).collect();
+        let (legend, legend_height) = legend_entries(&labels, LEGEND_LEFT, WIDTH, HEIGHT);
+        element(WIDTH, HEIGHT + legend_height, &(self.panel() + &legend))
+    }
+
+    /// The same without the legend, for several charts that share one.
+    pub fn to_svg_without_legend(&self) -> String {
+        element(WIDTH, HEIGHT, &self.panel())
+    }
+
+    fn panel(&self) -> String {
         let plots: Vec<Plot> = self.curves.iter().enumerate().map(|(i, curve)| self.plot(i, curve)).collect();
         let layout = self.layout(&plots);
         let computed = ComputedLayout::from_layout(&layout);
         let frame = [computed.margin_top, HEIGHT - computed.margin_bottom];
-        let drawing = kuva::render_to_svg(plots, layout);
-        let (legend, legend_height) = self.legend();
-        let height = HEIGHT + legend_height;
-        format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" \
-             height=\"{height}\" role=\"img\" font-family=\"{FONT}\">\
-             <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>{drawing}{}{}{legend}</svg>\n",
-            self.upright_label(),
-            self.mark_labels(frame)
-        )
+        kuva::render_to_svg(plots, layout) + &self.upright_label() + &self.mark_labels(frame)
     }
 
     /// What the vertical marks are, written at their lines.
@@ -159,27 +162,6 @@ impl Chart {
             -0.495 * HEIGHT,
             escaped(&self.y.label)
         )
-    }
-
-    /// The legend below the drawing and its height, px: strokes long enough to show their dashes.
-    fn legend(&self) -> (String, f64) {
-        let letters = self.curves.iter().map(|curve| curve.label.chars().count()).max().unwrap_or(0);
-        let entry_width = LEGEND_STROKE + 24.0 + 8.0 * letters as f64;
-        let columns = ((WIDTH - LEGEND_LEFT) / entry_width).floor().clamp(1.0, 7.0) as usize;
-        let mut svg = String::from("<g font-size=\"15\">");
-        for (index, curve) in self.curves.iter().enumerate() {
-            let x = LEGEND_LEFT + entry_width * (index % columns) as f64;
-            let y = HEIGHT + LEGEND_ROW * ((index / columns) as f64 + 0.4);
-            let Style { colour, dash, width } = Style::of(index);
-            svg += &format!(
-                "<path d=\"M{x} {y}h{LEGEND_STROKE}\" stroke=\"{colour}\" stroke-width=\"{width}\" \
-                 stroke-dasharray=\"{dash}\"/><text x=\"{}\" y=\"{}\">{}</text>",
-                x + LEGEND_STROKE + 8.0,
-                y + 5.0,
-                escaped(&curve.label)
-            );
-        }
-        (svg + "</g>", LEGEND_ROW * self.curves.len().div_ceil(columns) as f64)
     }
 
     fn plot(&self, index: usize, curve: &Curve) -> Plot {
@@ -247,6 +229,49 @@ impl Style {
     }
 }
 
+/// The legend of charts whose curves have these labels, as an SVG element of its own. It is as wide as its entries
+/// in one row, at most `most`, px.
+pub fn legend(labels: &[&str], most: f64) -> String {
+    let width = (labels.len() as f64 * entry_width(labels)).min(most);
+    let (entries, height) = legend_entries(labels, 8.0, width + 8.0, 0.0);
+    element(width + 8.0, height, &entries)
+}
+
+/// The entries of a legend, in as many columns as there is room, below `top`, and their height, px: strokes long
+/// enough to show their dashes.
+fn legend_entries(labels: &[&str], left: f64, width: f64, top: f64) -> (String, f64) {
+    let entry_width = entry_width(labels);
+    let columns = ((width - left) / entry_width + 1e-9).floor().clamp(1.0, 7.0) as usize;
+    let mut svg = String::from("<g font-size=\"15\">");
+    for (index, label) in labels.iter().enumerate() {
+        let x = left + entry_width * (index % columns) as f64;
+        let y = top + LEGEND_ROW * ((index / columns) as f64 + 0.4);
+        let Style { colour, dash, width } = Style::of(index);
+        svg += &format!(
+            "<path d=\"M{x} {y}h{LEGEND_STROKE}\" stroke=\"{colour}\" stroke-width=\"{width}\" \
+             stroke-dasharray=\"{dash}\"/><text x=\"{}\" y=\"{}\">{}</text>",
+            x + LEGEND_STROKE + 8.0,
+            y + 5.0,
+            escaped(label)
+        );
+    }
+    (svg + "</g>", LEGEND_ROW * labels.len().div_ceil(columns) as f64)
+}
+
+fn entry_width(labels: &[&str]) -> f64 {
+    let letters = labels.iter().map(|label| label.chars().count()).max().unwrap_or(0);
+    LEGEND_STROKE + 24.0 + 8.0 * letters as f64
+}
+
+/// A white SVG element of a size, px, with a content.
+fn element(width: f64, height: f64, content: &str) -> String {
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
+         height=\"{height}\" role=\"img\" font-family=\"{FONT}\">\
+         <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>{content}</svg>\n"
+    )
+}
+
 /// Text as the content of an XML element.
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
@@ -294,35 +319,6 @@ fn tick_label(value: f64) -> String {
     text.replace('-', "−")
 }
 
-/// The curve with fewer points, by the method of Ramer, Douglas and Peucker: no point of the old one is
-/// farther than [`FLATNESS`] from the new one, in units of `scale`.
-fn thinned(points: &[(f64, f64)], scale: (f64, f64)) -> Vec<(f64, f64)> {
-    let mut kept = Vec::new();
-    let mut open: Vec<(usize, usize)> =
-        points.len().checked_sub(1).map(|last| (0, last)).into_iter().collect();
-    kept.extend(points.first());
-    while let Some((first, last)) = open.pop() {
-        let deviations =
-            (first + 1..last).map(|i| (i, deviation(points[i], points[first], points[last], scale)));
-        match deviations.max_by(|a, b| a.1.total_cmp(&b.1)) {
-            Some((middle, deviation)) if deviation > FLATNESS => {
-                open.extend([(middle, last), (first, middle)]);
-            }
-            _ => kept.push(points[last]),
-        }
-    }
-    kept
-}
-
-/// Distance of `p` from the segment `a`–`b`, in units of `scale`.
-fn deviation(p: (f64, f64), a: (f64, f64), b: (f64, f64), scale: (f64, f64)) -> f64 {
-    let from_a = |q: (f64, f64)| ((q.0 - a.0) / scale.0, (q.1 - a.1) / scale.1);
-    let ((px, py), (bx, by)) = (from_a(p), from_a(b));
-    let length = bx * bx + by * by;
-    let along = if length > 0.0 { ((px * bx + py * by) / length).clamp(0.0, 1.0) } else { 0.0 };
-    (px - along * bx).hypot(py - along * by)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -364,22 +360,20 @@ mod tests {
     }
 
     #[test]
+    fn charts_can_share_one_legend() {
+        let (with, without) = (chart().to_svg(), chart().to_svg_without_legend());
+        assert!(with.contains(">ramp<") && !without.contains(">ramp<"));
+        let shared = legend(&["wave", "ramp"], 700.0);
+        for label in [">wave<", ">ramp<"] {
+            assert_eq!(shared.matches(label).count(), 1);
+        }
+    }
+
+    #[test]
     fn what_is_outside_of_the_frame_is_shaded_on_both_sides() {
         assert_eq!(chart().to_svg().matches("#808080").count(), 2);
         let whole = Chart { frame: Some(Window::new(-0.5, 1.5)), ..chart() };
         assert_eq!(whole.to_svg().matches("#808080").count(), 0);
-    }
-
-    #[test]
-    fn thinning_keeps_the_ends_and_the_shape() {
-        let points = &chart().curves[0].points;
-        let thin = thinned(points, (15.0, 2.0));
-        assert!(thin.len() < points.len() / 3);
-        assert_eq!((thin.first(), thin.last()), (points.first(), points.last()));
-        for &p in points {
-            let nearest = thin.windows(2).map(|ends| deviation(p, ends[0], ends[1], (15.0, 2.0)));
-            assert!(nearest.fold(f64::INFINITY, f64::min) <= FLATNESS);
-        }
     }
 
     #[test]

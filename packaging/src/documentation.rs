@@ -3,20 +3,51 @@
 use std::fmt::Write;
 
 use flexible_aircraft::aircraft::{Aircraft, Support};
+use flexible_aircraft::structure::ReducedModel;
+use flexible_aircraft::variables::{Slot, Type, Value, Variable, VariableTable};
 use quick_xml::escape::escape;
 
-use crate::model_description::Variable;
 use crate::plan_view;
 
 const TEMPLATE: &str = include_str!("../../modelDescription/documentation.html");
 
+/// What the outputs that share the first part of their name are.
+const OUTPUT_GROUPS: [(&str, &str); 13] = [
+    ("position", "Position"),
+    ("attitude", "Attitude"),
+    ("velocity", "Velocity"),
+    ("rate", "Angular velocity"),
+    ("acceleration", "Rate of change of the velocity components"),
+    ("load_factor", "Load factor"),
+    ("air", "Flow at O"),
+    ("deflection", "Deflections of the stations"),
+    ("station", "Accelerometers and rate gyros at the stations"),
+    ("modal", "Modal coordinates"),
+    ("surface", "Acting surface angles"),
+    ("engine", "Acting thrusts"),
+    ("trim", "Trim"),
+];
+
+/// Variables that stand in one table.
+#[derive(Debug, PartialEq)]
+struct Group<'a> {
+    title: String,
+    /// Where links lead.
+    anchor: &'a str,
+    variables: Vec<&'a Variable>,
+}
+
 /// The page, which needs no other file.
-pub(crate) fn page(aircraft: &Aircraft, variables: &[Variable]) -> String {
+pub(crate) fn page(aircraft: &Aircraft, model: &ReducedModel) -> String {
+    let table = VariableTable::new(model);
+    let groups = groups(&table);
     TEMPLATE
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{support}}", &support(aircraft))
+        .replace("{{facts}}", &facts(aircraft, model))
         .replace("{{plan_view}}", &plan_view::svg(aircraft))
-        .replace("{{variables}}", &rows(variables))
+        .replace("{{contents}}", &contents(&groups))
+        .replace("{{variables}}", &groups.iter().map(section).collect::<String>())
         .replace("{{aircraft}}", &escape(aircraft.name.as_str()))
 }
 
@@ -51,47 +82,209 @@ fn support(aircraft: &Aircraft) -> String {
     }
 }
 
-fn rows(variables: &[Variable]) -> String {
-    let mut rows = String::new();
-    for Variable { name, causality, unit, start, description, .. } in variables {
-        let [name, causality, unit, start, description] =
-            [name, causality, unit, start, description].map(|text| escape(text.as_str()));
-        // Writing to a `String` cannot fail.
+/// The aircraft in numbers.
+fn facts(aircraft: &Aircraft, model: &ReducedModel) -> String {
+    let mass: f64 = aircraft.bays.iter().map(|bay| bay.mass).sum();
+    let count = |number: usize, one: &str, many: &str| match number {
+        1 => format!("1 {one}"),
+        _ => format!("{number} {many}"),
+    };
+    let frequency = model.modes.iter().map(|mode| mode.angular_frequency / std::f64::consts::TAU);
+    let lowest = frequency.fold(f64::INFINITY, f64::min);
+    let modes = count(model.modes.len(), "mode", "modes");
+    format!(
+        "{mass:.0} kg, {}, {}, {}, {}{}.",
+        count(aircraft.beams.len(), "beam element", "beam elements"),
+        count(aircraft.strips.len(), "aerodynamic strip", "aerodynamic strips"),
+        count(aircraft.engines.len(), "engine", "engines"),
+        modes,
+        if lowest.is_finite() { format!(" from {lowest:.3} Hz on (clamped at O)") } else { String::new() }
+    )
+}
+
+/// Inputs, parameters, then outputs by the first part of their names, all in the order of the table.
+fn groups(table: &VariableTable) -> Vec<Group<'_>> {
+    let mut groups: Vec<Group> = Vec::new();
+    for (_, variable) in table.iter() {
+        let anchor = match variable.slot {
+            Slot::Input(_) => "inputs",
+            Slot::Parameter(_) => "parameters",
+            Slot::Output(_) => variable.name.split('.').next().unwrap_or_default(),
+        };
+        match groups.iter_mut().find(|group| group.anchor == anchor) {
+            Some(group) => group.variables.push(variable),
+            None => groups.push(Group { title: title(anchor), anchor, variables: vec![variable] }),
+        }
+    }
+    groups
+}
+
+fn title(anchor: &str) -> String {
+    match anchor {
+        "inputs" => "Inputs".to_owned(),
+        "parameters" => "Parameters".to_owned(),
+        part => {
+            let known = OUTPUT_GROUPS.iter().find(|(name, _)| *name == part);
+            format!("{}: <code>{part}.*</code>", known.map_or("Outputs", |(_, title)| *title))
+        }
+    }
+}
+
+fn contents(groups: &[Group]) -> String {
+    let link = |group: &Group| {
+        let name = match group.anchor {
+            "inputs" => "inputs".to_owned(),
+            "parameters" => "parameters".to_owned(),
+            part => format!("<code>{part}.*</code>"),
+        };
+        format!("<a href=\"#{}\">{name}</a>\n", group.anchor)
+    };
+    groups.iter().map(link).collect()
+}
+
+/// A heading and a table. A narrow screen shows each row as a paragraph, in which the cells say what they are.
+fn section(group: &Group) -> String {
+    let Group { title, anchor, variables } = group;
+    let cells = |variable: &Variable| {
+        let unit = variable.unit.map_or("", |unit| unit.name()).to_owned();
+        [
+            ("unit", unit),
+            ("start", start(variable)),
+            ("min", limit(variable, variable.min)),
+            ("max", limit(variable, variable.max)),
+        ]
+    };
+    let columns = ["unit", "start", "min", "max"];
+    let used =
+        [0, 1, 2, 3].map(|column| variables.iter().any(|variable| !cells(variable)[column].1.is_empty()));
+    let heads: String = columns
+        .iter()
+        .zip(used)
+        .filter(|(_, used)| *used)
+        .map(|(name, _)| format!("<th>{name}</th>"))
+        .collect();
+    let mut section = format!(
+        "<h3 id=\"{anchor}\">{title}</h3>\n<table class=\"variables\">\n<thead><tr><th>name</th>{heads}<th>meaning</th></tr></thead>\n"
+    );
+    for variable in variables {
+        let cells: String = cells(variable)
+            .iter()
+            .zip(used)
+            .filter(|(_, used)| *used)
+            .map(|((name, text), _)| format!("<td data-name=\"{name}\">{}</td>", escape(text.as_str())))
+            .collect();
+        // PROOF: writing to a string does not fail.
         let _ = writeln!(
-            rows,
-            "<tr><td><code>{name}</code></td><td>{causality}</td><td>{unit}</td><td>{start}</td>\
-             <td>{description}</td></tr>"
+            section,
+            "<tr><td><code>{}</code></td>{cells}<td>{}</td></tr>",
+            escape(variable.name.as_str()),
+            meaning(variable)
         );
     }
-    rows
+    section + "</table>\n"
+}
+
+fn start(variable: &Variable) -> String {
+    match variable.start {
+        Some(Value::Integer(number)) => number.to_string(),
+        Some(Value::Real(number)) => plain(number),
+        None => String::new(),
+    }
+}
+
+/// Of enumerations the list of items says it.
+fn limit(variable: &Variable, limit: Option<f64>) -> String {
+    match variable.kind {
+        Type::Enumeration(_) => String::new(),
+        Type::Real | Type::Integer => limit.map(plain).unwrap_or_default(),
+    }
+}
+
+/// As a reader would write it: 7620, 0.1, 1e-5.
+fn plain(number: f64) -> String {
+    if number != 0.0 && number.abs() < 1e-3 { format!("{number:e}") } else { number.to_string() }
+}
+
+fn meaning(variable: &Variable) -> String {
+    let mut meaning = escape(variable.description.as_str()).into_owned();
+    if let Type::Enumeration(enumeration) = variable.kind {
+        meaning += "<ol>";
+        for (item, text) in enumeration.items() {
+            meaning += &format!("<li><code>{item}</code>: {}</li>", escape(*text));
+        }
+        meaning += "</ol>";
+    }
+    meaning
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn jet() -> Aircraft {
+        let text = include_str!("../../aircraft/generic-business-jet.toml");
+        Aircraft::parse(text, "jet").unwrap()
+    }
+
+    fn page_of(aircraft: &Aircraft) -> String {
+        page(aircraft, &ReducedModel::new(aircraft, 4).unwrap())
+    }
+
     #[test]
     fn the_page_says_how_the_aircraft_is_held() {
-        let text = include_str!("../../aircraft/generic-business-jet.toml");
-        let mut aircraft = Aircraft::parse(text, "jet").unwrap();
-        let free = page(&aircraft, &[]);
+        let mut aircraft = jet();
+        let free = page_of(&aircraft);
         aircraft.support = Support::Clamped;
-        let clamped = page(&aircraft, &[]);
+        let clamped = page_of(&aircraft);
         assert!(free.contains("flies trimmed") && !free.contains("wind tunnel"));
         assert!(clamped.contains("wind tunnel") && !clamped.contains("flies trimmed"));
         assert!(!free.contains("{{") && !clamped.contains("{{"));
     }
 
     #[test]
-    fn a_variable_becomes_a_row_and_marks_are_escaped() {
-        let variable = Variable {
-            name: "modal.q[1]".into(),
-            causality: "output".into(),
-            description: "a < b".into(),
-            ..Variable::default()
+    fn every_variable_stands_once_in_the_table_of_its_group() {
+        let model = ReducedModel::new(&jet(), 4).unwrap();
+        let table = VariableTable::new(&model);
+        let groups = groups(&table);
+        assert_eq!(groups.iter().map(|group| group.variables.len()).sum::<usize>(), table.iter().count());
+        let names: Vec<&str> = groups.iter().map(|group| group.anchor).collect();
+        assert_eq!(&names[..4], ["inputs", "parameters", "position", "attitude"]);
+        // A group that this page does not know would have no title of its own.
+        for name in &names[2..] {
+            assert!(OUTPUT_GROUPS.iter().any(|(known, _)| known == name), "{name}");
+        }
+        let page = page(&jet(), &model);
+        for name in names {
+            assert_eq!(page.matches(&format!("id=\"{name}\"")).count(), 1, "{name}");
+            assert_eq!(page.matches(&format!("href=\"#{name}\"")).count(), 1, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_row_has_unit_start_limits_and_the_numbers_and_names_of_an_enumeration() {
+        let page = page_of(&jet());
+        let row = |name: &str| {
+            let rows = page.lines().filter(|line| line.starts_with(&format!("<tr><td><code>{name}</code>")));
+            rows.collect::<Vec<_>>().concat()
         };
-        let row =
-            "<tr><td><code>modal.q[1]</code></td><td>output</td><td></td><td></td><td>a &lt; b</td></tr>\n";
-        assert_eq!(rows(&[variable]), row);
+        for cell in ["\"unit\">m<", "\"start\">7620<", "\"min\">-1000<", "\"max\">20000<"] {
+            assert!(row("altitude").contains(cell), "{cell}: {}", row("altitude"));
+        }
+        assert!(row("model").contains("\"start\">1<"));
+        // The list counts from 1, as the enumeration does.
+        assert!(row("model").contains("<ol><li><code>exact</code>: "), "{}", row("model"));
+        assert_eq!(row("model").matches("<li>").count(), 5);
+        assert!(row("tolerance").contains("\"min\">1e-12<"));
+        assert!(!row("attitude.pitch").contains("\"start\""), "outputs have no start");
+    }
+
+    #[test]
+    fn the_page_fits_a_phone_and_needs_no_other_file() {
+        let page = page_of(&jet());
+        assert!(page.contains("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"));
+        assert!(page.contains("@media (max-width:"));
+        for external in ["src=", "url(http", "@import", "<link", "href=\"http"] {
+            assert!(!page.contains(external), "{external}");
+        }
     }
 }

@@ -67,7 +67,7 @@ impl Package {
         entries.extend(self.libraries(&description.model_identifier)?);
         entries.push(Entry::new(format!("resources/{}", fmi2::RESOURCE_FILE), model.to_bytes()));
         entries.push(Entry::new("resources/aircraft.toml", read(&self.aircraft)?));
-        let page = documentation::page(&aircraft, &description.variables);
+        let page = documentation::page(&aircraft, &model);
         entries.push(Entry::new("documentation/index.html", page));
         entries.extend(licences::gather(&self.workspace)?);
         Ok(archive::to_bytes(entries)?)

@@ -1,5 +1,4 @@
-//! Reads an FMU's `modelDescription.xml`: what the calling side, the documentation page and a system of several
-//! FMUs need of it.
+//! Reads an FMU's `modelDescription.xml`: what the calling side and a system of several FMUs need of it.
 
 use std::fmt;
 

@@ -1,14 +1,28 @@
 //! The picture of the documentation page: the aircraft from above, drawn from its strips, beams, engines and
-//! stations as SVG. The nose points up.
+//! stations as SVG, with a scale, the body axes and the names of engines and stations. The nose points up.
 
 use std::fmt::Write;
 
 use flexible_aircraft::aircraft::{Aircraft, Attachment, ControlGains, Strip};
 use nalgebra::Vector3;
 
-/// Width of the picture, px.
-const WIDTH: f64 = 640.0;
+/// Width of the picture, px: about that of a phone, so that its letters can be read there.
+const WIDTH: f64 = 480.0;
 const MARGIN: f64 = 16.0;
+
+/// Of letters, px.
+const FONT: f64 = 13.0;
+/// Of a letter on average, px; rather too much.
+const LETTER: f64 = 0.58 * FONT;
+
+/// Below the aircraft, for the scale, px.
+const FOOT: f64 = 34.0;
+
+/// Radius of a point, px.
+const DOT: f64 = 4.0;
+
+/// Length of the drawn body axes, px.
+const AXIS: f64 = 30.0;
 
 /// An SVG element with the undeformed aircraft from above.
 pub(crate) fn svg(aircraft: &Aircraft) -> String {
@@ -16,9 +30,10 @@ pub(crate) fn svg(aircraft: &Aircraft) -> String {
         aircraft.strips.iter().map(|strip| outline(aircraft, strip, [-1.0, 1.0])).collect();
     let frame = Frame::around(aircraft.nodes.iter().chain(outlines.iter().flatten()));
     let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0} {:.0}\" role=\"img\" \
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0} {:.0}\" role=\"img\" font-size=\"{FONT}\" \
          aria-label=\"Plan view\">\n",
-        WIDTH, frame.height
+        WIDTH,
+        frame.height + FOOT
     );
     for (strip, outline) in aircraft.strips.iter().zip(&outlines) {
         polygon(&mut svg, &frame, outline, "surface");
@@ -31,13 +46,18 @@ pub(crate) fn svg(aircraft: &Aircraft) -> String {
         let [from, to] = beam.nodes.map(|node| frame.place(&aircraft.nodes[node]));
         line(&mut svg, from, to, "axis");
     }
+    let mut points: Vec<Point> = Vec::new();
     for engine in &aircraft.engines {
         let place = frame.place(&(position(aircraft, engine.attachment) + engine.offset));
-        circle(&mut svg, place, "engine", &engine.name);
+        points.push(Point { place, class: "engine", name: &engine.name });
     }
     for station in &aircraft.stations {
-        circle(&mut svg, frame.place(&position(aircraft, station.attachment)), "station", &station.name);
+        let place = frame.place(&position(aircraft, station.attachment));
+        points.push(Point { place, class: "station", name: &station.name });
     }
+    body_axes(&mut svg, frame.place(&aircraft.nodes[0]));
+    label(&mut svg, &points, [WIDTH, frame.height]);
+    scale(&mut svg, &frame);
     svg.push_str("</svg>\n");
     svg
 }
@@ -71,7 +91,7 @@ impl Frame {
             (low, high) = (low.inf(point), high.sup(point));
         }
         // A wing alone is slender; the limit keeps an aircraft that is longer than wide on the page.
-        let scale = (WIDTH - 2.0 * MARGIN) / (high.y - low.y).max(0.5 * (high.x - low.x));
+        let scale = (WIDTH - 2.0 * MARGIN) / (high.y - low.y).max(0.5 * (high.x - low.x)).max(1e-3);
         let height = (high.x - low.x) * scale + 2.0 * MARGIN;
         Frame { foremost: high.x, leftmost: (low.y + high.y) / 2.0 - WIDTH / scale / 2.0, scale, height }
     }
@@ -79,6 +99,114 @@ impl Frame {
     fn place(&self, point: &Vector3<f64>) -> [f64; 2] {
         [(point.y - self.leftmost) * self.scale, (self.foremost - point.x) * self.scale + MARGIN]
     }
+}
+
+/// An engine or a station.
+struct Point<'a> {
+    /// px.
+    place: [f64; 2],
+    class: &'static str,
+    name: &'a str,
+}
+
+/// What a label covers, px.
+#[derive(Clone, Copy, Debug)]
+struct Rectangle {
+    left: f64,
+    top: f64,
+    width: f64,
+}
+
+impl Rectangle {
+    const HEIGHT: f64 = FONT + 2.0;
+
+    fn overlaps(&self, other: &Rectangle) -> bool {
+        self.left < other.left + other.width
+            && other.left < self.left + self.width
+            && (self.top - other.top).abs() < Self::HEIGHT
+    }
+
+    fn covers(&self, [x, y]: [f64; 2]) -> bool {
+        (self.left - DOT..self.left + self.width + DOT).contains(&x)
+            && (self.top - DOT..self.top + Self::HEIGHT + DOT).contains(&y)
+    }
+}
+
+/// The points, and each one's name where it is on the picture and on no other name or point.
+fn label(svg: &mut String, points: &[Point], size: [f64; 2]) {
+    for Point { place, class, name } in points {
+        circle(svg, *place, class, name);
+    }
+    let mut taken: Vec<Rectangle> = Vec::new();
+    for (index, Point { place, name, .. }) in points.iter().enumerate() {
+        let others =
+            || points.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, point)| point.place);
+        let is_free = |space: &Rectangle| {
+            !taken.iter().any(|other| other.overlaps(space)) && !others().any(|place| space.covers(place))
+        };
+        let spaces = spaces(*place, LETTER * name.chars().count() as f64, size);
+        let Some(space) = spaces.iter().find(|space| is_free(space)).or(spaces.first()) else { continue };
+        taken.push(*space);
+        // Writing to a `String` cannot fail.
+        let _ = writeln!(
+            svg,
+            "<text class=\"name\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
+            space.left + space.width / 2.0,
+            space.top + FONT - 1.0,
+            quick_xml::escape::escape(*name)
+        );
+    }
+}
+
+/// Where the name of a point may stand, the best first: beside it, outwards; above or below, ever farther; inwards.
+fn spaces([x, y]: [f64; 2], width: f64, [picture_width, height]: [f64; 2]) -> Vec<Rectangle> {
+    let (gap, right) = (DOT + 3.0, picture_width - 2.0 - width);
+    let (before, after) = (x - gap - width, x + gap);
+    let (outwards, inwards) = if x < picture_width / 2.0 { (before, after) } else { (after, before) };
+    let beside = y - Rectangle::HEIGHT / 2.0;
+    let mut spaces = vec![Rectangle { left: outwards, top: beside, width }];
+    for row in 0..4 {
+        let away = gap + f64::from(row) * Rectangle::HEIGHT;
+        let left = (x - width / 2.0).min(right).max(2.0);
+        for top in [y - away - Rectangle::HEIGHT, y + away] {
+            spaces.push(Rectangle { left, top, width });
+        }
+    }
+    spaces.push(Rectangle { left: inwards, top: beside, width });
+    let fits = |space: &Rectangle| {
+        (2.0..=right).contains(&space.left) && space.top >= 0.0 && space.top + Rectangle::HEIGHT <= height
+    };
+    spaces.retain(fits);
+    spaces
+}
+
+/// O with the axes x, ahead, and y, to the right.
+fn body_axes(svg: &mut String, [x, y]: [f64; 2]) {
+    line(svg, [x, y], [x, y - AXIS], "body");
+    line(svg, [x, y], [x + AXIS, y], "body");
+    for (text, [x, y]) in
+        [("x", [x + 4.0, y - AXIS + 8.0]), ("y", [x + AXIS + 2.0, y + 4.0]), ("O", [x - 12.0, y + 12.0])]
+    {
+        let _ = writeln!(svg, "<text class=\"body\" x=\"{x:.1}\" y=\"{y:.1}\">{text}</text>");
+    }
+}
+
+/// A bar of a round length, below the aircraft, with its length.
+fn scale(svg: &mut String, frame: &Frame) {
+    let length = round_length(0.3 * WIDTH / frame.scale);
+    let (left, right, y) = (MARGIN, MARGIN + length * frame.scale, frame.height + FOOT / 2.0);
+    line(svg, [left, y], [right, y], "scale");
+    for end in [left, right] {
+        line(svg, [end, y - 4.0], [end, y + 4.0], "scale");
+    }
+    let _ = writeln!(svg, "<text x=\"{:.1}\" y=\"{:.1}\">{length} m</text>", right + 8.0, y + 0.35 * FONT);
+}
+
+/// The longest of 1, 2 and 5 times a power of ten that is no longer than this.
+fn round_length(most: f64) -> f64 {
+    let power = 10_f64.powf(most.log10().floor());
+    let factor = [5.0, 2.0].into_iter().find(|factor| factor * power <= most).unwrap_or(1.0);
+    factor * power
 }
 
 // Writing to a `String` cannot fail.
@@ -103,7 +231,7 @@ fn circle(svg: &mut String, [x, y]: [f64; 2], class: &str, name: &str) {
     let name = quick_xml::escape::escape(name);
     let _ = writeln!(
         svg,
-        "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\"><title>{name}</title></circle>"
+        "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{DOT}\"><title>{name}</title></circle>"
     );
 }
 
@@ -111,14 +239,54 @@ fn circle(svg: &mut String, [x, y]: [f64; 2], class: &str, name: &str) {
 mod tests {
     use super::*;
 
+    fn jet() -> Aircraft {
+        let text = include_str!("../../aircraft/generic-business-jet.toml");
+        Aircraft::parse(text, "jet").unwrap()
+    }
+
     #[test]
     fn flaps_are_drawn_where_a_control_moves_them() {
-        let text = include_str!("../../aircraft/generic-business-jet.toml");
-        let jet = Aircraft::parse(text, "jet").unwrap();
+        let jet = jet();
         let moved = |strip: &&Strip| strip.flap.is_some_and(|f| f.gains != ControlGains::default());
         let (moved, all) =
             (jet.strips.iter().filter(moved).count(), jet.strips.iter().filter(|s| s.flap.is_some()));
         assert!(moved > 0 && moved < all.count());
         assert_eq!(svg(&jet).matches("class=\"flap\"").count(), moved);
+    }
+
+    #[test]
+    fn every_engine_and_station_is_named_and_the_scale_is_true() {
+        let jet = jet();
+        let picture = svg(&jet);
+        let names = jet.engines.iter().map(|e| &e.name).chain(jet.stations.iter().map(|s| &s.name));
+        for name in names {
+            assert!(picture.contains(&format!(">{name}</text>")), "{name}");
+        }
+        let bar = picture.lines().find(|line| line.contains("class=\"scale\"")).unwrap();
+        let end = |name: &str| {
+            let rest = bar.split(&format!("{name}=\"")).nth(1).unwrap();
+            rest.split('"').next().unwrap().parse::<f64>().unwrap()
+        };
+        // The span of 24.9 m fills the picture between its margins.
+        let width = jet.nodes.iter().map(|node| node.y.abs()).fold(0.0, f64::max) * 2.0;
+        let metres = (end("x2") - end("x1")) / (WIDTH - 2.0 * MARGIN) * width;
+        assert!(picture.contains(">5 m</text>") && (metres - 5.0).abs() < 0.05, "{metres}");
+    }
+
+    #[test]
+    fn no_two_names_overlap_where_there_is_room() {
+        let place = [240.0, 100.0];
+        let first = spaces(place, 80.0, [480.0, 300.0])[0];
+        let second = spaces(place, 80.0, [480.0, 300.0]).into_iter().find(|space| !space.overlaps(&first));
+        assert!(second.is_some());
+        // At the right edge the name stands to the left of its point or above.
+        assert!(spaces([478.0, 100.0], 80.0, [480.0, 300.0]).iter().all(|space| space.left + 80.0 <= 478.0));
+    }
+
+    #[test]
+    fn a_length_of_the_scale_is_one_two_or_five_of_something() {
+        for (most, length) in [(9.9, 5.0), (5.0, 5.0), (4.9, 2.0), (1.0, 1.0), (0.3, 0.2), (19.0, 10.0)] {
+            assert!((round_length(most) / length - 1.0).abs() < 1e-12, "{most}");
+        }
     }
 }

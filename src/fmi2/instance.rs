@@ -147,7 +147,7 @@ impl Instance {
     /// # Errors
     /// When the resources are not there or of another FMU.
     pub fn new(
-        resource_location: &str,
+        resource_location: &[u8],
         given_guid: &str,
         logger: Logger,
     ) -> Result<Self, InstantiationError> {

@@ -88,12 +88,8 @@ fn unit_definitions(xml: &mut Xml) -> io::Result<()> {
 }
 
 fn define(xml: &mut Xml, unit: Unit) -> io::Result<()> {
-    let element = xml.create_element("Unit").with_attribute(("name", unit.name()));
-    let Some(base) = unit.base() else {
-        element.write_empty()?;
-        return Ok(());
-    };
-    element.write_inner_content(|xml| {
+    let base = unit.base();
+    xml.create_element("Unit").with_attribute(("name", unit.name())).write_inner_content(|xml| {
         let exponents = [("kg", base.kilogram), ("m", base.metre), ("s", base.second), ("rad", base.radian)];
         let mut element = xml.create_element("BaseUnit");
         for (name, exponent) in exponents.into_iter().filter(|(_, exponent)| *exponent != 0) {

@@ -16,8 +16,8 @@ pub enum ResourceError {
         /// In it.
         host: String,
     },
-    /// The percent-encoded bytes are not UTF-8.
-    #[error("resource location `{0}`: its percent-encoded bytes are not UTF-8")]
+    /// Its bytes are not UTF-8, where paths have to be.
+    #[error("resource location `{0}`: its bytes are not UTF-8, as paths of this system are")]
     Encoding(String),
 }
 
@@ -25,37 +25,58 @@ pub enum ResourceError {
 ///
 /// Importers write `file:///dir`, `file:/dir`, `file://localhost/dir` and, from a path with a leading
 /// slash too many, `file:////dir`; all mean `/dir`. A percent sign that encodes nothing stands for itself.
+/// On Unix a path is bytes, whether they are percent-encoded or stand there as they are; elsewhere it is UTF-8.
 ///
 /// # Errors
-/// When it is not a URI of a local file or not UTF-8.
-pub fn directory(uri: &str) -> Result<PathBuf, ResourceError> {
-    path(uri, cfg!(windows)).map(PathBuf::from)
+/// When it is not a URI of a local file, or not UTF-8 where paths are.
+pub fn directory(uri: &[u8]) -> Result<PathBuf, ResourceError> {
+    native(path(uri, cfg!(windows))?).ok_or_else(|| ResourceError::Encoding(shown(uri)))
 }
 
-fn path(uri: &str, windows: bool) -> Result<String, ResourceError> {
-    let not_a_file = || ResourceError::NotAFile(uri.to_owned());
-    let (scheme, rest) = uri.split_once(':').ok_or_else(not_a_file)?;
-    if !scheme.eq_ignore_ascii_case("file") || !rest.starts_with('/') {
+#[cfg(unix)]
+fn native(path: Vec<u8>) -> Option<PathBuf> {
+    Some(<std::ffi::OsString as std::os::unix::ffi::OsStringExt>::from_vec(path).into())
+}
+
+#[cfg(not(unix))]
+fn native(path: Vec<u8>) -> Option<PathBuf> {
+    String::from_utf8(path).ok().map(PathBuf::from)
+}
+
+fn path(uri: &[u8], windows: bool) -> Result<Vec<u8>, ResourceError> {
+    let not_a_file = || ResourceError::NotAFile(shown(uri));
+    let (scheme, rest) = split_once(uri, b':').ok_or_else(not_a_file)?;
+    if !scheme.eq_ignore_ascii_case(b"file") || !rest.starts_with(b"/") {
         return Err(not_a_file());
     }
-    let local = match rest.strip_prefix("//") {
+    let local = match rest.strip_prefix(b"//") {
         None => rest,
         Some(authority) => {
-            let (host, _) = authority.split_once('/').ok_or_else(not_a_file)?;
-            if !host.is_empty() && !host.eq_ignore_ascii_case("localhost") {
-                return Err(ResourceError::Host { uri: uri.to_owned(), host: host.to_owned() });
+            let (host, _) = split_once(authority, b'/').ok_or_else(not_a_file)?;
+            if !host.is_empty() && !host.eq_ignore_ascii_case(b"localhost") {
+                return Err(ResourceError::Host { uri: shown(uri), host: shown(host) });
             }
             &authority[host.len()..]
         }
     };
-    let decoded = percent_decoded(local).ok_or_else(|| ResourceError::Encoding(uri.to_owned()))?;
-    let relative = decoded.trim_start_matches('/');
-    let is_drive = relative.as_bytes().get(1) == Some(&b':');
-    Ok(if windows && is_drive { relative.to_owned() } else { format!("/{relative}") })
+    let decoded = percent_decoded(local);
+    let slashes = decoded.iter().take_while(|byte| **byte == b'/').count();
+    let relative = &decoded[slashes..];
+    let is_drive = relative.get(1) == Some(&b':');
+    Ok(if windows && is_drive { relative.to_owned() } else { [b"/", relative].concat() })
 }
 
-fn percent_decoded(text: &str) -> Option<String> {
-    let bytes = text.as_bytes();
+/// For people.
+fn shown(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn split_once(bytes: &[u8], at: u8) -> Option<(&[u8], &[u8])> {
+    let place = bytes.iter().position(|byte| *byte == at)?;
+    Some((&bytes[..place], &bytes[place + 1..]))
+}
+
+fn percent_decoded(bytes: &[u8]) -> Vec<u8> {
     let mut decoded = Vec::with_capacity(bytes.len());
     let mut i = 0;
     while i < bytes.len() {
@@ -70,7 +91,7 @@ fn percent_decoded(text: &str) -> Option<String> {
             }
         }
     }
-    String::from_utf8(decoded).ok()
+    decoded
 }
 
 /// The byte that `%XY` at the beginning of `text` stands for.
@@ -84,8 +105,12 @@ fn encoded_byte(text: &[u8]) -> Option<u8> {
 mod tests {
     use super::*;
 
+    fn on(windows: bool, uri: &str) -> Result<String, ResourceError> {
+        path(uri.as_bytes(), windows).map(|path| String::from_utf8(path).unwrap())
+    }
+
     fn unix(uri: &str) -> String {
-        path(uri, false).unwrap()
+        on(false, uri).unwrap()
     }
 
     #[test]
@@ -106,23 +131,39 @@ mod tests {
     fn percent_encoding_is_utf8_and_a_lone_percent_sign_stands_for_itself() {
         assert_eq!(unix("file:///tmp/caf%C3%A9%20x/%7b%7D"), "/tmp/café x/{}");
         assert_eq!(unix("file:///tmp/{x}/100%/r"), "/tmp/{x}/100%/r");
-        assert_eq!(path("file:///tmp/%FF", false), Err(ResourceError::Encoding("file:///tmp/%FF".into())));
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn bytes_that_are_not_utf8_are_a_path_encoded_or_not() {
+        use std::os::unix::ffi::OsStrExt;
+        for uri in [&b"file:///tmp/caf%E9/r"[..], b"file:///tmp/caf\xE9/r", b"file://localhost/tmp/caf%e9/r"]
+        {
+            assert_eq!(directory(uri).unwrap().as_os_str().as_bytes(), b"/tmp/caf\xE9/r");
+        }
+    }
+
+    #[test]
+    #[cfg(not(unix))]
+    fn bytes_that_are_not_utf8_are_no_path() {
+        let uri = "file:///tmp/%FF";
+        assert_eq!(directory(uri.as_bytes()), Err(ResourceError::Encoding(uri.into())));
     }
 
     #[test]
     fn windows_drives_lose_the_slash_only_on_windows() {
-        assert_eq!(path("file:///C:/fmu/resources", true).unwrap(), "C:/fmu/resources");
-        assert_eq!(path("file:/C:/fmu", true).unwrap(), "C:/fmu");
-        assert_eq!(path("file:///C%3A/fmu", true).unwrap(), "C:/fmu");
+        assert_eq!(on(true, "file:///C:/fmu/resources").unwrap(), "C:/fmu/resources");
+        assert_eq!(on(true, "file:/C:/fmu").unwrap(), "C:/fmu");
+        assert_eq!(on(true, "file:///C%3A/fmu").unwrap(), "C:/fmu");
         assert_eq!(unix("file:///C:/fmu"), "/C:/fmu");
     }
 
     #[test]
     fn other_schemes_hosts_and_relative_paths_are_refused() {
         for uri in ["http://x/y", "/tmp/a", "", "file:", "file:tmp", "file://"] {
-            assert_eq!(path(uri, false), Err(ResourceError::NotAFile(uri.into())), "{uri}");
+            assert_eq!(on(false, uri), Err(ResourceError::NotAFile(uri.into())), "{uri}");
         }
-        let host = path("file://server/x", false).unwrap_err();
+        let host = on(false, "file://server/x").unwrap_err();
         assert!(host.to_string().contains("server"), "{host}");
     }
 }

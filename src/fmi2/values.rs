@@ -5,6 +5,7 @@
 use super::instance::{Instance, Refusal};
 use super::life_cycle::State;
 use super::types::ValueReference;
+use crate::simulation::Settings;
 use crate::variables::{InputSlot, ParameterSlot, Slot, Type, Value, Variable};
 
 /// Which variables a function reads or writes.
@@ -85,7 +86,7 @@ impl Instance {
     ) -> Result<(), Refusal> {
         for (reference, value) in references.iter().zip(values.clone()) {
             let variable = self.variable(*reference, family)?;
-            if let Some(objection) = objection_to_setting(variable, value, self.state) {
+            if let Some(objection) = objection_to_setting(variable, value, self.state, &self.settings) {
                 return Err(Refusal::error(objection));
             }
         }
@@ -193,12 +194,18 @@ fn unknown(reference: ValueReference) -> String {
     format!("value reference {reference}: there is no such variable")
 }
 
-/// Why a variable may not be set to a value now.
-fn objection_to_setting(variable: &Variable, value: Value, state: State) -> Option<String> {
+/// Why a variable may not be set to a value now. After initialisation a parameter may be written again with the value
+/// that it has, for some importers write all parameters before every step.
+fn objection_to_setting(
+    variable: &Variable,
+    value: Value,
+    state: State,
+    settings: &Settings,
+) -> Option<String> {
     let name = &variable.name;
     match variable.slot {
         Slot::Output(_) => return Some(format!("`{name}` is an output and cannot be set")),
-        Slot::Parameter(_) if state == State::StepComplete => {
+        Slot::Parameter(slot) if state == State::StepComplete && slot.get(settings) != value => {
             return Some(format!(
                 "`{name}` is a fixed parameter: it can be set only until initialisation ends"
             ));

@@ -16,7 +16,7 @@ use crate::columns::Columns;
 use crate::lanes::{AlignedNumbers, LANES, zeros};
 
 use super::StrainEnergy;
-use super::reduced::ModeFamily;
+use super::mode::ModeFamily;
 
 /// The elastic generalised forces of a choice of modes, with the opposite sign: ∂U/∂q.
 #[derive(Clone, Debug)]

@@ -7,38 +7,7 @@ use crate::aircraft::{Aircraft, Flap, Limits, Support, TunnelAir};
 
 use super::assembly::Structure;
 use super::mode_count::{MOST_MODES, ModeCount, ModeKind};
-use super::{ModalBasis, ModalIntegrals, StrainEnergy, StructureError};
-
-/// How a mode behaves under reflection in the plane y = 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum ModeFamily {
-    /// Its own mirror image.
-    Symmetric,
-    /// The negative of its mirror image.
-    Antisymmetric,
-    /// The structure has no mirror plane.
-    Unsymmetric,
-}
-
-/// A natural mode of the clamped structure.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Mode {
-    /// Its family.
-    pub family: ModeFamily,
-    /// ω at nominal stiffness, rad/s.
-    pub angular_frequency: f64,
-    /// Whether it belongs to lower modes: a basis that ends right before it has one of a pair and not the other.
-    pub completes_a_pair: bool,
-}
-
-/// Mode shapes at one point of the structure, row-major 3 × n each.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct ModeShapes {
-    /// Ψᵘ: displacement per generalised coordinate, body axes.
-    pub translation: Vec<f64>,
-    /// Ψᵠ: rotation per generalised coordinate, body axes.
-    pub rotation: Vec<f64>,
-}
+use super::{ModalBasis, ModalIntegrals, Mode, ModeShapes, StrainEnergy, StructureError};
 
 /// An aircraft reduced to its modes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -50,7 +50,7 @@ pub struct Variable {
     pub kind: Type,
     /// When its value changes.
     pub variability: Variability,
-    /// Every Real has one.
+    /// Every Real has one, except the modal coordinates: no unit of FMI is made of √kg.
     pub unit: Option<Unit>,
     /// Value before it is set; inputs and parameters have one, outputs are calculated.
     pub start: Option<Value>,

@@ -221,15 +221,15 @@ fn modal_coordinates(model: &ReducedModel) -> Vec<Variable> {
     let mut rows = Vec::new();
     for mode in 0..model.modes.len() {
         let number = mode + 1;
-        let text = format!("Generalised coordinate of mode {number}, 0 when not in use");
+        let text = format!("Generalised coordinate of mode {number} (kg^(1/2) m), 0 when not in use");
         let slot = OutputSlot::ModalCoordinate(mode);
-        rows.push(output(format!("modal.q[{number}]"), Unit::RootKilogramMetre, slot, text));
+        rows.push(output(format!("modal.q[{number}]"), None, slot, text));
     }
     for mode in 0..model.modes.len() {
         let number = mode + 1;
-        let text = format!("Rate of the generalised coordinate of mode {number}");
+        let text = format!("Rate of the generalised coordinate of mode {number} (kg^(1/2) m/s)");
         let slot = OutputSlot::ModalRate(mode);
-        rows.push(output(format!("modal.q_dot[{number}]"), Unit::RootKilogramMetrePerSecond, slot, text));
+        rows.push(output(format!("modal.q_dot[{number}]"), None, slot, text));
     }
     rows
 }
@@ -291,8 +291,8 @@ fn parameter(name: &str, slot: ParameterSlot, start: &Settings, description: &st
     }
 }
 
-fn output(name: String, unit: Unit, slot: OutputSlot, description: String) -> Variable {
-    real(name, Some(unit), Slot::Output(slot), description)
+fn output(name: String, unit: impl Into<Option<Unit>>, slot: OutputSlot, description: String) -> Variable {
+    real(name, unit.into(), Slot::Output(slot), description)
 }
 
 fn real(name: String, unit: Option<Unit>, slot: Slot, description: String) -> Variable {

@@ -1,4 +1,5 @@
-//! Units of the variables, and how they are made of SI base units.
+//! Units of the variables, and how they are made of SI base units with integer exponents: all that FMI can say.
+//! The √kg of mass-normalised modes is outside of that, and their coordinates have no unit.
 
 /// Unit of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,10 +22,6 @@ pub enum Unit {
     Pascal,
     /// kg/m³
     KilogramPerCubicMetre,
-    /// √kg m: coordinates of mass-normalised modes
-    RootKilogramMetre,
-    /// √kg m/s: their rates
-    RootKilogramMetrePerSecond,
 }
 
 /// Integer exponents of the SI base units in a unit.
@@ -53,7 +50,7 @@ const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
 
 impl Unit {
     /// All units, in the order of the model description.
-    pub const ALL: [Unit; 11] = [
+    pub const ALL: [Unit; 9] = [
         Unit::One,
         Unit::Metre,
         Unit::MetrePerSecond,
@@ -63,8 +60,6 @@ impl Unit {
         Unit::Newton,
         Unit::Pascal,
         Unit::KilogramPerCubicMetre,
-        Unit::RootKilogramMetre,
-        Unit::RootKilogramMetrePerSecond,
     ];
 
     /// As written in the model description.
@@ -79,15 +74,13 @@ impl Unit {
             Unit::Newton => "N",
             Unit::Pascal => "Pa",
             Unit::KilogramPerCubicMetre => "kg/m3",
-            Unit::RootKilogramMetre => "kg(1/2).m",
-            Unit::RootKilogramMetrePerSecond => "kg(1/2).m/s",
         }
     }
 
-    /// None where FMI cannot say it: its exponents are integers.
-    pub fn base(self) -> Option<BaseUnit> {
+    /// What it is made of.
+    pub fn base(self) -> BaseUnit {
         let one = BaseUnit::default();
-        Some(match self {
+        match self {
             Unit::One => one,
             Unit::Metre => BaseUnit { metre: 1, ..one },
             Unit::MetrePerSecond => BaseUnit { metre: 1, second: -1, ..one },
@@ -97,8 +90,7 @@ impl Unit {
             Unit::Newton => BaseUnit { kilogram: 1, metre: 1, second: -2, ..one },
             Unit::Pascal => BaseUnit { kilogram: 1, metre: -1, second: -2, ..one },
             Unit::KilogramPerCubicMetre => BaseUnit { kilogram: 1, metre: -3, ..one },
-            Unit::RootKilogramMetre | Unit::RootKilogramMetrePerSecond => return None,
-        })
+        }
     }
 
     /// The unit that people prefer to see, if another one.

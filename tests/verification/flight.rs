@@ -31,11 +31,11 @@ fn a_mirrored_rudder_gives_the_mirrored_flight() {
         "A mirrored rudder doublet flies the mirrored flight: largest difference over 8 s, one-tenth stiffness",
         "symmetry of the aircraft",
     );
-    record.rounding("velocity, m/s", 1e-9, velocity);
-    record.rounding("angular velocity, rad/s", 1e-10, rate);
-    record.rounding("attitude, rad", 1e-10, attitude);
-    record.rounding("wing-tip deflection, m", 1e-9, deflection);
-    record.rounding("position, m", 1e-8, position);
+    record.rounding("velocity, m/s", 1e-12, velocity);
+    record.rounding("angular velocity, rad/s", 5e-14, rate);
+    record.rounding("attitude, rad", 2e-13, attitude);
+    record.rounding("wing-tip deflection, m", 2e-13, deflection);
+    record.rounding("position, m", 1e-11, position);
     record.finish();
 }
 
@@ -77,10 +77,10 @@ fn without_input_every_level_stays_trimmed_for_a_minute() {
         let pitch = flight.trim().pitch;
         flight.advance_to(60.0).unwrap();
         let outputs = flight.outputs();
-        record.rounding(&format!("{fidelity:?}: pitch"), 1e-6, outputs.attitude.y - pitch);
+        record.rounding(&format!("{fidelity:?}: pitch"), 1e-14, outputs.attitude.y - pitch);
         let load_factor = outputs.load_factor.z - libm::cos(pitch);
-        record.rounding(&format!("{fidelity:?}: load factor"), 1e-6, load_factor);
-        record.rounding(&format!("{fidelity:?}: distance"), 1e-3, outputs.position.x - 60.0 * 127.0);
+        record.rounding(&format!("{fidelity:?}: load factor"), 1e-13, load_factor);
+        record.rounding(&format!("{fidelity:?}: distance"), 1e-7, outputs.position.x - 60.0 * 127.0);
     }
     record.finish();
 }
@@ -119,8 +119,8 @@ fn the_heading_only_turns_the_flight() {
         "A heading of 2 rad only turns the flight: largest difference over 4 s of an elevator 2-3-1-1",
         "isotropy",
     );
-    record.rounding("position, m", 1e-7, position);
-    record.rounding("velocity, m/s", 1e-9, velocity);
+    record.rounding("position, m", 1e-12, position);
+    record.rounding("velocity, m/s", 1e-12, velocity);
     record.finish();
 }
 

@@ -138,7 +138,7 @@ fn the_mass_matrix_is_that_of_the_particles_and_positive_definite() {
         "The mass matrix of the same jet and states, entries relative to their diagonals",
         "Σ m JᵀJ with J = [1, −R×, ψ], symmetric and positive definite by construction",
     );
-    record.rounding("largest difference of an entry", 1e-10, difference);
+    record.rounding("largest difference of an entry", 1e-12, difference);
     record.at_least("smallest eigenvalue", 1e-4, smallest);
     record.finish();
 }

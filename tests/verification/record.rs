@@ -82,6 +82,8 @@ impl Record {
 
     /// A rounding error: whatever is below the bound looks the same on every machine.
     pub fn rounding(&mut self, case: &str, bound: f64, measured: f64) {
+        // What the record does not show is printed, so that a bound can be judged by what is found.
+        println!("{case}: {measured:.1e} of {}", plain(bound));
         let shown =
             if measured.abs() <= bound { format!("< {}", plain(bound)) } else { format!("{measured:e}") };
         self.add(case, &["0".to_owned(), plain(bound), shown, String::new()], measured.abs() <= bound);

@@ -138,9 +138,9 @@ fn value_gradient_and_hessian_are_those_of_the_integral() {
         "direct integration of ½Eε² and ½GJφ′² (8-point Gauss rule, strains differenced from the displacement field) \
          and its differences; five-point differences of a quartic are exact",
     );
-    record.rounding("U", 1e-11, largest[0]);
-    record.rounding("gradient", 1e-9, largest[1]);
-    record.rounding("Hessian", 1e-8, largest[2]);
+    record.rounding("U", 2e-14, largest[0]);
+    record.rounding("gradient", 3e-14, largest[1]);
+    record.rounding("Hessian", 6e-14, largest[2]);
     record.finish();
 }
 

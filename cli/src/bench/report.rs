@@ -127,24 +127,25 @@ impl Report<'_> {
     /// The right-hand side over the sizes, each relative to the standard aircraft's.
     pub fn chart(&self) -> Chart {
         let Scaling { modes, strips, inflow_states, .. } = &self.scaling;
-        let curve = |label: &str, points: &[Point], standard: usize| Curve {
-            label: label.to_owned(),
+        let all = self.model.strips.len();
+        let curve = |label: String, points: &[Point], standard: usize| Curve {
+            label,
             points: points
                 .iter()
                 .map(|point| (point.size as f64 / standard as f64, 1e6 * point.half.right_hand_side))
                 .collect(),
         };
         let curves = vec![
-            curve("modes / 12", modes, 12),
-            curve("strips / 99", strips, self.model.strips.len()),
-            curve("inflow states / 5", inflow_states, 5),
+            curve("modes (1 is 12)".to_owned(), modes, 12),
+            curve(format!("strips (1 is {all})"), strips, all),
+            curve("inflow states a strip (1 is 5)".to_owned(), inflow_states, 5),
         ];
         let points = || curves.iter().flat_map(|curve| &curve.points);
         let most = points().fold(0.0_f64, |most, point| most.max(point.1));
         Chart {
-            title: "Cost of the right-hand side in symmetric flight".to_owned(),
-            x: Axis::new("size relative to the standard aircraft", Window::new(0.0, 4.2)),
-            y: Axis::new("µs", Window::new(0.0, 1.1 * most)),
+            title: "Time of one right-hand side in symmetric flight".to_owned(),
+            x: Axis::new("size, in parts of the standard aircraft's (1)", Window::new(0.0, 4.2)),
+            y: Axis::new("processor time (µs)", Window::new(0.0, 1.1 * most)),
             curves,
             marks: vec![Mark::Vertical(1.0, String::new())],
             frame: None,

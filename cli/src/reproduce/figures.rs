@@ -201,10 +201,10 @@ impl Group {
 }
 
 impl Figure {
-    /// The flights whose curves it shows, with their labels. The rigid aircraft has no deflection.
+    /// The flights whose curves it shows, with their labels.
     pub fn flights(&self) -> Vec<(Flight, String)> {
         let mut flights = self.comparison.flights();
-        flights.retain(|(flight, _)| self.quantity != WingTip || flight.fidelity != Fidelity::Rigid);
+        flights.retain(|(flight, _)| self.quantity.is_of(flight));
         flights
     }
 

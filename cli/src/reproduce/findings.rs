@@ -1,10 +1,13 @@
-//! What the comparison shows for the shipped jet, in words. The numbers are of the flights with its file;
-//! what changes with the file (ranges, counts, table) is computed and not written here.
+//! What the page says. The constants tell what was done and how to read it; what came out is computed from the
+//! flights that were flown, for whatever aircraft, and nothing else is said of them.
 
-use flexible_aircraft::simulation::Fidelity;
-
-use super::cases::Case;
-use super::figures::Comparison;
+use super::cases::symbol;
+use super::figures::{Comparison, Group};
+use super::fit::Verdict;
+use super::history::{History, Quantity};
+use super::page::number;
+use super::plots::Plot;
+use super::table::{Row, Table, Tip};
 
 /// What the page is.
 pub const INTRODUCTION: &str = "B. C. B. Tse, <cite>Effects of Inertial and Geometric Nonlinearities in \
@@ -13,21 +16,21 @@ pub const INTRODUCTION: &str = "B. C. B. Tse, <cite>Effects of Inertial and Geom
     (ruthlessly linearised) and Rigid. Here are the same flights with this program, figure by figure, and \
     Table 5.1.";
 
+/// Of the aircraft file that comes with the program.
+const SHIPPED: &str = "The thesis' data are not public: this aircraft is a reconstruction, fitted to the thesis' \
+    deflections of the wing tip in trim. That these agree shows that one set of data serves all models; it is no \
+    prediction.";
+
+/// Of any other file.
+const OTHER: &str = "This is not the aircraft that comes with the program as a reconstruction of the thesis' jet: \
+    the thesis' figures and numbers are of another aircraft and stand here for orientation.";
+
 /// What the windows tell.
 pub const HOW_TO_READ: &str = "The plain field is the window of the thesis' axis, from its printed tick \
     labels; shaded is what we had to add to show our curves. The thesis gives no numbers of its curves, \
     but its axes are Matlab's: the narrowest range from tick to tick that holds all curves. So a figure of \
     ours can do three things: get the same axis (both extremes within one tick of the thesis'), lie inside \
     but fill less, or leave the window.";
-
-/// The result.
-pub const IN_SHORT: &str = "In short, for the shipped jet: the wing's deflections in trim agree to 4 %, \
-    the rigid-body motions have the thesis' size, and the exact model is the stiffest one, as in the \
-    thesis. Three things do not agree: at a tenth of the stiffness our CL, I and RL are trimmed at more \
-    pitch than the thesis', with the input that we chose our jet answers the elevator about 1.4 times as \
-    strongly, and at 177.8 m/s it is farther from flutter, so that the large structural oscillations of \
-    the thesis are absent. The equations are verified separately; the jet's data are a reconstruction, \
-    because the thesis' data are not public, and amplitude and timing of the inputs are ours.";
 
 /// Under both inputs.
 pub const INPUT: &str = "About the trim. Window of the thesis −0.05 to 0.05 rad and 0 to 15 s.";
@@ -37,78 +40,224 @@ pub const INPUTS: &str = "The thesis describes a 2-3-1-1 of the elevator through
     figures give only the ranges of the axes. The amplitude of 0.05 rad, the unit time of 0.7 s, the start \
     at 1 s, the first pulse nose-up, and the rudder doublet (0.05 rad, 2 s each way, first nose right, \
     same filter) are our choice. Figure 5.33 is captioned as the elevator's and is the rudder's. \
-    Accelerations are the rates of change of the body-axis velocity components: the inertial accelerations \
-    would fill an eighth of the window of figure 5.44.";
+    Accelerations are the rates of change of the body-axis velocity components.";
 
-/// On Table 5.1.
-pub const TABLE: &str = "The jet was fitted to the wing tip's deflections, so their agreement shows that \
-    one set of data serves all models; it is no prediction. The tail's do not agree: the thesis has the \
-    same deflection in E, CL and I and half of it in RL, ours is smallest in E. In the last column of each \
-    tip is what two programs written independently of this one found for the same file: it checks this \
-    program and not the data.";
+/// On the column that only the shipped aircraft has.
+pub const INDEPENDENT: &str = "In the last column of each tip is what two programs written independently of this one \
+    found for the same file: it checks this program and not the data.";
 
 /// On the table of all windows.
 pub const WINDOWS: &str = "The lowest and highest value of all curves of a figure, and the share of the \
     window that they fill. Percentages of leaving are of the window's width; the curves that leave are \
     named.";
 
-/// The finding on a group of figures.
-pub fn of(comparison: Comparison) -> &'static str {
-    match comparison {
-        Comparison::Models(Case::ElevatorNominal) => {
-            "As in the thesis the models can hardly be told apart: CL, I and RL stay within 2 % of E's \
-             range, Rigid within 4 %. All five leave most windows together, by up to 36 % of the width, \
-             and mostly downwards in V<sub>z</sub> and ω<sub>y</sub>: the input is too strong for these \
-             windows, not the flexibility wrong. With 0.7 times the amplitude figures 5.4, 5.6 and 5.7 \
-             would get the thesis' own axes. Since figure 5.1 speaks for 0.05 rad, the thesis' jet has the \
-             weaker elevator, or other pulses than ours. With 0.05 rad and the first pulse nose-down \
-             figures 5.3 and 5.4 would leave their windows upwards instead. The thesis' pitch goes above \
-             0.16 rad and ours does not, which the unknown timing may explain."
-        }
-        Comparison::Models(Case::ElevatorTenth) => {
-            "E and Rigid stay inside all six windows. CL, I and RL leave those that depend on the trim \
-             (5.8, 5.9, 5.11, 5.12): they are trimmed at 0.158 to 0.159 rad, Rigid at 0.138, E at 0.136. \
-             As in the thesis the curves are offset by their trims; but the thesis' windows for \
-             V<sub>z</sub> and θ leave no room for an offset that far upwards. Its wing seems to gain lift \
-             by deforming where that of the reconstruction loses lift. CL's growing mode (0.30 ± 33.8i \
-             1/s) becomes visible in figure 5.13 towards the end, 3 m/s² from peak to peak; it is a \
-             property of an energy that stops at third order."
-        }
-        Comparison::Models(Case::ElevatorTenthFast) => {
-            "As in the thesis E deflects least and is damped best; of the others, CL oscillates longest. \
-             The wing tip moves between 2.4 and 6.0 m (window 2 to 8), pitch and speed have the thesis' \
-             size. But the structural oscillation is much smaller: ω<sub>y</sub> stays within ±0.04 rad/s \
-             where the thesis goes beyond −0.1 and 0.05, a<sub>z</sub> within ±8 m/s² where it goes beyond \
-             ±10. The thesis' jet is near flutter at this speed; the reconstruction, fitted to static \
-             deflections, is not."
-        }
-        Comparison::Models(Case::RudderTenth) => {
-            "Yaw, yaw rate, roll rate and sideslip have the thesis' size, and two figures would get its \
-             axes. Everything that depends on the trim leaves its window: with these 12 modes, six of them \
-             symmetric, E is trimmed at 0.159 rad, the linear models at 0.172 to 0.173, Rigid at 0.138, \
-             and the thesis shows 0.12 to 0.145 (5.34, 5.36, 5.41). Some of its flexible trims must lie \
-             near 0.12 rad, below the rigid one. The flexible models roll two to three times as far as the \
-             thesis' (0.08 to 0.11 rad, window to 0.04), while Rigid stays inside: bent wings have \
-             dihedral, and ours turns more sideslip into roll."
-        }
-        Comparison::Models(Case::RudderTenthFast) => {
-            "Here we differ most. The thesis shows structural oscillations that dominate everything \
-             (a<sub>y</sub> to more than 20 m/s², a loss of speed of more than 7 m/s); ours are damped and \
-             fill less than a sixth of those windows. The forward speed varies by 0.2 m/s. The lateral \
-             motion itself (roll rate −0.21 to 0.15 rad/s) is of the thesis' size, and roll leaves its \
-             window upwards for the reason given above. The cause is the distance to flutter: the thesis' \
-             approximate models are at or beyond it at this speed; of ours only CL grows, and slowly."
-        }
-        Comparison::Aerodynamics(Fidelity::ConsistentlyLinearised) => {
-            "The thesis finds a larger effect in CL than in E, because CL oscillates more. Ours is larger \
-             too, but hardly: up to 6 % of the range. CL's trim is 0.013 rad above E's, which takes \
-             V<sub>x</sub>, V<sub>z</sub> and θ out of their windows by up to 36 % of the width."
-        }
-        Comparison::Aerodynamics(_) => {
-            "As in the thesis, unsteady and steady aerodynamics give very similar motions with the exact \
-             model: they differ by at most 5 % of the range of each quantity. Our E goes on accelerating \
-             after the manoeuvre, to 178.5 m/s, and leaves the window of figure 5.21; the thesis' stays \
-             below 177.8 m/s."
-        }
+/// Between the two ends of the flight that are compared to see whether an oscillation grows, s.
+const SPELL: f64 = 2.0;
+
+/// An oscillation grows when its height in the last spell is this much of that in the one before …
+const GROWTH: f64 = 1.1;
+/// … and at least this share of the quantity's range.
+const NOTICEABLE: f64 = 0.02;
+
+/// The result in short.
+pub fn in_short(table: &Table) -> Vec<String> {
+    let mut found = vec![(if table.is_shipped { SHIPPED } else { OTHER }).to_owned()];
+    found.extend(largest_difference(table, "wing", |row| row.wing));
+    found.extend(largest_difference(table, "tail", |row| row.tail));
+    let soft = table.rows.iter().filter(|row| row.is_soft());
+    let mut soft: Vec<(&Row, f64)> = soft.filter_map(|row| Some((row, row.wing.ours?))).collect();
+    soft.sort_by(|a, b| a.1.total_cmp(&b.1));
+    if let [(least, low), .., (most, high)] = soft[..] {
+        found.push(format!(
+            "At a tenth of the stiffness {} deflects least ({} m), {} most ({} m).",
+            symbol(least.fidelity),
+            number(low, 2),
+            symbol(most.fidelity),
+            number(high, 2)
+        ));
+    }
+    found
+}
+
+fn largest_difference(table: &Table, part: &str, tip: fn(&Row) -> Tip) -> Option<String> {
+    let differences = table.rows.iter().filter_map(|row| Some((row, tip(row).difference()?)));
+    let (row, difference) = differences.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+    let (percent, row) = (number(100.0 * difference.abs(), 1), row.title());
+    Some(format!(
+        "The {part} tip's deflections in trim differ from the thesis' by at most {percent} % ({row})."
+    ))
+}
+
+/// What the flights of a group of figures show.
+pub fn of(group: &Group, plots: &[Plot], histories: &[History]) -> Vec<String> {
+    let flights = group.comparison.flights();
+    let flown: Vec<(&str, &History)> = flights
+        .iter()
+        .filter_map(|(flight, label)| {
+            let history = histories.iter().find(|history| history.flight == *flight)?;
+            (!history.samples.is_empty()).then_some((label.as_str(), history))
+        })
+        .collect();
+    let quantities: Vec<Quantity> = plots.iter().map(|plot| plot.figure.quantity).collect();
+    let mut found = Vec::new();
+    found.extend(trims(&flown));
+    found.extend(differences(group.comparison, &flown, &quantities));
+    found.extend(leaving(&flown, plots));
+    found.extend(flown.iter().filter_map(|(label, history)| growth(label, history)));
+    found
+}
+
+/// Pitch and wing tip at the start.
+fn trims(flown: &[(&str, &History)]) -> Option<String> {
+    let each = |quantity: Quantity, digits: usize| {
+        let shown = flown.iter().filter(|(_, history)| quantity.is_of(&history.flight));
+        let values = shown.filter_map(|(label, history)| {
+            Some(format!("{label} {}", number(history.samples.first()?.value(quantity), digits)))
+        });
+        values.collect::<Vec<_>>().join(", ")
+    };
+    (!flown.is_empty()).then(|| {
+        format!("Trim: pitch {} rad; wing tip up {} m.", each(Quantity::Pitch, 3), each(Quantity::WingTip, 2))
+    })
+}
+
+/// How far the motions about the trims are from those of the first curve.
+fn differences(
+    comparison: Comparison,
+    flown: &[(&str, &History)],
+    quantities: &[Quantity],
+) -> Option<String> {
+    let ((first, reference), others) = flown.split_first()?;
+    let each: Vec<String> = others
+        .iter()
+        .filter_map(|(label, history)| {
+            let shown = quantities.iter().filter(|quantity| quantity.is_of(&history.flight));
+            let shares = shown.filter_map(|&q| Some((q, distance(reference, history, q)?)));
+            let (quantity, share) = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
+            Some(format!("{label} {} % ({})", number(100.0 * share, 0), quantity.name()))
+        })
+        .collect();
+    let what = match comparison {
+        Comparison::Models(_) => "models",
+        Comparison::Aerodynamics(_) => "aerodynamics",
+    };
+    (!each.is_empty()).then(|| {
+        format!(
+            "Motion about the trim, largest distance of the {what} from {first} in parts of {first}'s range: {}.",
+            each.join(", ")
+        )
+    })
+}
+
+/// The largest distance of two motions about their trims, in parts of the range of the first.
+fn distance(reference: &History, history: &History, quantity: Quantity) -> Option<f64> {
+    let motion = |history: &History| -> Option<Vec<f64>> {
+        let start = history.samples.first()?.value(quantity);
+        Some(history.samples.iter().map(|sample| sample.value(quantity) - start).collect())
+    };
+    let (reference, other) = (motion(reference)?, motion(history)?);
+    let largest = reference.iter().zip(&other).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let range = height(&reference);
+    (range > 0.0).then(|| largest / range)
+}
+
+/// Which curve leaves which windows.
+fn leaving(flown: &[(&str, &History)], plots: &[Plot]) -> Option<String> {
+    let figures = |label: &str| {
+        let left = plots.iter().filter(|plot| match plot.fit.as_ref().map(|fit| &fit.verdict) {
+            Some(Verdict::Outside { curves, .. }) => curves.iter().any(|curve| curve == label),
+            _ => false,
+        });
+        left.map(|plot| format!("5.{}", plot.figure.number)).collect::<Vec<_>>().join(", ")
+    };
+    let each: Vec<String> = flown
+        .iter()
+        .map(|(label, _)| match figures(label) {
+            none if none.is_empty() => format!("{label} none"),
+            some => format!("{label} {some}"),
+        })
+        .collect();
+    (!each.is_empty()).then(|| format!("Windows of the thesis that are left: {}.", each.join("; ")))
+}
+
+/// Whether the downward acceleration still grows at the end.
+fn growth(label: &str, history: &History) -> Option<String> {
+    let end = history.samples.last()?.time;
+    let values = |from: f64, to: f64| -> Vec<f64> {
+        let within = history.samples.iter().filter(|sample| sample.time > from && sample.time <= to);
+        within.map(|sample| sample.value(Quantity::AccelerationZ)).collect()
+    };
+    let (before, last) = (height(&values(end - 2.0 * SPELL, end - SPELL)), height(&values(end - SPELL, end)));
+    let whole = height(&values(f64::NEG_INFINITY, end));
+    (end >= 2.0 * SPELL && last > GROWTH * before && last > NOTICEABLE * whole).then(|| {
+        format!(
+            "{label} grows at the end: its downward acceleration moves by {} m/s² from peak to peak in the last {SPELL} s, by {} m/s² \
+             in the {SPELL} s before.",
+            number(last, 2),
+            number(before, 2)
+        )
+    })
+}
+
+/// Highest less lowest.
+fn height(values: &[f64]) -> f64 {
+    let (low, high) =
+        values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
+    (high - low).max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use flexible_aircraft::simulation::Fidelity;
+
+    use super::*;
+    use crate::reproduce::cases::{Case, Flight, UNSTEADY};
+    use crate::reproduce::figures::GROUPS;
+
+    /// What is said of two models in the first group of figures, with these motions.
+    fn said(exact: fn(Quantity, f64) -> f64, linear: fn(Quantity, f64) -> f64) -> Vec<String> {
+        let flight = |fidelity| Flight { case: Case::ElevatorNominal, fidelity, inflow_states: UNSTEADY };
+        let histories = [
+            History::made_up(flight(Fidelity::Exact), exact),
+            History::made_up(flight(Fidelity::RuthlesslyLinearised), linear),
+        ];
+        let plots: Vec<Plot> = GROUPS[0].figures().map(|figure| Plot::new(figure, &histories)).collect();
+        of(&GROUPS[0], &plots, &histories)
+    }
+
+    #[test]
+    fn what_is_said_follows_the_flights() {
+        let calm = said(|_, time| time, |_, time| time);
+        assert!(calm.iter().any(|text| text.contains("RL 0 %")), "{calm:?}");
+        let apart = said(|_, time| time, |_, time| 1.0 + 1.3 * time);
+        assert!(apart.iter().any(|text| text.contains("RL 30 %")), "{apart:?}");
+        assert!(apart.iter().any(|text| text.contains("pitch E 0.000, RL 1.000 rad")), "{apart:?}");
+        // Figure 5.5, pitch, shows 0.12 to 0.17 rad.
+        let inside = said(|_, _| 0.15, |q, _| if q == Quantity::Pitch { 0.18 } else { 0.15 });
+        let left = inside.iter().find(|text| text.starts_with("Windows")).unwrap();
+        assert!(!left.split(';').next().unwrap().contains("5.5") && left.ends_with("5.5."), "{left}");
+    }
+
+    #[test]
+    fn only_an_oscillation_that_grows_is_said_to_grow() {
+        let decays = |_: Quantity, time: f64| (-0.1 * time).exp() * (9.0 * time).sin();
+        let grows = |_: Quantity, time: f64| (0.1 * time).exp() * (9.0 * time).sin();
+        let found = said(decays, grows);
+        let growing: Vec<_> = found.iter().filter(|text| text.contains("grows at the end")).collect();
+        assert!(growing.len() == 1 && growing[0].starts_with("RL "), "{found:?}");
+    }
+
+    #[test]
+    fn another_aircraft_is_not_said_to_be_the_thesis_jet() {
+        let mut table = Table::new(false, &[]);
+        assert_eq!(in_short(&table), [OTHER]);
+        table.rows[1].wing.ours = Some(1.42);
+        let found = in_short(&table);
+        // 1.42 m instead of the thesis' 2.84.
+        assert!(found[1].contains("at most 50.0 % (E, a tenth)"), "{found:?}");
+        assert!(!table.markdown().contains("independent"));
+        table.is_shipped = true;
+        assert_eq!(in_short(&table)[0], SHIPPED);
+        assert!(table.markdown().contains("independent"));
     }
 }

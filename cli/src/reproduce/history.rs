@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::sync::Arc;
 
-use flexible_aircraft::simulation::{Inputs, Outputs, Simulation, SimulationError};
+use flexible_aircraft::simulation::{Fidelity, Inputs, Outputs, Simulation, SimulationError};
 use flexible_aircraft::structure::ReducedModel;
 
 use super::Error;
@@ -66,6 +66,11 @@ impl Quantity {
         Quantity::TailTip,
     ];
 
+    /// Whether a flight has it: the rigid aircraft has no deflection.
+    pub fn is_of(self, flight: &Flight) -> bool {
+        flight.fidelity != Fidelity::Rigid || ![Quantity::WingTip, Quantity::TailTip].contains(&self)
+    }
+
     /// Symbol and unit, as on an axis.
     pub fn label(self) -> &'static str {
         match self {
@@ -81,8 +86,28 @@ impl Quantity {
             Quantity::AccelerationX => "ax (m/s²)",
             Quantity::AccelerationY => "ay (m/s²)",
             Quantity::AccelerationZ => "az (m/s²)",
-            Quantity::WingTip => "wing tip deflection (m)",
-            Quantity::TailTip => "tail tip deflection (m)",
+            Quantity::WingTip => "deflection (m)",
+            Quantity::TailTip => "deflection (m)",
+        }
+    }
+
+    /// In words, as in a title.
+    pub fn name(self) -> &'static str {
+        match self {
+            Quantity::VelocityX => "forward velocity",
+            Quantity::VelocityY => "velocity to the right",
+            Quantity::VelocityZ => "downward velocity",
+            Quantity::RateX => "roll rate",
+            Quantity::RateY => "pitch rate",
+            Quantity::RateZ => "yaw rate",
+            Quantity::Roll => "roll angle",
+            Quantity::Pitch => "pitch angle",
+            Quantity::Yaw => "yaw angle",
+            Quantity::AccelerationX => "forward acceleration",
+            Quantity::AccelerationY => "acceleration to the right",
+            Quantity::AccelerationZ => "downward acceleration",
+            Quantity::WingTip => "right wing tip, upwards",
+            Quantity::TailTip => "right tail tip, upwards",
         }
     }
 
@@ -235,4 +260,16 @@ fn sample(time: f64, input: f64, outputs: &Outputs, tips: Tips) -> Sample {
         Quantity::TailTip => up(tips.tail),
     });
     Sample { time, input, values }
+}
+
+#[cfg(test)]
+impl History {
+    /// A history of 15 s as somebody would have it.
+    pub fn made_up(flight: Flight, value: impl Fn(Quantity, f64) -> f64) -> Self {
+        let sample = |step: u32| {
+            let time = STEP * f64::from(step);
+            Sample { time, input: 0.0, values: Quantity::ALL.map(|quantity| value(quantity, time)) }
+        };
+        History { flight, samples: (0..=1500).map(sample).collect(), end: None }
+    }
 }

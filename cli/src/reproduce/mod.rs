@@ -18,10 +18,11 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
 use crate::{ReproduceOptions, diagnostics};
-use cases::{Flight, Surface};
+use cases::{Case, Flight, Surface};
 use figures::{GROUPS, Group};
 use history::{DURATION, History, Tips};
 use plots::Plot;
+use table::Table;
 
 /// Why `flexair reproduce` did not succeed.
 #[derive(Debug, thiserror::Error)]
@@ -52,12 +53,20 @@ impl Error {
 pub struct Reproduction {
     /// Of the aircraft.
     name: String,
-    rows: Vec<table::Row>,
+    table: Table,
     /// Elevator and rudder.
     inputs: [(u8, String); 2],
-    groups: Vec<(Group, Vec<Plot>)>,
+    sections: Vec<Section>,
     /// Flights that ended before their time, with the reason.
     ended: Vec<(Flight, String)>,
+}
+
+/// A group of figures with what they show.
+struct Section {
+    group: Group,
+    plots: Vec<Plot>,
+    /// Computed from the flights, one sentence each.
+    findings: Vec<String>,
 }
 
 /// Flies, draws and writes everything.
@@ -68,9 +77,9 @@ pub fn run(options: &ReproduceOptions) -> Result<(), Error> {
     }
     let model = Arc::new(ReducedModel::new(&aircraft, ModeCount::Usual(ReducedModel::USUAL_MODES))?);
     let histories = fly(&model, &Flight::all())?;
-    let reproduction = Reproduction::new(aircraft.name, &histories);
+    let reproduction = Reproduction::new(&aircraft, &histories);
     write_all(&options.output, &reproduction, &histories)?;
-    print!("{}", table::markdown(&reproduction.rows));
+    print!("{}", reproduction.table.markdown());
     println!("{}", reproduction.summary());
     println!("{}", options.output.join("index.html").display());
     Ok(())
@@ -94,32 +103,46 @@ fn fly(model: &Arc<ReducedModel>, flights: &[Flight]) -> Result<Vec<History>, Er
 }
 
 impl Reproduction {
-    fn new(name: String, histories: &[History]) -> Self {
-        let plots = |group: &Group| group.figures().map(|figure| Plot::new(figure, histories)).collect();
+    fn new(aircraft: &Aircraft, histories: &[History]) -> Self {
+        let section = |group: &Group| {
+            let plots: Vec<Plot> = group.figures().map(|figure| Plot::new(figure, histories)).collect();
+            let findings = findings::of(group, &plots, histories);
+            Section { group: *group, plots, findings }
+        };
         let ended = histories.iter().filter_map(|history| {
             let reason = history.end.as_ref()?.to_string();
             Some((history.flight, reason))
         });
         Reproduction {
-            name,
-            rows: table::rows(histories),
+            name: aircraft.name.clone(),
+            table: Table::new(is_shipped(aircraft), histories),
             inputs: [(1, Surface::Elevator), (33, Surface::Rudder)].map(|(n, s)| (n, plots::input(s))),
-            groups: GROUPS.iter().map(|group| (*group, plots(group))).collect(),
+            sections: GROUPS.iter().map(section).collect(),
             ended: ended.collect(),
         }
     }
 
+    fn plots(&self) -> impl Iterator<Item = &Plot> {
+        self.sections.iter().flat_map(|section| &section.plots)
+    }
+
     /// How many figures fit, in one sentence.
     fn summary(&self) -> String {
-        page::count(self.groups.iter().flat_map(|(_, plots)| plots))
+        page::count(self.plots())
     }
 
     /// Figures 5.14–5.19: the flights in which the models differ most.
     fn overview(&self) -> String {
-        let plots = self.groups.iter().flat_map(|(_, plots)| plots);
-        let drawings = plots.filter(|plot| (14..=19).contains(&plot.figure.number));
-        plots::side_by_side(&drawings.map(|plot| plot.svg.as_str()).collect::<Vec<_>>())
+        let drawings = self.plots().filter(|plot| (14..=19).contains(&plot.figure.number));
+        let panels: Vec<&str> = drawings.map(|plot| plot.panel.as_str()).collect();
+        plots::overview(&format!("{}: {}", self.name, Case::ElevatorTenthFast.title()), &panels)
     }
+}
+
+/// Whether it is the aircraft that comes with the program, which others have computed too.
+fn is_shipped(aircraft: &Aircraft) -> bool {
+    let file = include_str!("../../../aircraft/generic-business-jet.toml");
+    Aircraft::parse(file, "generic-business-jet.toml").is_ok_and(|shipped| shipped == *aircraft)
 }
 
 fn write_all(output: &Path, reproduction: &Reproduction, histories: &[History]) -> Result<(), Error> {
@@ -129,11 +152,11 @@ fn write_all(output: &Path, reproduction: &Reproduction, histories: &[History]) 
     }
     write(output.join("index.html"), &page::html(reproduction))?;
     write(output.join("overview.svg"), &reproduction.overview())?;
-    write(output.join("table-5.1.md"), &table::markdown(&reproduction.rows))?;
+    write(output.join("table-5.1.md"), &reproduction.table.markdown())?;
     for (number, svg) in &reproduction.inputs {
         write(figures.join(format!("figure-5.{number:02}-input.svg")), svg)?;
     }
-    for plot in reproduction.groups.iter().flat_map(|(_, plots)| plots) {
+    for plot in reproduction.plots() {
         write(figures.join(plot.figure.file_name()), &plot.svg)?;
     }
     for history in histories {

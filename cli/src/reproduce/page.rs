@@ -2,14 +2,13 @@
 
 use std::fmt::Write;
 
-use super::Reproduction;
 use super::cases::symbol;
-use super::figures::{Comparison, Group};
+use super::figures::Comparison;
 use super::findings;
 use super::fit::Verdict;
 use super::plots::Plot;
-use super::table::{self, HEADINGS};
-use crate::chart::escaped;
+use super::{Reproduction, Section};
+use crate::chart::{escaped, legend};
 
 /// Light and dark by the reader's preference; the drawings are inverted in the dark.
 const STYLE: &str = "
@@ -25,9 +24,14 @@ th { vertical-align: bottom; white-space: normal; }
 .figures { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 28rem), 1fr)); }
 figure { margin: 0; border: 1px solid var(--line); border-radius: .4rem; overflow: hidden; }
 figure svg { display: block; width: 100%; height: auto; }
+.legend { position: sticky; top: 0; z-index: 1; background: Canvas; padding: .3rem 0; }
+.legend svg { display: block; max-width: 100%; height: auto; }
 figcaption { padding: .4rem .7rem; font-size: .85rem; background: var(--soft); }
-@media (prefers-color-scheme: dark) { figure > svg { filter: invert(.88) hue-rotate(180deg); } }
+@media (prefers-color-scheme: dark) { figure > svg, .legend svg { filter: invert(.88) hue-rotate(180deg); } }
 ";
+
+/// The most width of a legend, px: so much that its letters can be read on a phone.
+const LEGEND: f64 = 560.0;
 
 /// The page.
 pub fn html(reproduction: &Reproduction) -> String {
@@ -37,8 +41,8 @@ pub fn html(reproduction: &Reproduction) -> String {
         write!(page, "<title>Reproduction of the thesis</title>\n<style>{STYLE}</style>\n</head>\n<body>\n");
     page += &introduction(reproduction);
     page += &trims(reproduction);
-    for (group, plots) in &reproduction.groups {
-        page += &section(reproduction, group, plots);
+    for section in &reproduction.sections {
+        page += &figures(reproduction, section);
     }
     page += &fits(reproduction);
     page += "</body>\n</html>\n";
@@ -46,7 +50,7 @@ pub fn html(reproduction: &Reproduction) -> String {
 }
 
 fn introduction(reproduction: &Reproduction) -> String {
-    let links = reproduction.groups.iter().map(|(group, plots)| {
+    let links = reproduction.sections.iter().map(|Section { group, plots, .. }| {
         format!("<a href=\"#{}\">{}</a> ", anchor(plots), escaped(&group.comparison.title()))
     });
     let inputs = reproduction.inputs.iter().map(|(number, svg)| {
@@ -57,51 +61,62 @@ fn introduction(reproduction: &Reproduction) -> String {
     });
     format!(
         "<h1>The flights of the thesis, flown again</h1>\n<p>{}</p>\n<p>Aircraft: {}. <strong>{}</strong></p>\n\
-         <p>{}</p>\n<p>{}</p>\n<nav><a href=\"#table-5.1\">Table 5.1</a> {}<a href=\"#fits\">All windows</a></nav>\n\
+         {}<p>{}</p>\n<nav><a href=\"#table-5.1\">Table 5.1</a> {}<a href=\"#fits\">All windows</a></nav>\n\
          <h2 id=\"inputs\">The inputs</h2>\n<p>{}</p>\n<div class=\"figures\">\n{}</div>\n",
         findings::INTRODUCTION,
         escaped(&reproduction.name),
         reproduction.summary(),
+        list(&findings::in_short(&reproduction.table)),
         findings::HOW_TO_READ,
-        findings::IN_SHORT,
         links.collect::<String>(),
         findings::INPUTS,
         inputs.collect::<String>(),
     )
 }
 
+/// Sentences of plain text.
+fn list(sentences: &[String]) -> String {
+    let items: String =
+        sentences.iter().map(|sentence| format!("<li>{}</li>\n", escaped(sentence))).collect();
+    if items.is_empty() { items } else { format!("<ul>\n{items}</ul>\n") }
+}
+
 fn trims(reproduction: &Reproduction) -> String {
-    let row = |cells: [String; 9]| format!("<tr><td>{}</td></tr>\n", cells.join("</td><td>"));
-    let rows = reproduction.rows.iter().map(|line| row(table::cells(line)));
+    let table = &reproduction.table;
+    let row = |cells: Vec<String>| format!("<tr><td>{}</td></tr>\n", cells.join("</td><td>"));
+    let rows = table.rows.iter().map(|line| row(table.cells(line)));
+    let note = if table.is_shipped { format!("<p>{}</p>\n", findings::INDEPENDENT) } else { String::new() };
     format!(
-        "<h2 id=\"table-5.1\">Table 5.1: deflections in trim, 127 m/s</h2>\n<p>{}</p>\n<div class=\"wide\"><table>\n\
+        "<h2 id=\"table-5.1\">Table 5.1: deflections in trim, 127 m/s</h2>\n{note}<div class=\"wide\"><table>\n\
          <tr><th>{}</th></tr>\n{}</table></div>\n",
-        findings::TABLE,
-        HEADINGS.join("</th><th>"),
+        table.headings().join("</th><th>"),
         rows.collect::<String>(),
     )
 }
 
-fn section(reproduction: &Reproduction, group: &Group, plots: &[Plot]) -> String {
-    let mut section = format!(
-        "<h2 id=\"{}\">{}</h2>\n<p>{}</p>\n<p><strong>{}</strong> {}</p>\n",
+fn figures(reproduction: &Reproduction, section: &Section) -> String {
+    let Section { group, plots, findings } = section;
+    let mut html = format!(
+        "<h2 id=\"{}\">{}</h2>\n<p>{}</p>\n<p><strong>{}</strong></p>\n{}",
         anchor(plots),
         escaped(&group.comparison.title()),
         conditions(group.comparison),
         count(plots.iter()),
-        findings::of(group.comparison),
+        list(findings),
     );
     let flights = group.comparison.flights();
     for (flight, reason) in &reproduction.ended {
         if let Some((_, label)) = flights.iter().find(|(shown, _)| shown == flight) {
-            let _ = writeln!(section, "<p>{} ends early: {}.</p>", escaped(label), escaped(reason));
+            let _ = writeln!(html, "<p>{} ends early: {}.</p>", escaped(label), escaped(reason));
         }
     }
-    section += "<div class=\"figures\">\n";
+    let labels: Vec<&str> = flights.iter().map(|(_, label)| label.as_str()).collect();
+    let _ =
+        writeln!(html, "<div class=\"legend\">{}</div>\n<div class=\"figures\">", legend(&labels, LEGEND));
     for plot in plots {
-        section += &drawing(plot);
+        html += &drawing(plot);
     }
-    section + "</div>\n"
+    html + "</div>\n"
 }
 
 fn drawing(plot: &Plot) -> String {
@@ -112,12 +127,12 @@ fn drawing(plot: &Plot) -> String {
     });
     let clipped = if plot.is_clipped { "; the curves go on beyond the drawing" } else { "" };
     format!(
-        "<figure id=\"figure-5.{}\">{}<figcaption>Figure 5.{}, {}. Window of the thesis {}; {}{clipped}.\
+        "<figure id=\"figure-5.{}\">{}<figcaption>Figure 5.{}: {}. Window of the thesis {}; {}{clipped}.\
          </figcaption></figure>\n",
         plot.figure.number,
-        plot.svg,
+        plot.panel,
         plot.figure.number,
-        plot.figure.quantity.label(),
+        plot.figure.quantity.name(),
         window(plot),
         escaped(&fit),
     )
@@ -125,12 +140,12 @@ fn drawing(plot: &Plot) -> String {
 
 /// Every figure in one table.
 fn fits(reproduction: &Reproduction) -> String {
-    let plots = reproduction.groups.iter().flat_map(|(_, plots)| plots);
-    let rows = plots.filter_map(|plot| {
+    let rows = reproduction.plots().filter_map(|plot| {
         let (fit, digits, n) = (plot.fit.as_ref()?, digits(plot), plot.figure.number);
         Some(format!(
-            "<tr><td><a href=\"#figure-5.{n}\">5.{n}</a></td><td class=\"words\">{}</td><td>{}</td>\
+            "<tr><td><a href=\"#figure-5.{n}\">5.{n}</a></td><td class=\"words\">{}, {}</td><td>{}</td>\
              <td>{} to {}</td><td>{:.0} %</td><td class=\"words\">{}</td></tr>\n",
+            plot.figure.quantity.name(),
             plot.figure.quantity.label(),
             window(plot),
             number(fit.ours.min, digits),
@@ -197,8 +212,11 @@ fn digits(plot: &Plot) -> usize {
     1 + (0..5).find(|&digits| (plot.figure.tick * 10_f64.powi(digits)).fract() < 1e-9).unwrap_or(5) as usize
 }
 
-fn number(value: f64, digits: usize) -> String {
-    format!("{value:.digits$}").replace('-', "−")
+/// With a true minus, and none before a zero.
+pub fn number(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    let is_zero = text.chars().all(|c| "-0.".contains(c));
+    if is_zero { text.replace('-', "") } else { text.replace('-', "−") }
 }
 
 #[cfg(test)]
@@ -232,7 +250,7 @@ mod tests {
             );
             assert_eq!(history.to_csv().lines().count(), 202);
             history.end = Some(flexible_aircraft::simulation::SimulationError::NotFinite { time: 2.0 });
-            Reproduction::new(aircraft.name, &[history])
+            Reproduction::new(&aircraft, &[history])
         })
     }
 
@@ -255,15 +273,23 @@ mod tests {
     fn a_flight_that_ends_early_is_drawn_as_far_as_it_went_with_the_reason() {
         let page = html(reproduction());
         assert!(page.contains("E ends early: at 2 s the state is no longer finite"));
-        let plot =
-            reproduction().groups.iter().flat_map(|(_, plots)| plots).find(|plot| plot.figure.number == 11);
-        let plot = plot.unwrap();
+        let plot = reproduction().plots().find(|plot| plot.figure.number == 11).unwrap();
         assert!(plot.fit.is_some() && plot.svg.contains("E ends"));
     }
 
     #[test]
+    fn only_the_shipped_aircraft_is_compared_with_what_others_found_for_it() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../aircraft/generic-business-jet.toml");
+        let mut aircraft = Aircraft::read(file.as_ref()).unwrap();
+        assert!(Reproduction::new(&aircraft, &[]).table.is_shipped);
+        aircraft.bays[0].mass += 1.0;
+        let page = html(&Reproduction::new(&aircraft, &[]));
+        assert!(!page.contains("independent programs") && page.contains("another aircraft"));
+    }
+
+    #[test]
     fn table_5_1_agrees_with_the_independent_programs_in_every_printed_digit() {
-        let row = reproduction().rows.iter().find(|row| row.wing.ours.is_some()).unwrap();
+        let row = reproduction().table.rows.iter().find(|row| row.wing.ours.is_some()).unwrap();
         assert_eq!((row.fidelity, row.case), (Fidelity::Exact, Case::ElevatorTenth));
         for (tip, last_digit) in [(row.wing, 1e-3), (row.tail, 1e-4)] {
             assert!((tip.ours.unwrap() - tip.expected).abs() <= 0.5 * last_digit, "{tip:?}");

@@ -1,10 +1,12 @@
 //! The thesis' figures drawn with our curves.
 
-use super::cases::Surface;
+use flexible_aircraft::simulation::Fidelity;
+
+use super::cases::{Surface, symbol};
 use super::figures::{Comparison, Figure};
 use super::fit::Fit;
 use super::history::{DURATION, History};
-use crate::chart::{Axis, Chart, Curve, Mark, Window};
+use crate::chart::{Axis, Chart, Curve, FONT, Mark, Window, escaped, legend};
 
 /// A figure with its curves, drawn.
 #[derive(Clone, Debug)]
@@ -15,8 +17,10 @@ pub struct Plot {
     pub fit: Option<Fit>,
     /// Whether a curve leaves what is drawn.
     pub is_clipped: bool,
-    /// An SVG element.
+    /// An SVG element that stands alone.
     pub svg: String,
+    /// The same without its legend, for a page where many share one.
+    pub panel: String,
 }
 
 impl Plot {
@@ -35,7 +39,7 @@ impl Plot {
         let is_clipped =
             fit.as_ref().is_some_and(|fit| !(shown.contains(fit.ours.min) && shown.contains(fit.ours.max)));
         let chart = Chart {
-            title: format!("Figure 5.{}{}", figure.number, subtitle(&figure)),
+            title: format!("Figure 5.{}{}: {}", figure.number, subtitle(&figure), figure.quantity.name()),
             x: time_axis(),
             y: Axis {
                 tick: Some(figure.tick * (shown.width() / figure.tick / 8.0).ceil()),
@@ -45,14 +49,14 @@ impl Plot {
             marks,
             frame: Some(figure.window),
         };
-        Plot { figure, fit, is_clipped, svg: chart.to_svg() }
+        Plot { figure, fit, is_clipped, svg: chart.to_svg(), panel: chart.to_svg_without_legend() }
     }
 }
 
 fn subtitle(figure: &Figure) -> String {
     match figure.comparison {
         Comparison::Models(_) => String::new(),
-        Comparison::Aerodynamics(fidelity) => format!(", {}", super::cases::symbol(fidelity)),
+        Comparison::Aerodynamics(fidelity) => format!(", model {}", symbol(fidelity)),
     }
 }
 
@@ -68,43 +72,59 @@ fn shown(figure: &Figure, ours: &Window) -> Window {
 pub fn input(surface: Surface) -> String {
     let manoeuvre = surface.manoeuvre();
     let times = (0..=3000).map(|step| DURATION / 3000.0 * f64::from(step));
-    let (number, symbol, label) = match surface {
+    let (number, symbol, name) = match surface {
         Surface::Elevator => (1, "δe (rad)", "elevator about its trim"),
         Surface::Rudder => (33, "δr (rad)", "rudder"),
     };
     let chart = Chart {
-        title: format!("Figure 5.{number}"),
+        title: format!("Figure 5.{number}: {name}"),
         x: time_axis(),
         y: Axis { tick: Some(0.05), ..Axis::new(symbol, Window::new(-0.05, 0.05)) },
         curves: vec![Curve {
-            label: label.to_owned(),
+            label: name.to_owned(),
             points: times.map(|time| (time, manoeuvre.value(time))).collect(),
         }],
         marks: Vec::new(),
         frame: None,
     };
-    chart.to_svg()
+    // The title says what the only curve is.
+    chart.to_svg_without_legend()
 }
 
 fn time_axis() -> Axis {
     Axis { tick: Some(5.0), ..Axis::new("Time (s)", Window::new(0.0, DURATION)) }
 }
 
-/// Some drawings side by side as one, in rows of two.
-pub fn side_by_side(drawings: &[&str]) -> String {
-    let (width, height) = (720.0, 470.0);
-    let rows = drawings.len().div_ceil(2);
-    let placed = drawings.iter().enumerate().map(|(index, drawing)| {
-        let (x, y) = (width * (index % 2) as f64, height * (index / 2) as f64);
-        format!("<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\">{drawing}</svg>")
+/// Some drawings side by side as one, in rows of two, under one title and above one legend of their models.
+pub fn overview(title: &str, panels: &[&str]) -> String {
+    let (width, height, head, foot) = (720.0, 440.0, 44.0, 44.0);
+    let whole = 2.0 * width;
+    let rows = panels.len().div_ceil(2) as f64;
+    let placed = panels.iter().enumerate().map(|(index, panel)| {
+        let (x, y) = (width * (index % 2) as f64, head + height * (index / 2) as f64);
+        format!("<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\">{panel}</svg>")
     });
+    let labels = Fidelity::ALL.map(|fidelity| format!("{}, {}", symbol(fidelity), in_words(fidelity)));
+    let legend = legend(&labels.each_ref().map(String::as_str), whole);
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\"><rect width=\"100%\" height=\"100%\" \
-         fill=\"#ffffff\"/>{}</svg>\n",
-        2.0 * width,
-        height * rows as f64,
-        placed.collect::<String>()
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {whole} {}\"><rect width=\"100%\" height=\"100%\" \
+         fill=\"#ffffff\"/><text x=\"{width}\" y=\"32\" text-anchor=\"middle\" font-size=\"24\" \
+         font-family=\"{FONT}\">{}</text>{}<svg x=\"10\" y=\"{}\">{legend}</svg></svg>\n",
+        head + height * rows + foot,
+        escaped(title),
+        placed.collect::<String>(),
+        head + height * rows + 8.0
     )
+}
+
+fn in_words(fidelity: Fidelity) -> &'static str {
+    match fidelity {
+        Fidelity::Exact => "exact",
+        Fidelity::ConsistentlyLinearised => "consistently linearised",
+        Fidelity::Inconsistent => "inconsistent",
+        Fidelity::RuthlesslyLinearised => "ruthlessly linearised",
+        Fidelity::Rigid => "no deformation",
+    }
 }
 
 #[cfg(test)]

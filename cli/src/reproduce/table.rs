@@ -6,6 +6,16 @@ use flexible_aircraft::simulation::Fidelity;
 
 use super::cases::{Case, Flight, UNSTEADY, symbol};
 use super::history::{History, Quantity};
+use super::page::number;
+
+/// The table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// Whether the aircraft is the one that others have computed too.
+    pub is_shipped: bool,
+    /// Its rows.
+    pub rows: Vec<Row>,
+}
 
 /// One row.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +49,19 @@ impl Tip {
     }
 }
 
+impl Row {
+    /// Model and stiffness.
+    pub fn title(&self) -> String {
+        let stiffness = if self.is_soft() { "a tenth" } else { "nominal" };
+        format!("{}, {stiffness}", symbol(self.fidelity))
+    }
+
+    /// Whether it has a tenth of the stiffness.
+    pub fn is_soft(&self) -> bool {
+        self.case != Case::ElevatorNominal
+    }
+}
+
 /// What is known of a row: wing first, then tail.
 struct Known(Fidelity, Case, [Option<f64>; 2], [f64; 2]);
 
@@ -51,60 +74,54 @@ const KNOWN: [Known; 5] = [
     Known(Fidelity::RuthlesslyLinearised, Case::ElevatorTenth, [Some(4.95), Some(0.14)], [5.009, 0.2497]),
 ];
 
-/// The table, from the beginnings of the flights.
-pub fn rows(histories: &[History]) -> Vec<Row> {
-    let row = |Known(fidelity, case, thesis, expected): Known| {
-        let flight = Flight { case, fidelity, inflow_states: UNSTEADY };
-        let history = histories.iter().find(|history| history.flight == flight);
-        let trim = history.and_then(|history| history.samples.first());
-        let ours = |quantity| trim.map(|sample| sample.value(quantity));
-        Row {
-            fidelity,
-            case,
-            wing: Tip { thesis: thesis[0], expected: expected[0], ours: ours(Quantity::WingTip) },
-            tail: Tip { thesis: thesis[1], expected: expected[1], ours: ours(Quantity::TailTip) },
-        }
-    };
-    KNOWN.into_iter().map(row).collect()
-}
-
-/// Over the cells.
-pub const HEADINGS: [&str; 9] = [
-    "model, stiffness",
-    "wing tip: thesis (m)",
-    "ours (m)",
-    "difference",
-    "independent programs (m)",
-    "tail tip: thesis (m)",
-    "ours (m)",
-    "difference",
-    "independent programs (m)",
-];
-
-/// The cells of a row.
-pub fn cells(row: &Row) -> [String; 9] {
-    let stiffness = if row.case == Case::ElevatorNominal { "nominal" } else { "a tenth" };
-    let metres = |value: Option<f64>, digits: usize| value.map_or("–".into(), |m| format!("{m:.digits$}"));
-    let tip = |tip: &Tip| {
-        let difference = tip.difference().map_or("–".into(), |d| format!("{:+.1} %", 100.0 * d));
-        [
-            metres(tip.thesis, 2),
-            metres(tip.ours, 4),
-            difference.replace('-', "−"),
-            metres(Some(tip.expected), 4),
-        ]
-    };
-    let [a, b, c, d] = tip(&row.wing);
-    let [e, f, g, h] = tip(&row.tail);
-    [format!("{}, {stiffness}", symbol(row.fidelity)), a, b, c, d, e, f, g, h]
-}
-
-/// The table for a README or a terminal.
-pub fn markdown(rows: &[Row]) -> String {
-    let mut table = format!("| {} |\n|{}\n", HEADINGS.join(" | "), " --- |".repeat(HEADINGS.len()));
-    for row in rows {
-        // PROOF: writing to a string does not fail.
-        let _ = writeln!(table, "| {} |", cells(row).join(" | "));
+impl Table {
+    /// From the beginnings of the flights.
+    pub fn new(is_shipped: bool, histories: &[History]) -> Self {
+        let row = |Known(fidelity, case, thesis, expected): Known| {
+            let flight = Flight { case, fidelity, inflow_states: UNSTEADY };
+            let history = histories.iter().find(|history| history.flight == flight);
+            let trim = history.and_then(|history| history.samples.first());
+            let ours = |quantity| trim.map(|sample| sample.value(quantity));
+            Row {
+                fidelity,
+                case,
+                wing: Tip { thesis: thesis[0], expected: expected[0], ours: ours(Quantity::WingTip) },
+                tail: Tip { thesis: thesis[1], expected: expected[1], ours: ours(Quantity::TailTip) },
+            }
+        };
+        Table { is_shipped, rows: KNOWN.into_iter().map(row).collect() }
     }
-    table
+
+    /// Over the cells.
+    pub fn headings(&self) -> Vec<String> {
+        let tip = |tip: &str| {
+            let mut headings = vec![format!("{tip} tip: thesis (m)"), "ours (m)".into(), "difference".into()];
+            headings.extend(self.is_shipped.then(|| "independent programs (m)".to_owned()));
+            headings
+        };
+        [vec!["model, stiffness".to_owned()], tip("wing"), tip("tail")].concat()
+    }
+
+    /// The cells of a row.
+    pub fn cells(&self, row: &Row) -> Vec<String> {
+        let metres = |value: Option<f64>, digits: usize| value.map_or("–".into(), |m| number(m, digits));
+        let tip = |tip: &Tip| {
+            let difference = tip.difference().map_or("–".into(), |d| format!("{:+.1} %", 100.0 * d));
+            let mut cells = vec![metres(tip.thesis, 2), metres(tip.ours, 4), difference.replace('-', "−")];
+            cells.extend(self.is_shipped.then(|| metres(Some(tip.expected), 4)));
+            cells
+        };
+        [vec![row.title()], tip(&row.wing), tip(&row.tail)].concat()
+    }
+
+    /// For a README or a terminal.
+    pub fn markdown(&self) -> String {
+        let headings = self.headings();
+        let mut table = format!("| {} |\n|{}\n", headings.join(" | "), " --- |".repeat(headings.len()));
+        for row in &self.rows {
+            // PROOF: writing to a string does not fail.
+            let _ = writeln!(table, "| {} |", self.cells(row).join(" | "));
+        }
+        table
+    }
 }

@@ -4,7 +4,7 @@ use std::ffi::{c_char, c_int};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr::null_mut;
 
-use super::{array, on, text};
+use super::{array, bytes, on, text};
 use crate::fmi2::instance::{Experiment, Instance, Refusal};
 use crate::fmi2::life_cycle::Function;
 use crate::fmi2::logger::{Category, Logger};
@@ -36,8 +36,7 @@ pub unsafe extern "C" fn fmi2Instantiate(
     // SAFETY: the importer passes NULL or a structure that lives during this call.
     let Some(callbacks) = (unsafe { functions.as_ref() }) else { return null_mut() };
     // SAFETY: the importer passes NULL or NUL-terminated strings.
-    let [name, guid, location] =
-        [instance_name, guid, resource_location].map(|string| unsafe { text(string) });
+    let (name, guid, location) = unsafe { (text(instance_name), text(guid), bytes(resource_location)) };
     let logger = |name: &str| {
         Logger::new(callbacks.logger, callbacks.component_environment, name, logging_on != FALSE)
     };
@@ -52,7 +51,7 @@ pub unsafe extern "C" fn fmi2Instantiate(
         }
         let guid = guid.ok_or("guid: found NULL")?;
         let location = location.ok_or("resource location: found NULL")?;
-        Instance::new(&location, &guid, logger(&name)).map_err(|error| error.to_string())
+        Instance::new(location, &guid, logger(&name)).map_err(|error| error.to_string())
     }));
     let refused = |status, reason: &str| {
         logger(&name).log(status, &format!("fmi2Instantiate: {reason}"));

@@ -81,11 +81,20 @@ fn check_array<T>(pointer: *const T, count: usize, name: &str) -> Outcome {
 /// # Safety
 /// As the module says of strings.
 unsafe fn text(pointer: CString) -> Option<String> {
+    // SAFETY: as the caller's.
+    unsafe { bytes(pointer) }.map(|bytes| String::from_utf8_lossy(bytes).into_owned())
+}
+
+/// The bytes of a string of the importer; `None` for NULL.
+///
+/// # Safety
+/// As the module says of strings; the result must not outlive the call into the FMU.
+unsafe fn bytes<'a>(pointer: CString) -> Option<&'a [u8]> {
     if pointer.is_null() {
         return None;
     }
     // SAFETY: by the caller, the string is NUL-terminated.
-    Some(unsafe { CStr::from_ptr(pointer) }.to_string_lossy().into_owned())
+    Some(unsafe { CStr::from_ptr(pointer) }.to_bytes())
 }
 
 /// Writes a result.

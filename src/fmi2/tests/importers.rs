@@ -146,6 +146,30 @@ fn parameters_set_three_times_over_before_and_in_initialisation_are_as_set_last(
     assert_eq!(fmu.outputs(), expected);
 }
 
+/// As GEMSEO-FMU does; other values are still refused.
+#[test]
+fn parameters_may_be_written_again_with_the_same_values_before_every_step() {
+    let flight = |writes_again: bool| {
+        let fmu = Fmu::initialising();
+        assert_eq!(fmu.set(&[("airspeed", 140.0)]), Status::Ok);
+        assert_eq!(fmu.exit(), Status::Ok);
+        for step in 0..5 {
+            if writes_again {
+                assert_eq!(fmu.set(&[("airspeed", 140.0), ("elevator", 0.01)]), Status::Ok);
+                assert_eq!(fmu.set_integer("mode_count", 12), Status::Ok);
+            } else {
+                assert_eq!(fmu.set(&[("elevator", 0.01)]), Status::Ok);
+            }
+            assert_eq!(fmu.step(0.01 * f64::from(step), 0.01), Status::Ok);
+        }
+        fmu
+    };
+    let fmu = flight(true);
+    assert_eq!(fmu.outputs(), flight(false).outputs());
+    assert_eq!(fmu.set(&[("elevator", 0.0), ("airspeed", 140.1)]), Status::Error);
+    fmu.assert_refused(&["`airspeed`", "fixed"]);
+}
+
 /// The same values, whether asked for once or twice, one by one or together, before or after.
 #[test]
 fn every_variable_can_be_read_twice_before_initialisation_ends_and_one_by_one() {

@@ -84,6 +84,35 @@ fn directories_with_spaces_accents_and_braces_are_found() {
     }
 }
 
+/// `é` in Latin-1: a byte that is no UTF-8, percent-encoded and as it is.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_resource_path_of_bytes_that_are_not_utf8_opens() {
+    use std::os::unix::ffi::OsStringExt;
+    let unpacked = Unpacked::new("jet");
+    let folder = unpacked.0.join(std::ffi::OsString::from_vec(b"caf\xE9".to_vec()));
+    std::fs::rename(unpacked.0.join("jet"), folder).unwrap();
+    let guid = CString::new(guid(jet())).unwrap();
+    let callbacks = CallbackFunctions {
+        logger: None,
+        allocate_memory: None,
+        free_memory: None,
+        step_finished: None,
+        component_environment: null_mut(),
+    };
+    for name in [&b"caf%E9"[..], b"caf\xE9"] {
+        let root = format!("file://{}/", unpacked.0.display());
+        let uri = CString::new([root.as_bytes(), name, b"/resources"].concat()).unwrap();
+        // SAFETY: strings and callbacks live during the call.
+        let component = unsafe {
+            fmi2Instantiate(c"jet".as_ptr(), 1, guid.as_ptr(), uri.as_ptr(), &raw const callbacks, 0, 0)
+        };
+        assert!(!component.is_null(), "{uri:?}");
+        // SAFETY: it is an instance that is not used any more.
+        unsafe { fmi2FreeInstance(component) };
+    }
+}
+
 #[test]
 fn no_text_of_the_user_is_a_format() {
     let text = refusal(|request| request.guid = Some("%s%n")).format;

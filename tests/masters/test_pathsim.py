@@ -1,0 +1,49 @@
+"""PathSim-FMI (PyPI): FMUs as blocks of a block diagram in Python."""
+
+import numpy as np
+import pytest
+from pathsim import Connection, Simulation
+from pathsim.blocks import Source
+from pathsim_fmi import CoSimulationFMU
+
+from flights import ENUMERATIONS, MANOEUVRE, PARAMETERS, STRAIGHT
+
+
+class Recorded(CoSimulationFMU):
+    """The block with its outputs at the start and after every step."""
+
+    def __init__(self, *arguments, **options):
+        super().__init__(*arguments, **options)
+        self.reached, self.rows = [0.0], [self.outputs.to_array()]
+
+    def _step_fmu(self, t):
+        super()._step_fmu(t)
+        self.reached.append(t + self.dt)
+        self.rows.append(self.outputs.to_array())
+
+
+def fly(fmu, flight, outputs):
+    aircraft = Recorded(str(fmu), start_values=flight.parameters, dt=0.01)
+    sources = {
+        name: Source(lambda t, values=values: float(values[min(round(t / 0.01), len(values) - 1)]))
+        for name, values in flight.inputs.items()
+    }
+    connections = [Connection(source, aircraft[name]) for name, source in sources.items()]
+    simulation = Simulation([aircraft, *sources.values()], connections, dt=0.01, log=False)
+    simulation.run(flight.time[-1])
+    # The event at the end begins one step more.
+    points = len(flight.time)
+    assert aircraft.reached[:points] == pytest.approx(flight.time.tolist(), rel=1e-9)
+    rows = np.array(aircraft.rows[:points])
+    return {name: rows[:, column] for column, name in enumerate(outputs)}
+
+
+@pytest.mark.parametrize("flight", [STRAIGHT, MANOEUVRE, PARAMETERS], ids=lambda flight: flight.name)
+def test_a_flight_is_that_of_the_rust_library(fmu, description, agrees, flight):
+    agrees("PathSim-FMI", flight, fly(fmu, flight, description.outputs))
+
+
+def test_pathsim_has_no_enumerations(fmu):
+    """A version that can set them makes this fail, and COMPATIBILITY.md wrong."""
+    with pytest.raises(ValueError, match="Unsupported variable type: Enumeration"):
+        CoSimulationFMU(str(fmu), start_values=ENUMERATIONS.parameters)
