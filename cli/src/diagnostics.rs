@@ -1,9 +1,11 @@
 //! Mistakes in an aircraft file, shown with the lines they are in and carets under them.
 
 use std::io::IsTerminal;
+use std::path::Path;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use flexible_aircraft::aircraft::AircraftFileError;
+use flexible_aircraft_packaging::looked_for;
 
 /// The report for people: one block per mistake, coloured on a terminal.
 pub fn render(error: &AircraftFileError) -> String {
@@ -13,7 +15,9 @@ pub fn render(error: &AircraftFileError) -> String {
 
 fn render_with(error: &AircraftFileError, renderer: &Renderer) -> String {
     match error {
-        AircraftFileError::Unreadable { .. } => format!("error: {error}"),
+        AircraftFileError::Unreadable { file_name, source } => {
+            format!("error: {error}{}", looked_for(Path::new(file_name), source))
+        }
         AircraftFileError::Rejected { file_name, text, diagnostics } => {
             let blocks = diagnostics.iter().map(|diagnostic| {
                 let title = format!("{}: {}", diagnostic.field, diagnostic.found);
@@ -41,9 +45,11 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_file_is_named() {
-        let error = Aircraft::read(std::path::Path::new("no/such.toml")).unwrap_err();
+    fn a_missing_file_is_named_with_the_place_where_it_was_looked_for() {
+        let error = Aircraft::read(Path::new("no/such.toml")).unwrap_err();
         let report = render_with(&error, &Renderer::plain());
         assert!(report.starts_with("error: no/such.toml: cannot read the aircraft file: "), "{report}");
+        let looked = std::env::current_dir().unwrap().join("no/such.toml");
+        assert!(report.ends_with(&format!("; looked for {}", looked.display())), "{report}");
     }
 }

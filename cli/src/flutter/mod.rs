@@ -1,6 +1,6 @@
 //! `flexair flutter`: at which airspeeds an aircraft flutters or diverges, with V–g and V–f plots.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use flexible_aircraft::aerodynamics::Air;
@@ -8,8 +8,9 @@ use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 use flexible_aircraft::simulation::{Fidelity, ModeSelection, Settings, SimulationError};
 use flexible_aircraft::stability::Sweep;
 use flexible_aircraft::structure::{ReducedModel, StructureError};
+use flexible_aircraft_packaging::FileError;
 
-use crate::diagnostics;
+use crate::{diagnostics, files, terminal, workspace};
 
 mod motion;
 mod plots;
@@ -22,7 +23,7 @@ const USUAL_MODES: usize = 12;
 #[derive(Args)]
 pub struct FlutterOptions {
     /// The aircraft file (TOML), free or clamped
-    #[arg(value_name = "AIRCRAFT")]
+    #[arg(value_name = "AIRCRAFT", default_value_os_t = workspace::aircraft())]
     aircraft: PathBuf,
 
     /// Lowest airspeed, m/s
@@ -101,8 +102,8 @@ pub enum Error {
         "--from {from} --to {to} --points {points} is no range: 0 < from < to and at least 2 points are allowed"
     )]
     Range { from: f64, to: f64, points: usize },
-    #[error("{}: cannot write the plot: {source}", path.display())]
-    Write { path: PathBuf, source: std::io::Error },
+    #[error(transparent)]
+    File(#[from] FileError),
 }
 
 impl Error {
@@ -129,17 +130,12 @@ struct Analysis {
 /// Analyses, prints, and draws.
 pub fn run(options: &FlutterOptions) -> Result<(), Error> {
     let analysis = analyse(options)?;
-    print!("{}", report::text(&analysis));
+    terminal::print(&report::text(&analysis))?;
     let name = options.aircraft.file_stem().unwrap_or_default().to_string_lossy();
-    let write_error = |path: &Path| {
-        let path = path.to_owned();
-        |source| Error::Write { path, source }
-    };
-    std::fs::create_dir_all(&options.output).map_err(write_error(&options.output))?;
     for (kind, chart) in [("v-g", plots::dampings(&analysis)), ("v-f", plots::frequencies(&analysis))] {
         let path = options.output.join(format!("{name}-{kind}.svg"));
-        std::fs::write(&path, chart.to_svg()).map_err(write_error(&path))?;
-        println!("{}", path.display());
+        files::write(&path, chart.to_svg().as_bytes())?;
+        terminal::print(&format!("{}\n", path.display()))?;
     }
     Ok(())
 }
@@ -225,6 +221,8 @@ impl Analysis {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use clap::Parser;
 
     use super::*;
