@@ -10,12 +10,17 @@ use same_file::Handle;
 /// The path that stands for standard input or standard output.
 pub const STANDARD: &str = "-";
 
+/// A path for people.
+pub fn named(path: &Path, standard: &str) -> String {
+    if path == Path::new(STANDARD) { standard.to_owned() } else { path.display().to_string() }
+}
+
 /// An output that would destroy something.
 #[derive(Debug, thiserror::Error)]
 pub enum Overwriting {
     #[error(
-        "the output {} is the input {}, which would be lost: name another file",
-        output.display(), input.display()
+        "the output {} is the same file as the input {}, which would be lost: name another file",
+        named(output, "standard output"), named(input, "standard input")
     )]
     Input { output: PathBuf, input: PathBuf },
     #[error("found {} twice among the outputs, each needs a file of its own", .0.display())]

@@ -13,7 +13,7 @@ use flexible_aircraft::structure::{ReducedModel, StructureError};
 use flexible_aircraft::variables::{VariableTable, start_settings};
 use flexible_aircraft_packaging::FileError;
 
-use crate::files::{Overwriting, STANDARD, Sink, refuse_overwriting};
+use crate::files::{Overwriting, STANDARD, Sink, named, refuse_overwriting};
 use crate::numbers::NumberTable;
 use crate::progress::Progress;
 use crate::{diagnostics, terminal, workspace};
@@ -52,7 +52,7 @@ pub struct SimulateOptions {
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
 
-    /// Further communication points between the rows, so far apart, s; the inputs of the last row go on
+    /// Further communication points between the rows, at all multiples of this, s; the inputs of the row before go on
     #[arg(long, value_name = "SECONDS", value_parser = step)]
     step: Option<f64>,
 
@@ -80,9 +80,9 @@ pub enum Error {
     File(#[from] FileError),
     #[error(transparent)]
     Overwriting(#[from] Overwriting),
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {source}", named(path, "standard input"))]
     Inputs { path: PathBuf, source: Mistake },
-    #[error("{}: found more than {MOST_BYTES} bytes, which no table of inputs has", .0.display())]
+    #[error("{}: found more than {MOST_BYTES} bytes, which no table of inputs has", named(.0, "standard input"))]
     Endless(PathBuf),
     #[error(
         "found a step of {step} s between rows, which makes {rows:.0} rows, allowed are {MOST_ROWS} at most"
@@ -121,7 +121,7 @@ pub fn run(options: &SimulateOptions) -> Result<(), Error> {
         return Err(Error::Rows { step, rows });
     }
     if schedule.len() == 1 {
-        let (inputs, time) = (inputs.display(), schedule.start());
+        let (inputs, time) = (named(inputs, "standard input"), schedule.start());
         terminal::note(&format!(
             "note: {inputs} has one row: nothing is flown, the row written is the trim at {time} s"
         ));

@@ -54,7 +54,7 @@ fn standard_input_that_is_the_output_is_refused_too() {
     std::fs::write(&inputs, "time\n0\n").unwrap();
     let mut command = flexair(folder.path(), "simulate - --output inputs.csv");
     let refused = command.stdin(std::fs::File::open(&inputs).unwrap()).output().unwrap();
-    assert!(text(&refused.stderr).contains("the output inputs.csv is the input -"), "{refused:?}");
+    assert!(text(&refused.stderr).contains("the output inputs.csv is the same file as the input standard input"), "{refused:?}");
     assert_eq!(std::fs::read_to_string(&inputs).unwrap(), "time\n0\n");
 }
 
@@ -97,7 +97,7 @@ fn files_that_are_not_found_say_where_they_were_looked_for() {
 #[cfg(unix)]
 mod unix {
     use std::io::Read;
-    use std::process::{Command, Stdio};
+    use std::process::{Child, Command, Stdio};
     use std::time::{Duration, Instant};
 
     use super::*;
@@ -138,6 +138,39 @@ mod unix {
         assert_eq!(names(folder.path()), ["inputs.csv", "pipe"]);
     }
 
+    /// The unpacked FMU is in the folder for temporary files.
+    #[test]
+    fn ctrl_c_takes_temporary_folders_along() {
+        let folder = tempfile::tempdir().unwrap();
+        let temporary = folder.path().join("temporary");
+        std::fs::create_dir(&temporary).unwrap();
+        let package = format!("package --no-check --modes 2 --binary {} --output a.fmu", library());
+        assert!(run(folder.path(), &package).status.success());
+        let mut bench = flexair(folder.path(), "bench --fmu a.fmu --output bench.md --plot bench.svg");
+        let mut flying = bench.env("TMPDIR", &temporary).stderr(Stdio::null()).spawn().unwrap();
+        wait_until(&mut flying, || !names(&temporary).is_empty());
+        interrupt(&mut flying, "-INT");
+        assert_eq!(names(&temporary), [""; 0]);
+        assert_eq!(names(folder.path()), ["a.fmu", "temporary"]);
+    }
+
+    fn wait_until(running: &mut Child, is_so: impl Fn() -> bool) {
+        let begin = Instant::now();
+        while !is_so() {
+            assert!(begin.elapsed() < Duration::from_secs(60) && running.try_wait().unwrap().is_none());
+            std::thread::sleep(Duration::from_millis(10));
+        }
+    }
+
+    /// Sends a signal, which ends the program at once.
+    fn interrupt(running: &mut Child, signal: &str) {
+        let asked = Instant::now();
+        assert!(Command::new("kill").args([signal, &running.id().to_string()]).status().unwrap().success());
+        assert_eq!(running.wait().unwrap().code(), Some(130));
+        // The machine may be busy; a row takes less than a millisecond.
+        assert!(asked.elapsed() < Duration::from_secs(2), "{:?}", asked.elapsed());
+    }
+
     /// A flight of a day, which takes minutes.
     #[test]
     fn ctrl_c_stops_a_long_flight_at_once_and_leaves_nothing_behind() {
@@ -146,19 +179,9 @@ mod unix {
         let line = "simulate inputs.csv --step 0.01 --output new/flight.csv";
         for signal in ["-INT", "-TERM"] {
             let mut flying = flexair(folder.path(), line).stderr(Stdio::null()).spawn().unwrap();
-            let begin = Instant::now();
-            while !folder.path().join("new").exists() {
-                assert!(begin.elapsed() < Duration::from_secs(60) && flying.try_wait().unwrap().is_none());
-                std::thread::sleep(Duration::from_millis(10));
-            }
-            assert_eq!(names(&folder.path().join("new")).len(), 1);
-            let asked = Instant::now();
-            assert!(
-                Command::new("kill").args([signal, &flying.id().to_string()]).status().unwrap().success()
-            );
-            assert_eq!(flying.wait().unwrap().code(), Some(130));
-            // The machine may be busy; a row takes less than a millisecond.
-            assert!(asked.elapsed() < Duration::from_secs(2), "{:?}", asked.elapsed());
+            let new = folder.path().join("new");
+            wait_until(&mut flying, || new.exists() && names(&new).len() == 1);
+            interrupt(&mut flying, signal);
             assert_eq!(names(folder.path()), ["inputs.csv"]);
         }
     }
