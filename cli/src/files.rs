@@ -20,7 +20,8 @@ pub fn named(path: &Path, standard: &str) -> String {
 pub enum Overwriting {
     #[error(
         "the output {} is the same file as the input {}, which would be lost: name another file",
-        named(output, "standard output"), named(input, "standard input")
+        named(output, "standard output"),
+        named(input, "standard input")
     )]
     Input { output: PathBuf, input: PathBuf },
     #[error("found {} twice among the outputs, each needs a file of its own", .0.display())]

@@ -116,9 +116,8 @@ impl Write for Draft {
 /// that another program has opened for this one (`/dev/stdout`).
 pub fn is_stream(output: &Path) -> bool {
     let is_special = |metadata: std::fs::Metadata| !metadata.is_file() && !metadata.is_dir();
-    output.starts_with("/dev")
-        || output.starts_with("/proc")
-        || std::fs::metadata(output).is_ok_and(is_special)
+    let opened = ["/dev/stdout", "/dev/stderr", "/dev/fd", "/proc"];
+    opened.iter().any(|opened| output.starts_with(opened)) || std::fs::metadata(output).is_ok_and(is_special)
 }
 
 /// Opens what [`is_stream`].
@@ -133,17 +132,20 @@ pub fn open_stream(output: &Path) -> io::Result<File> {
 fn place(output: &Path) -> io::Result<Place> {
     // More links than systems follow.
     const LINKS: usize = 40;
+    let is_folder = || Err(io::Error::new(io::ErrorKind::IsADirectory, "found a folder, expected a file"));
     if is_stream(output) {
         return Ok(Place::Stream);
+    }
+    // A separator at the end means a folder, also where none is yet.
+    if output.to_string_lossy().ends_with(std::path::is_separator) {
+        return is_folder();
     }
     let mut path = output.to_owned();
     for _ in 0..LINKS {
         match std::fs::read_link(&path) {
             Ok(target) => path = folder_of(&path).join(target),
             // It is no link, or does not exist.
-            Err(_) if path.is_dir() || path.file_name().is_none() => {
-                return Err(io::Error::new(io::ErrorKind::IsADirectory, "found a folder, expected a file"));
-            }
+            Err(_) if path.is_dir() || path.file_name().is_none() => return is_folder(),
             Err(_) => return Ok(Place::File(path)),
         }
     }
@@ -208,8 +210,10 @@ mod tests {
     #[test]
     fn a_folder_is_not_replaced() {
         let folder = tempfile::tempdir().unwrap();
-        let error = Draft::new(folder.path()).unwrap_err().to_string();
-        assert!(error.contains("found a folder, expected a file"), "{error}");
+        for path in [folder.path().to_owned(), folder.path().join("new/")] {
+            let error = Draft::new(&path).unwrap_err().to_string();
+            assert!(error.contains("found a folder, expected a file"), "{error}");
+        }
         assert!(Draft::new(Path::new("")).is_err());
     }
 
@@ -239,6 +243,7 @@ mod tests {
         draft.keep().unwrap();
         let null = std::fs::metadata("/dev/null").unwrap();
         assert!(!null.is_file() && is_stream(Path::new("/dev/null")));
+        assert!(is_stream(Path::new("/dev/stdout")) && !is_stream(Path::new("/dev/shm/new.csv")));
     }
 
     #[cfg(unix)]

@@ -54,7 +54,10 @@ fn standard_input_that_is_the_output_is_refused_too() {
     std::fs::write(&inputs, "time\n0\n").unwrap();
     let mut command = flexair(folder.path(), "simulate - --output inputs.csv");
     let refused = command.stdin(std::fs::File::open(&inputs).unwrap()).output().unwrap();
-    assert!(text(&refused.stderr).contains("the output inputs.csv is the same file as the input standard input"), "{refused:?}");
+    assert!(
+        text(&refused.stderr).contains("the output inputs.csv is the same file as the input standard input"),
+        "{refused:?}"
+    );
     assert_eq!(std::fs::read_to_string(&inputs).unwrap(), "time\n0\n");
 }
 

@@ -31,7 +31,10 @@ fn a_minus_is_standard_input_and_output_and_a_step_gives_rows_in_between() {
 fn one_row_is_the_trim_and_says_that_nothing_is_flown() {
     let (rows, errors) = fly("time\n2\n", "");
     assert_eq!(rows.lines().count(), 2);
-    assert_eq!(errors, "note: standard input has one row: nothing is flown, the row written is the trim at 2 s\n");
+    assert_eq!(
+        errors,
+        "note: standard input has one row: nothing is flown, the row written is the trim at 2 s\n"
+    );
 }
 
 #[test]
