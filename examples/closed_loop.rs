@@ -115,10 +115,14 @@ impl GustLoadAlleviation {
     }
 }
 
-/// `vertical_gust.py`: velocity of the air mass downwards, m/s, at a time, s.
-fn gust(time: f64, duration: f64) -> f64 {
+/// `vertical_gust.py`: velocity of the air mass downwards, m/s, at a time, s, and its rate, m/s².
+fn gust(time: f64, duration: f64) -> (f64, f64) {
     let phase = (time - GUST_START) / duration;
-    if phase > 0.0 && phase < 1.0 { 0.5 * GUST_PEAK * (1.0 - (2.0 * PI * phase).cos()) } else { 0.0 }
+    if phase <= 0.0 || phase >= 1.0 {
+        return (0.0, 0.0);
+    }
+    let angle = 2.0 * PI * phase;
+    (0.5 * GUST_PEAK * (1.0 - angle.cos()), GUST_PEAK * PI / duration * angle.sin())
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -169,7 +173,7 @@ fn fly(
         aircraft.set_inputs(&inputs, &constant);
         aircraft.advance_to(end)?;
         law.command(&mut inputs);
-        inputs.wind.z = gust(end, gust_duration);
+        (inputs.wind.z, inputs.wind_rate.z) = gust(end, gust_duration);
         write_line(table, end, aircraft.outputs(), tips)?;
     }
     Ok(())

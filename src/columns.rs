@@ -3,7 +3,7 @@
 //! Each sum is [`CHAINS`] sums, each of every fourth column that is kept (what then remains goes to the first), added in
 //! the end: additions need not wait for each other, and the bits are the same at any width of the machine's vectors.
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::lanes::{Eight, LANES, Place};
 
@@ -52,7 +52,7 @@ impl Columns {
 
     /// product = matrix · vector, as far as `product` has [room](Self::room).
     #[inline(always)]
-    pub fn times<S: Simd>(&self, simd: S, vector: &[f64], product: &mut [f64]) {
+    pub fn times<S: Arithmetic>(&self, simd: S, vector: &[f64], product: &mut [f64]) {
         let mut begin = 0;
         for (product, &end) in product.chunks_exact_mut(LANES).zip(&self.ends) {
             let (columns, entries) = (&self.columns[begin..end], &self.entries[begin..end]);
@@ -78,7 +78,10 @@ impl Columns {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell;
+
     use super::*;
+    use crate::arithmetic::Counting;
 
     #[test]
     fn the_product_is_that_of_the_matrix_and_zero_columns_are_left_out() {
@@ -87,6 +90,9 @@ mod tests {
         };
         let matrix = Columns::new(11, 11, entry);
         assert_eq!((matrix.room(), matrix.kept()), (16, 20));
+        let counted = Cell::new(0);
+        matrix.times(Counting { multiplications: &counted }, &[1.0; 11], &mut vec![0.0; matrix.room()]);
+        assert_eq!(counted.get(), 20 * LANES);
         let vector = [0.3, -1.0, 7.0, 2.0, 0.1, -0.2, 0.05, 0.4, -0.3, 0.02, 0.6];
         let mut product = vec![f64::NAN; matrix.room()];
         matrix.times(pulp::Scalar::new(), &vector, &mut product);

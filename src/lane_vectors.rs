@@ -3,7 +3,9 @@
 use std::ops::{Add, Mul, Sub};
 
 use nalgebra::Vector3;
-use pulp::{Scalar, Simd};
+use pulp::Scalar;
+
+use crate::arithmetic::Arithmetic;
 
 use crate::lanes::{Eight, LANES, Lanes, Place};
 
@@ -27,14 +29,14 @@ impl EightVectors {
 }
 
 /// What can be projected on others of its kind and stretched, one for each strip in a register.
-pub trait Arrow<S: Simd>: Copy + Add<Output = Self> + Mul<Lanes<S>, Output = Self> {
+pub trait Arrow<S: Arithmetic>: Copy + Add<Output = Self> + Mul<Lanes<S>, Output = Self> {
     /// Scalar products.
     fn dot(&self, other: &Self) -> Lanes<S>;
 }
 
 /// One vector for each strip in a register.
 #[derive(Clone, Copy, Debug)]
-pub struct LaneVector<S: Simd> {
+pub struct LaneVector<S: Arithmetic> {
     /// x components.
     pub x: Lanes<S>,
     /// y components.
@@ -45,7 +47,7 @@ pub struct LaneVector<S: Simd> {
 
 /// One vector in the mirror plane for each strip in a register.
 #[derive(Clone, Copy, Debug)]
-pub struct PlaneVector<S: Simd> {
+pub struct PlaneVector<S: Arithmetic> {
     /// x components.
     pub x: Lanes<S>,
     /// z components.
@@ -64,7 +66,7 @@ impl LaneVector<Scalar> {
     }
 }
 
-impl<S: Simd> LaneVector<S> {
+impl<S: Arithmetic> LaneVector<S> {
     /// The same vector in every lane.
     #[inline(always)]
     pub fn splat(place: Place<S>, vector: &Vector3<f64>) -> Self {
@@ -98,14 +100,14 @@ impl<S: Simd> LaneVector<S> {
     }
 }
 
-impl<S: Simd> Arrow<S> for LaneVector<S> {
+impl<S: Arithmetic> Arrow<S> for LaneVector<S> {
     #[inline(always)]
     fn dot(&self, other: &Self) -> Lanes<S> {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 }
 
-impl<S: Simd> Add for LaneVector<S> {
+impl<S: Arithmetic> Add for LaneVector<S> {
     type Output = Self;
 
     #[inline(always)]
@@ -114,7 +116,7 @@ impl<S: Simd> Add for LaneVector<S> {
     }
 }
 
-impl<S: Simd> Sub for LaneVector<S> {
+impl<S: Arithmetic> Sub for LaneVector<S> {
     type Output = Self;
 
     #[inline(always)]
@@ -123,7 +125,7 @@ impl<S: Simd> Sub for LaneVector<S> {
     }
 }
 
-impl<S: Simd> Mul<Lanes<S>> for LaneVector<S> {
+impl<S: Arithmetic> Mul<Lanes<S>> for LaneVector<S> {
     type Output = Self;
 
     #[inline(always)]
@@ -132,7 +134,7 @@ impl<S: Simd> Mul<Lanes<S>> for LaneVector<S> {
     }
 }
 
-impl<S: Simd> PlaneVector<S> {
+impl<S: Arithmetic> PlaneVector<S> {
     /// The same vector in every lane; its y component is left out.
     #[inline(always)]
     pub fn splat(place: Place<S>, vector: &Vector3<f64>) -> Self {
@@ -158,14 +160,14 @@ impl<S: Simd> PlaneVector<S> {
     }
 }
 
-impl<S: Simd> Arrow<S> for PlaneVector<S> {
+impl<S: Arithmetic> Arrow<S> for PlaneVector<S> {
     #[inline(always)]
     fn dot(&self, other: &Self) -> Lanes<S> {
         self.x * other.x + self.z * other.z
     }
 }
 
-impl<S: Simd> Add for PlaneVector<S> {
+impl<S: Arithmetic> Add for PlaneVector<S> {
     type Output = Self;
 
     #[inline(always)]
@@ -174,7 +176,7 @@ impl<S: Simd> Add for PlaneVector<S> {
     }
 }
 
-impl<S: Simd> Mul<Lanes<S>> for PlaneVector<S> {
+impl<S: Arithmetic> Mul<Lanes<S>> for PlaneVector<S> {
     type Output = Self;
 
     #[inline(always)]

@@ -9,8 +9,9 @@
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use aligned_vec::{AVec, avec};
-use pulp::bytemuck::{cast_slice, cast_slice_mut};
-use pulp::{Scalar, Simd};
+use pulp::Scalar;
+
+use crate::arithmetic::Arithmetic;
 
 /// How many strips a group has.
 pub const LANES: usize = 8;
@@ -41,7 +42,7 @@ impl Eight {
 
 /// The strips of a group that one register holds.
 #[derive(Clone, Copy, Debug)]
-pub struct Place<S: Simd> {
+pub struct Place<S: Arithmetic> {
     simd: S,
     index: usize,
 }
@@ -53,17 +54,17 @@ impl Place<Scalar> {
     }
 }
 
-impl<S: Simd> Place<S> {
+impl<S: Arithmetic> Place<S> {
     /// All places of a group.
     #[inline(always)]
     pub fn all(simd: S) -> impl Iterator<Item = Place<S>> {
-        (0..LANES / S::F64_LANES).map(move |index| Place { simd, index })
+        (0..LANES / S::WIDTH).map(move |index| Place { simd, index })
     }
 
     /// The same number in every lane.
     #[inline(always)]
     pub fn splat(self, value: f64) -> Lanes<S> {
-        Lanes { value: self.simd.splat_f64s(value), simd: self.simd }
+        Lanes { value: self.simd.splat(value), simd: self.simd }
     }
 
     /// The numbers here.
@@ -75,7 +76,7 @@ impl<S: Simd> Place<S> {
     /// The numbers here of eight in a slice.
     #[inline(always)]
     pub fn load_slice(self, eight: &[f64]) -> Lanes<S> {
-        Lanes { value: S::as_simd_f64s(eight).0[self.index], simd: self.simd }
+        Lanes { value: S::registers(eight)[self.index], simd: self.simd }
     }
 
     /// Writes the numbers here.
@@ -87,101 +88,101 @@ impl<S: Simd> Place<S> {
     /// Writes the numbers here of eight in a slice.
     #[inline(always)]
     pub fn store_slice(self, eight: &mut [f64], lanes: Lanes<S>) {
-        S::as_mut_simd_f64s(eight).0[self.index] = lanes.value;
+        S::registers_mut(eight)[self.index] = lanes.value;
     }
 
     /// The lane of the group that a lane of this register is.
     pub fn lane(self, lane: usize) -> usize {
-        self.index * S::F64_LANES + lane
+        self.index * S::WIDTH + lane
     }
 }
 
 /// One number for each strip in a register.
 #[derive(Clone, Copy, Debug)]
-pub struct Lanes<S: Simd> {
-    value: S::f64s,
+pub struct Lanes<S: Arithmetic> {
+    value: S::Register,
     simd: S,
 }
 
-impl<S: Simd> Lanes<S> {
+impl<S: Arithmetic> Lanes<S> {
     /// The same number in every lane of as wide a register.
     #[inline(always)]
     pub fn splat(self, value: f64) -> Self {
-        Lanes { value: self.simd.splat_f64s(value), ..self }
+        Lanes { value: self.simd.splat(value), ..self }
     }
 
     /// Square roots.
     #[inline(always)]
     pub fn sqrt(self) -> Self {
-        Lanes { value: self.simd.sqrt_f64s(self.value), ..self }
+        Lanes { value: self.simd.sqrt(self.value), ..self }
     }
 
     /// Magnitudes.
     #[inline(always)]
     pub fn abs(self) -> Self {
-        Lanes { value: self.simd.abs_f64s(self.value), ..self }
+        Lanes { value: self.simd.abs(self.value), ..self }
     }
 
     /// The largest number, if all are numbers.
     #[inline(always)]
     pub fn largest(self) -> f64 {
-        self.simd.reduce_max_f64s(self.value)
+        self.simd.largest(self.value)
     }
 
     /// The least number, if all are numbers.
     #[inline(always)]
     pub fn least(self) -> f64 {
-        self.simd.reduce_min_f64s(self.value)
+        self.simd.least(self.value)
     }
 
     /// The numbers, one by one.
     #[inline(always)]
     pub fn numbers(&self) -> &[f64] {
-        cast_slice(std::slice::from_ref(&self.value))
+        S::numbers(&self.value)
     }
 
     /// The numbers, one by one, to be changed.
     #[inline(always)]
     pub fn numbers_mut(&mut self) -> &mut [f64] {
-        cast_slice_mut(std::slice::from_mut(&mut self.value))
+        S::numbers_mut(&mut self.value)
     }
 }
 
-impl<S: Simd> Add for Lanes<S> {
+impl<S: Arithmetic> Add for Lanes<S> {
     type Output = Self;
 
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Lanes { value: self.simd.add_f64s(self.value, other.value), ..self }
+        Lanes { value: self.simd.add(self.value, other.value), ..self }
     }
 }
 
-impl<S: Simd> AddAssign for Lanes<S> {
+impl<S: Arithmetic> AddAssign for Lanes<S> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl<S: Simd> Sub for Lanes<S> {
+impl<S: Arithmetic> Sub for Lanes<S> {
     type Output = Self;
 
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        Lanes { value: self.simd.sub_f64s(self.value, other.value), ..self }
+        Lanes { value: self.simd.subtract(self.value, other.value), ..self }
     }
 }
 
-impl<S: Simd> Mul for Lanes<S> {
+impl<S: Arithmetic> Mul for Lanes<S> {
     type Output = Self;
 
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        Lanes { value: self.simd.mul_f64s(self.value, other.value), ..self }
+        Lanes { value: self.simd.multiply(self.value, other.value), ..self }
     }
 }
 
-impl<S: Simd> Mul<f64> for Lanes<S> {
+impl<S: Arithmetic> Mul<f64> for Lanes<S> {
     type Output = Self;
 
     #[inline(always)]
@@ -190,20 +191,20 @@ impl<S: Simd> Mul<f64> for Lanes<S> {
     }
 }
 
-impl<S: Simd> Div for Lanes<S> {
+impl<S: Arithmetic> Div for Lanes<S> {
     type Output = Self;
 
     #[inline(always)]
     fn div(self, other: Self) -> Self {
-        Lanes { value: self.simd.div_f64s(self.value, other.value), ..self }
+        Lanes { value: self.simd.divide(self.value, other.value), ..self }
     }
 }
 
-impl<S: Simd> Neg for Lanes<S> {
+impl<S: Arithmetic> Neg for Lanes<S> {
     type Output = Self;
 
     #[inline(always)]
     fn neg(self) -> Self {
-        Lanes { value: self.simd.neg_f64s(self.value), ..self }
+        Lanes { value: self.simd.negate(self.value), ..self }
     }
 }

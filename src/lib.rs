@@ -20,6 +20,7 @@
 
 pub mod aerodynamics;
 pub mod aircraft;
+mod arithmetic;
 mod columns;
 pub mod dynamics;
 #[cfg(feature = "fmi")]

@@ -6,7 +6,6 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Arg, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
-use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft_packaging::{Platform, remove_temporary_files};
 
 mod bench;
@@ -72,9 +71,9 @@ struct PackageOptions {
     output: PathBuf,
 
     /// How many natural modes to put into the FMU, lowest frequencies first; its parameter `mode_count`
-    /// chooses among them
-    #[arg(long, value_name = "N", default_value_t = ReducedModel::USUAL_MODES)]
-    modes: usize,
+    /// chooses among them [default: 26, or all where there are fewer]
+    #[arg(long, value_name = "N")]
+    modes: Option<usize>,
 
     /// A shared library built elsewhere, for a further platform or in place of the one built here:
     /// aarch64-linux, darwin64, linux64 or win64, and its file. May be repeated

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
+use flexible_aircraft::structure::{ModeCount, ReducedModel};
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{FileError, FmuError, Package, PackageError, Platform};
 
@@ -60,10 +61,10 @@ pub fn run(options: PackageOptions) -> Result<(), Error> {
     }
 
     let file = aircraft_file.display();
-    terminal::note(&format!("Packaging {} ({file}) with {} modes", aircraft.name, options.modes));
+    terminal::note(&format!("Packaging {} ({file})", aircraft.name));
     let package = Package {
         aircraft: aircraft_file,
-        mode_count: options.modes,
+        mode_count: ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES),
         binaries,
         workspace: workspace::root().into(),
     };

@@ -10,7 +10,7 @@ use libfuzzer_sys::fuzz_target;
 const HEADER: usize = 32;
 
 fuzz_target!(init: support::seed("reduced_model", &support::wing().to_bytes()[HEADER..]), |payload: &[u8]| {
-    let mut bytes = b"FLXAIR02".to_vec();
+    let mut bytes = b"FLXAIR03".to_vec();
     bytes.extend((payload.len() as u64).to_le_bytes());
     bytes.extend(support::fnv1a(payload).to_le_bytes());
     bytes.extend(payload);

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::fmi2;
-use flexible_aircraft::structure::ReducedModel;
+use flexible_aircraft::structure::{ModeCount, ReducedModel};
 
 mod archive;
 pub mod c_abi;
@@ -47,7 +47,7 @@ pub struct Package {
     /// The aircraft file.
     pub aircraft: PathBuf,
     /// How many modes the FMU offers, lowest frequencies first.
-    pub mode_count: usize,
+    pub mode_count: ModeCount,
     /// The shared library of each platform.
     pub binaries: Vec<(Platform, PathBuf)>,
     /// The folder of flexible-aircraft's own workspace, where cargo finds out what is linked.

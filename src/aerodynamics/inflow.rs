@@ -7,13 +7,12 @@
 //! η̃' = −(U/b) μ (η̃ + w₃),      λ₀ = Σ weight · (η̃ + w₃).
 //! ```
 //!
-//! The state is η̃: no acceleration on the right-hand side, and a jump of the flow makes no impulse. Where the
-//! wake is forced by less than the true rate of w₃, η̃' loses the difference.
+//! The state is η̃: no acceleration on the right-hand side, and a jump of the flow makes no impulse.
 //! Complex eigenvalues come in pairs; the real and the imaginary part of one of them are stored.
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::lanes::{Eight, LANES, Lanes, Place};
 
@@ -86,7 +85,7 @@ impl PetersInflow {
 
     /// λ₀, m/s, of strips from their states and w₃ = w + (b/2 − d)Ω.
     #[inline(always)]
-    pub fn induced_velocity<S: Simd>(
+    pub fn induced_velocity<S: Arithmetic>(
         &self,
         place: Place<S>,
         states: &InflowStates<&[f64]>,
@@ -104,28 +103,26 @@ impl PetersInflow {
         induced
     }
 
-    /// Rates of the states of strips, m/s²; `passing` is U/b, 1/s, and `unforced` the part of dw₃/dt that does not
-    /// force the wake, m/s².
+    /// Rates of the states of strips, m/s².
     #[inline(always)]
-    pub fn write_rates<S: Simd>(
+    pub fn write_rates<S: Arithmetic>(
         &self,
         place: Place<S>,
         states: &InflowStates<&[f64]>,
         wake: &WakeFlow<S>,
         rates: &mut InflowStates<&mut [f64]>,
     ) {
-        let WakeFlow { w3, passing, unforced } = *wake;
+        let WakeFlow { w3, passing } = *wake;
         let real = states.real.chunks_exact(LANES).zip(rates.real.chunks_exact_mut(LANES));
         for (lag, (state, rate)) in self.lags.iter().zip(real) {
-            let slope = -(passing * lag.rate * (place.load_slice(state) + w3)) - unforced;
-            place.store_slice(rate, slope);
+            place.store_slice(rate, -(passing * lag.rate * (place.load_slice(state) + w3)));
         }
         let complex = states.re.chunks_exact(LANES).zip(states.im.chunks_exact(LANES));
         let complex_rates = rates.re.chunks_exact_mut(LANES).zip(rates.im.chunks_exact_mut(LANES));
         for ((pair, (re, im)), (re_rate, im_rate)) in self.pairs.iter().zip(complex).zip(complex_rates) {
             let (re, im) = (place.load_slice(re) + w3, place.load_slice(im));
             let (decay, frequency) = (pair.decay, pair.frequency);
-            place.store_slice(re_rate, -(passing * (re * decay - im * frequency)) - unforced);
+            place.store_slice(re_rate, -(passing * (re * decay - im * frequency)));
             place.store_slice(im_rate, -(passing * (re * frequency + im * decay)));
         }
     }
@@ -148,7 +145,12 @@ impl PetersInflow {
     }
 
     /// Sets the states of strips to a wake long at rest: λ = 0.
-    pub fn settle<S: Simd>(&self, place: Place<S>, w3: Lanes<S>, states: &mut InflowStates<&mut [f64]>) {
+    pub fn settle<S: Arithmetic>(
+        &self,
+        place: Place<S>,
+        w3: Lanes<S>,
+        states: &mut InflowStates<&mut [f64]>,
+    ) {
         for state in states.real.chunks_exact_mut(LANES).chain(states.re.chunks_exact_mut(LANES)) {
             place.store_slice(state, -w3);
         }
@@ -160,13 +162,11 @@ impl PetersInflow {
 
 /// The flow that drives the wakes of strips.
 #[derive(Clone, Copy, Debug)]
-pub struct WakeFlow<S: Simd> {
+pub struct WakeFlow<S: Arithmetic> {
     /// w₃, m/s.
     pub w3: Lanes<S>,
     /// U/b, 1/s.
     pub passing: Lanes<S>,
-    /// The part of dw₃/dt that does not force the wake, m/s².
-    pub unforced: Lanes<S>,
 }
 
 /// The inflow states of a group of strips, or something that stands for each of them.
@@ -285,7 +285,7 @@ mod tests {
         let inflow = PetersInflow::new(5);
         let place = Place::all(pulp::Scalar::new()).next().unwrap();
         let w3 = place.splat(3.5);
-        let wake = WakeFlow { w3, passing: place.splat(100.0), unforced: place.splat(0.0) };
+        let wake = WakeFlow { w3, passing: place.splat(100.0) };
         let (mut states, mut rates) = ([[0.0; 3 * LANES]; 3], [[1.0; 3 * LANES]; 3]);
         let [real, re, im] = &mut states;
         inflow.settle(place, w3, &mut InflowStates { real, re: &mut re[..LANES], im: &mut im[..LANES] });

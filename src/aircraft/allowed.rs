@@ -72,6 +72,10 @@ pub(super) const FLAP_LIFT_SLOPE: Allowed = Allowed {
 };
 pub(super) const DRAG: Allowed =
     Allowed { contains: |x| (0.0..=10.0).contains(&x), text: "a drag coefficient from 0 to 10 is allowed" };
+pub(super) const MOMENT: Allowed = Allowed {
+    contains: |x| (-10.0..=10.0).contains(&x),
+    text: "a moment coefficient from -10 to 10 is allowed",
+};
 pub(super) const GAIN: Allowed =
     Allowed { contains: |x| (-100.0..=100.0).contains(&x), text: "a gain from -100 to 100 is allowed" };
 pub(super) const INSIDE_THE_CHORD: Allowed = Allowed {

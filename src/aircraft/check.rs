@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::branches::{Branches, CLOSE, one_to_one};
 use super::document::Located;
 use super::error::{Place, Problem, Report};
 use super::expand::Assembly;
@@ -49,40 +50,58 @@ pub(super) fn mass(aircraft: &Aircraft, report: &Report) {
 
 /// The structure is its own image in y = 0: nodes, beams, bays, engines.
 pub(super) fn symmetry(assembly: &Assembly, file: &FileSpec, report: &Report) {
-    let mirror = Mirror::of(&assembly.aircraft);
     let aircraft = &assembly.aircraft;
+    let mirror = Mirror::of(aircraft);
     let complain = |place: &Place, what: String| {
         let found = format!("found {what} without mirror image in y = 0, while symmetric = true");
         let allowed = "a structure that is its own mirror image is allowed, or symmetric = false";
         report.add(Problem::NotSymmetric, place, found, allowed);
     };
-    let component = |bay: &MassBay| &aircraft.beams[bay.attachment.beam].component;
     let mut lonely_components: Vec<&String> = Vec::new();
     for (beam, place) in aircraft.beams.iter().zip(&assembly.beam_places) {
-        let known = lonely_components.contains(&&beam.component);
-        if !known && !aircraft.beams.iter().any(|b| mirror.beams(beam, b)) {
+        if mirror.images[beam.nodes[1]].is_none() && !lonely_components.contains(&&beam.component) {
             lonely_components.push(&beam.component);
             complain(place, format!("the component \"{}\"", beam.component));
         }
     }
     let mut told: Vec<&Place> = Vec::new();
-    for (bay, place) in aircraft.bays.iter().zip(&assembly.bay_places) {
-        let known = lonely_components.contains(&component(bay)) || told.contains(&place);
-        if !known && !aircraft.bays.iter().any(|b| mirror.bays(bay, b)) {
+    let bays = pair_off(&aircraft.bays, |one, other| mirror.bays(one, other));
+    for ((bay, place), image) in aircraft.bays.iter().zip(&assembly.bay_places).zip(bays) {
+        let component = &aircraft.beams[bay.attachment.beam].component;
+        if image.is_none() && !lonely_components.contains(&component) && !told.contains(&place) {
             told.push(place);
             complain(place, format!("a mass of {} kg", bay.mass));
         }
     }
-    for (engine, spec) in aircraft.engines.iter().zip(&file.engines) {
-        if !aircraft.engines.iter().any(|e| mirror.engines(engine, e)) {
+    let engines = pair_off(&aircraft.engines, |one, other| mirror.engines(one, other));
+    for ((engine, spec), image) in aircraft.engines.iter().zip(&file.engines).zip(engines) {
+        if image.is_none() {
             complain(&spec.name.place, format!("the engine \"{}\"", engine.name));
         }
     }
 }
 
+/// The image of each part, if it has one: itself or another, each taken once.
+fn pair_off<T>(parts: &[T], mirrors: impl Fn(&T, &T) -> bool) -> Vec<Option<usize>> {
+    let mut images = vec![None; parts.len()];
+    for one in 0..parts.len() {
+        if images[one].is_none() {
+            let mut others = std::iter::once(one).chain(one + 1..parts.len());
+            let found = others.find(|&other| images[other].is_none() && mirrors(&parts[one], &parts[other]));
+            if let Some(other) = found {
+                (images[one], images[other]) = (Some(other), Some(one));
+            }
+        }
+    }
+    images
+}
+
 /// Compares parts with the mirror images of others.
 struct Mirror<'a> {
     aircraft: &'a Aircraft,
+    branches: Branches,
+    /// The image of each node, by the beams that lead there.
+    images: Vec<Option<usize>>,
     /// Lengths that differ by less are equal, m.
     slack: f64,
 }
@@ -90,16 +109,36 @@ struct Mirror<'a> {
 impl<'a> Mirror<'a> {
     fn of(aircraft: &'a Aircraft) -> Self {
         let size = aircraft.nodes.iter().map(Vector3::norm).fold(0.0, f64::max);
-        Mirror { aircraft, slack: 1e-9 * size }
+        let branches = Branches::of(aircraft);
+        let mut mirror = Mirror { aircraft, branches, images: Vec::new(), slack: 1e-9 * size };
+        let mut beams: Vec<Option<&Beam>> = vec![None; aircraft.nodes.len()];
+        let mut bays: Vec<Vec<&MassBay>> = vec![Vec::new(); aircraft.nodes.len()];
+        for beam in &aircraft.beams {
+            beams[beam.nodes[1]] = Some(beam);
+        }
+        for bay in &aircraft.bays {
+            bays[aircraft.beams[bay.attachment.beam].nodes[1]].push(bay);
+        }
+        let alike = |one: usize, other: usize| matches!((beams[one], beams[other]), (Some(one), Some(other)) if mirror.beams(one, other));
+        let with_bays = |one: usize, other: usize| {
+            let carried = |one: &MassBay, other: &MassBay| {
+                let apart = (one.attachment.fraction - other.attachment.fraction).abs();
+                apart <= CLOSE && mirror.lumps(one, other)
+            };
+            alike(one, other) && one_to_one(&bays[one], &bays[other], carried)
+        };
+        // Branches in one place are told apart by what they carry; what cannot be found so is by its beams alone.
+        let images = Some(mirror.branches.images(&with_bays)).filter(|images| !images.contains(&None));
+        mirror.images = images.unwrap_or_else(|| mirror.branches.images(&alike));
+        mirror
     }
 
     fn places(&self, one: Vector3<f64>, other: Vector3<f64>) -> bool {
         (Side::Mirrored.vector(one) - other).norm() <= self.slack
     }
 
-    fn position(&self, attachment: Attachment) -> Vector3<f64> {
-        let [from, to] = self.aircraft.beams[attachment.beam].nodes.map(|node| self.aircraft.nodes[node]);
-        from + (to - from) * attachment.fraction
+    fn sections(&self, one: Attachment, other: Attachment) -> bool {
+        self.branches.section(one).mirrors(self.branches.section(other), &self.images)
     }
 
     fn beams(&self, one: &Beam, other: &Beam) -> bool {
@@ -114,15 +153,19 @@ impl<'a> Mirror<'a> {
     }
 
     fn bays(&self, one: &MassBay, other: &MassBay) -> bool {
+        self.sections(one.attachment, other.attachment) && self.lumps(one, other)
+    }
+
+    /// Whether two lumps are images of each other, wherever they are carried.
+    fn lumps(&self, one: &MassBay, other: &MassBay) -> bool {
         let inertia = Side::Mirrored.inertia(one.inertia) - other.inertia;
-        self.places(self.position(one.attachment), self.position(other.attachment))
-            && self.places(one.offset, other.offset)
+        self.places(one.offset, other.offset)
             && same(one.mass, other.mass)
             && inertia.norm() <= 1e-9 * one.inertia.norm()
     }
 
     fn engines(&self, one: &Engine, other: &Engine) -> bool {
-        self.places(self.position(one.attachment), self.position(other.attachment))
+        self.sections(one.attachment, other.attachment)
             && self.places(one.offset, other.offset)
             && (Side::Mirrored.vector(one.direction) - other.direction).norm() <= 1e-9
     }

@@ -37,6 +37,8 @@ pub enum Problem {
     NoDirection,
     /// A place beyond the ends of its component.
     OffTheBeam,
+    /// Two surfaces on one stretch of a component.
+    Overlap,
     /// A name used twice.
     DuplicateName,
     /// A reference to a name that does not exist.

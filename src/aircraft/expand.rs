@@ -101,6 +101,9 @@ fn build<'s>(spec: &'s ComponentSpec, report: &Report) -> Option<Part<'s>> {
     for more in distributed.chain(at_points) {
         bays = extended(bays, more);
     }
+    if !surfaces::do_not_overlap(&spec.surfaces, &line, report) {
+        strips = None;
+    }
     for surface in &spec.surfaces {
         strips = extended(strips, surfaces::strips(surface, &line, &laws));
     }

@@ -11,6 +11,9 @@ use super::schema::{Along, ComponentSpec};
 /// Lengths below this count as 0, m.
 const SHORTEST: f64 = 1e-6;
 
+/// Ends of stretches nearer to a node, or to one another, than this share of the component's length are one place.
+pub(super) const SAME_PLACE: f64 = 1e-6;
+
 /// A component as written or its image in y = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
@@ -53,6 +56,42 @@ pub(super) struct Line {
     pub(super) points: Vec<Vector3<f64>>,
     /// Distance of each node from the first along the axis, m.
     pub(super) distances: Vec<f64>,
+}
+
+/// A stretch of a component between two fractions of its length.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stretch {
+    pub(super) from: f64,
+    pub(super) to: f64,
+}
+
+impl Stretch {
+    /// Whether a piece that no end of the stretch cuts is part of it.
+    pub(super) fn holds(&self, piece: &Piece) -> bool {
+        self.from < piece.middle && piece.middle < self.to
+    }
+}
+
+/// An element, or the part of one between two cuts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece {
+    pub(super) element: usize,
+    /// Where it begins and ends, as fractions of the element's length.
+    ends: [f64; 2],
+    /// Its middle as a fraction of the component's length.
+    middle: f64,
+}
+
+impl Piece {
+    /// The part of the element that it is: 1 for a whole one.
+    pub(super) fn share(&self) -> f64 {
+        self.ends[1] - self.ends[0]
+    }
+
+    /// The place at a fraction of its own length.
+    pub(super) fn at(&self, fraction: f64) -> Attachment {
+        Attachment { beam: self.element, fraction: self.ends[0] + fraction * self.share() }
+    }
 }
 
 impl Line {
@@ -102,9 +141,37 @@ impl Line {
 
     /// The point of each element at a fraction of its length.
     pub(super) fn points_at(&self, fraction: f64) -> Vec<Point> {
-        let s = |ends: &[f64]| (ends[0] + fraction * (ends[1] - ends[0])) / self.length();
-        let ends = self.distances.windows(2).enumerate();
-        ends.map(|(element, ends)| Point { s: s(ends), element }).collect()
+        (0..self.elements()).map(|element| self.point(Attachment { beam: element, fraction })).collect()
+    }
+
+    /// The elements, those that the ends of some stretches cut in parts.
+    pub(super) fn pieces<'s>(&self, stretches: impl Iterator<Item = &'s Stretch>) -> Vec<Piece> {
+        let mut places: Vec<f64> = self.distances.iter().map(|distance| distance / self.length()).collect();
+        let mut cuts: Vec<Vec<f64>> = vec![Vec::new(); self.elements()];
+        for cut in stretches.flat_map(|stretch| [stretch.from, stretch.to]) {
+            if places.iter().all(|place| (place - cut).abs() > SAME_PLACE) {
+                // The nodes stand first; a cut that is at none of them is between two.
+                let element = places[..self.distances.len()].partition_point(|&node| node < cut) - 1;
+                cuts[element].push((cut - places[element]) / (places[element + 1] - places[element]));
+                places.push(cut);
+            }
+        }
+        let mut pieces = Vec::with_capacity(places.len() - 1);
+        for (element, mut cuts) in cuts.into_iter().enumerate() {
+            cuts.extend([0.0, 1.0]);
+            cuts.sort_by(f64::total_cmp);
+            pieces.extend(cuts.windows(2).map(|ends| {
+                let middle = Attachment { beam: element, fraction: 0.5 * (ends[0] + ends[1]) };
+                Piece { element, ends: [ends[0], ends[1]], middle: self.point(middle).s }
+            }));
+        }
+        pieces
+    }
+
+    /// A place along the axis as a point.
+    pub(super) fn point(&self, place: Attachment) -> Point {
+        let [start, end] = [self.distances[place.beam], self.distances[place.beam + 1]];
+        Point { s: (start + place.fraction * (end - start)) / self.length(), element: place.beam }
     }
 
     /// The node at a fraction of the length, if one is there.

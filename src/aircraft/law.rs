@@ -141,6 +141,11 @@ impl Laws<'_> {
         Some(values)
     }
 
+    /// The values of a law that a field may leave out: 0 everywhere then.
+    pub(super) fn values_or_zero(&self, law: Option<&Law>, points: &[Point]) -> Option<Vec<f64>> {
+        law.map_or_else(|| Some(vec![0.0; points.len()]), |law| self.values(law, points))
+    }
+
     /// The chord at some points; complains at the `place` that needs it when the component has none.
     pub(super) fn chords(&self, points: &[Point], place: &Place) -> Option<Vec<f64>> {
         let Some(chord) = self.chord else {

@@ -4,63 +4,81 @@ use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
 use super::document::Located;
 use super::error::{Place, Problem, Report};
-use super::geometry::Line;
-use super::law::{Laws, Point};
+use super::geometry::{Line, Piece, SAME_PLACE};
+use super::law::{Law, Laws, Point};
 use super::model::{Attachment, MassBay};
 use super::schema::{DistributedMassSpec, InertiaSpec, MassPartSpec, PointMassesSpec};
 
 /// A bay with the place of the file that it comes from; its element counted from the component's root.
 pub(super) type LocatedBay = (MassBay, Place);
 
-/// One bay at the middle of every element that carries a share of the mass.
+/// One bay at the middle of every element that carries a share of the mass, or of every part of it where a part of
+/// the mass begins or ends within.
 pub(super) fn distributed(spec: &DistributedMassSpec, line: &Line, laws: &Laws) -> Option<Vec<LocatedBay>> {
-    let middles = line.points_at(0.5);
-    let mut masses = vec![0.0; line.elements()];
+    let pieces = line.pieces(spec.parts.iter().map(|part| &part.stretch));
+    let middles: Vec<Point> = pieces.iter().map(|piece| line.point(piece.at(0.5))).collect();
+    let mut masses = vec![0.0; pieces.len()];
     for part in &spec.parts {
-        for (mass, share) in masses.iter_mut().zip(shares(part, line, &middles, laws)?) {
+        for (mass, share) in masses.iter_mut().zip(shares(part, line, &pieces, &middles, laws)?) {
             *mass += share;
         }
     }
-    let in_chords = |vector: &Option<Located<Vector3<f64>>>| match vector {
+    let in_chords = |vector: &Option<Located<[Law; 3]>>| match vector {
         None => Some(vec![Vector3::zeros(); middles.len()]),
-        Some(v) => Some(laws.chords(&middles, &v.place)?.iter().map(|chord| *chord * v.value).collect()),
+        Some(v) => {
+            let chords = laws.chords(&middles, &v.place)?;
+            let [x, y, z] = v.value.each_ref().map(|law| laws.values(law, &middles));
+            let (x, y, z) = (x?, y?, z?);
+            Some((0..chords.len()).map(|i| chords[i] * Vector3::new(x[i], y[i], z[i])).collect())
+        }
     };
     let (offsets, gyrations) = (in_chords(&spec.offset_chords), in_chords(&spec.gyration_chords));
     let (offsets, gyrations) = (offsets?, gyrations?);
     let place = spec.gyration_chords.as_ref().map_or(&spec.place, |gyration| &gyration.place);
-    let bay = |element: usize| {
-        let lengthwise = spec.gyration_lengths * line.span(element).norm();
-        let gyration_squared = squared(gyrations[element]) + squared(lengthwise);
-        let moments = masses[element] * gyration_squared + spec.added_inertia;
+    let bay = |i: usize| {
+        let lengthwise = spec.gyration_lengths * length(line, &pieces[i]);
+        let gyration_squared = squared(gyrations[i]) + squared(lengthwise);
+        let moments = masses[i] * gyration_squared + spec.added_inertia * pieces[i].share();
         let bay = MassBay {
-            attachment: Attachment { beam: element, fraction: 0.5 },
-            mass: masses[element],
-            offset: offsets[element] + spec.offset,
+            attachment: pieces[i].at(0.5),
+            mass: masses[i],
+            offset: offsets[i] + spec.offset,
             inertia: Matrix3::from_diagonal(&moments),
         };
         (bay, place.clone())
     };
-    let bays: Vec<_> = (0..line.elements()).filter(|&i| masses[i] > 0.0).map(bay).collect();
+    let bays: Vec<_> = (0..pieces.len()).filter(|&i| masses[i] > 0.0).map(bay).collect();
     check_inertia(&bays, laws.report).then_some(bays)
 }
 
-/// The mass of a part in each element: in proportion to c^power times length where the part lies.
-fn shares(part: &MassPartSpec, line: &Line, middles: &[Point], laws: &Laws) -> Option<Vec<f64>> {
+/// m.
+fn length(line: &Line, piece: &Piece) -> f64 {
+    line.span(piece.element).norm() * piece.share()
+}
+
+/// The mass of a part in each piece: in proportion to c^power times length where the part lies.
+fn shares(
+    part: &MassPartSpec,
+    line: &Line,
+    pieces: &[Piece],
+    middles: &[Point],
+    laws: &Laws,
+) -> Option<Vec<f64>> {
     let chords = match part.chord_power {
         0.0 => vec![1.0; middles.len()],
         _ => laws.chords(middles, &part.place)?,
     };
-    let weight = |(point, chord): (&Point, &f64)| {
-        let inside = (part.from..=part.to).contains(&point.s);
-        if inside { libm::pow(*chord, part.chord_power) * line.span(point.element).norm() } else { 0.0 }
+    let weight = |(piece, chord): (&Piece, &f64)| {
+        let inside = part.stretch.holds(piece);
+        if inside { libm::pow(*chord, part.chord_power) * length(line, piece) } else { 0.0 }
     };
-    let weights: Vec<f64> = middles.iter().zip(&chords).map(weight).collect();
+    let weights: Vec<f64> = pieces.iter().zip(&chords).map(weight).collect();
     let sum: f64 = weights.iter().sum();
     if sum > 0.0 && sum.is_finite() {
         return Some(weights.iter().map(|weight| part.total * (weight / sum)).collect());
     }
-    let found = format!("found from = {} and to = {}", part.from, part.to);
-    let allowed = "a stretch that holds the middle of at least one element is allowed";
+    let found = format!("found from = {} and to = {}", part.stretch.from, part.stretch.to);
+    let allowed = format!("a stretch longer than {SAME_PLACE} of the component is allowed");
     laws.report.add(Problem::OutOfRange, &part.place, found, allowed);
     None
 }

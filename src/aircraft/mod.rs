@@ -9,6 +9,7 @@
 //! | `document`, `read` | TOML text | `schema`: the fields, each allowed by itself, with their places |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
+//! | `branches` | the tree of beams | what is the mirror image of what |
 //! | `check` | the whole | names, symmetry, mass, propulsion |
 //!
 //! The rest of this page is the description of the format for those who write such files.
@@ -16,6 +17,7 @@
 #![doc = include_str!("../../aircraft/README.md")]
 
 mod allowed;
+mod branches;
 mod check;
 mod document;
 mod error;
@@ -34,6 +36,7 @@ use toml::de::DeTable;
 
 use error::{Place, Report};
 
+pub(crate) use branches::Branches;
 pub use error::{AircraftFileError, Diagnostic, Problem};
 pub use model::{
     AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, ControlGains, Engine, Flap, MassBay, ModeBasis,

@@ -122,6 +122,8 @@ pub struct Strip {
     pub lift_slope: f64,
     /// α0, rad: angle of the zero-lift line against f, nose-up positive.
     pub zero_lift_offset: f64,
+    /// c_m0: moment coefficient about the aerodynamic centre, nose-up positive, referred to the chord squared.
+    pub zero_lift_moment: f64,
     /// CD0.
     pub profile_drag: f64,
     /// η: share of the two-dimensional leading-edge suction that is recovered.

@@ -5,11 +5,12 @@ use toml::de::DeTable;
 
 use super::allowed::{
     AIRSPEED, ALTITUDE, ANGLE_DEG, ANY, Allowed, BEAM_STIFFNESS, CHORDS, DRAG, FLAP_LIFT_SLOPE, FRACTION,
-    GAIN, GRAVITY, GYRATION, INERTIA, INERTIA_PRODUCT, INSIDE_THE_CHORD, LENGTH, LIFT_SLOPE, MASS,
+    GAIN, GRAVITY, GYRATION, INERTIA, INERTIA_PRODUCT, INSIDE_THE_CHORD, LENGTH, LIFT_SLOPE, MASS, MOMENT,
     NEAR_THE_CHORD, POSITIVE_LENGTH, SHARE,
 };
 use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
+use super::geometry::Stretch;
 use super::law::Law;
 use super::model::{ModeBasis, Support};
 use super::schema::{
@@ -72,6 +73,7 @@ const SURFACE: &[&str] = &[
     "width_m",
     "lift_slope_per_rad",
     "zero_lift_offset_deg",
+    "zero_lift_moment",
     "profile_drag",
     "leading_edge_suction",
     "flap",
@@ -119,13 +121,13 @@ fn vector_or_zero(table: &Table, field: &str, allowed: &Allowed) -> Vector3<f64>
 }
 
 /// `from` and `to`, fractions of the component's length, by default all of it.
-fn read_stretch(table: &Table) -> (f64, f64) {
+fn read_stretch(table: &Table) -> Stretch {
     let (from, to) = (number_or(table, "from", &FRACTION, 0.0), number_or(table, "to", &FRACTION, 1.0));
     if to <= from {
         let found = format!("found from = {from} and to = {to}");
         table.report.add(Problem::OutOfRange, &table.place.within("to"), found, "to > from is allowed");
     }
-    (from, to)
+    Stretch { from, to }
 }
 
 fn read_along(table: &Table) -> Option<Along> {
@@ -215,23 +217,31 @@ fn read_distributed_mass(table: &Table) -> Option<DistributedMassSpec> {
         .and_then(|v| v.wrong::<()>("a list of at least one table"));
     let parts = table.tables("parts", &["total_kg", "chord_power", "from", "to"]);
     let parts: Vec<_> = parts.iter().map(read_mass_part).collect();
-    let located = |field, allowed| table.optional(field).and_then(|v| v.located(|v| v.vector(allowed)));
+    let laws = |field, allowed| table.optional(field).and_then(|v| v.located(|v| read_laws(v, allowed)));
     Some(DistributedMassSpec {
         place: table.place.clone(),
         parts: parts.into_iter().collect::<Option<_>>()?,
-        offset_chords: located("offset_chords", &CHORDS),
+        offset_chords: laws("offset_chords", &CHORDS),
         offset: vector_or_zero(table, "offset_m", &LENGTH),
-        gyration_chords: located("gyration_chords", &GYRATION),
+        gyration_chords: laws("gyration_chords", &GYRATION),
         gyration_lengths: vector_or_zero(table, "gyration_lengths", &GYRATION),
         added_inertia: vector_or_zero(table, "added_inertia_kg_m2", &INERTIA),
     })
 }
 
+/// Three laws, one for each axis.
+fn read_laws(value: &Value, allowed: &'static Allowed) -> Option<[Law; 3]> {
+    let laws = value.list("a list of three numbers or laws")?;
+    let [x, y, z] = laws.as_slice() else { return value.wrong("a list of three numbers or laws") };
+    let (x, y, z) = (Law::read(x, allowed), Law::read(y, allowed), Law::read(z, allowed));
+    Some([x?, y?, z?])
+}
+
 fn read_mass_part(table: &Table) -> Option<MassPartSpec> {
-    let (from, to) = read_stretch(table);
+    let stretch = read_stretch(table);
     let total = table.required("total_kg")?.number(&MASS)?;
     let chord_power = number_or(table, "chord_power", &ANY, 0.0);
-    Some(MassPartSpec { place: table.place.clone(), total, chord_power, from, to })
+    Some(MassPartSpec { place: table.place.clone(), total, chord_power, stretch })
 }
 
 fn read_point_masses(table: &Table) -> Option<PointMassesSpec> {
@@ -285,11 +295,11 @@ fn read_inertia(table: &Table) -> (InertiaSpec, Place) {
 }
 
 fn read_surface(table: &Table) -> Option<SurfaceSpec> {
-    let (from, to) = read_stretch(table);
+    let stretch = read_stretch(table);
     let law = |field, allowed| table.optional(field).and_then(|v| Law::read(&v, allowed));
     let needed = |field, allowed| table.required(field).and_then(|v| Law::read(&v, allowed));
     let (lift_slope, drag) = (needed("lift_slope_per_rad", &LIFT_SLOPE), needed("profile_drag", &DRAG));
-    let elastic_axis = table.required("elastic_axis").and_then(|v| v.number(&NEAR_THE_CHORD));
+    let elastic_axis = needed("elastic_axis", &NEAR_THE_CHORD);
     let controls: Vec<_> = table.tables("control", CONTROL).iter().map(read_control).collect();
     let flap = table.optional("flap");
     if flap.is_none() && !controls.is_empty() {
@@ -300,14 +310,14 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
     Some(SurfaceSpec {
         place: table.place.clone(),
         position: number_or(table, "position_in_element", &FRACTION, 0.5),
-        from,
-        to,
+        stretch,
         chord: law("chord_m", &POSITIVE_LENGTH),
         span_axis: table.optional("span_axis").and_then(|v| v.direction()),
-        incidence: number_or(table, "incidence_deg", &ANGLE_DEG, 0.0).to_radians(),
+        incidence: law("incidence_deg", &ANGLE_DEG),
         width: law("width_m", &POSITIVE_LENGTH),
-        zero_lift_offset: number_or(table, "zero_lift_offset_deg", &ANGLE_DEG, 0.0).to_radians(),
-        leading_edge_suction: number_or(table, "leading_edge_suction", &FRACTION, 0.0),
+        zero_lift_offset: law("zero_lift_offset_deg", &ANGLE_DEG),
+        zero_lift_moment: law("zero_lift_moment", &MOMENT),
+        leading_edge_suction: law("leading_edge_suction", &FRACTION),
         flap: flap.and_then(|v| read_flap(&v)),
         controls: controls.into_iter().collect::<Option<_>>()?,
         elastic_axis: elastic_axis?,
@@ -332,8 +342,8 @@ fn read_control(table: &Table) -> Option<ControlSpec> {
     ];
     let input = table.required("input").and_then(|v| v.one_of(&inputs));
     let gain = table.required("gain").and_then(|v| v.number(&GAIN));
-    let (from, to) = read_stretch(table);
-    Some(ControlSpec { place: table.place.clone(), input: input?, gain: gain?, from, to })
+    let stretch = read_stretch(table);
+    Some(ControlSpec { place: table.place.clone(), input: input?, gain: gain?, stretch })
 }
 
 fn read_engine(table: &Table) -> Option<EngineSpec> {

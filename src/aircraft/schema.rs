@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::document::Located;
 use super::error::Place;
+use super::geometry::Stretch;
 use super::law::Law;
 use super::model::{ModeBasis, Support};
 
@@ -57,9 +58,9 @@ pub(super) enum Along {
 pub(super) struct DistributedMassSpec {
     pub(super) place: Place,
     pub(super) parts: Vec<MassPartSpec>,
-    pub(super) offset_chords: Option<Located<Vector3<f64>>>,
+    pub(super) offset_chords: Option<Located<[Law; 3]>>,
     pub(super) offset: Vector3<f64>,
-    pub(super) gyration_chords: Option<Located<Vector3<f64>>>,
+    pub(super) gyration_chords: Option<Located<[Law; 3]>>,
     pub(super) gyration_lengths: Vector3<f64>,
     pub(super) added_inertia: Vector3<f64>,
 }
@@ -68,8 +69,7 @@ pub(super) struct MassPartSpec {
     pub(super) place: Place,
     pub(super) total: f64,
     pub(super) chord_power: f64,
-    pub(super) from: f64,
-    pub(super) to: f64,
+    pub(super) stretch: Stretch,
 }
 
 pub(super) struct PointMassesSpec {
@@ -91,19 +91,19 @@ pub(super) enum InertiaSpec {
 pub(super) struct SurfaceSpec {
     pub(super) place: Place,
     pub(super) position: f64,
-    pub(super) from: f64,
-    pub(super) to: f64,
-    pub(super) elastic_axis: f64,
+    pub(super) stretch: Stretch,
+    pub(super) elastic_axis: Law,
     pub(super) chord: Option<Law>,
     pub(super) span_axis: Option<Vector3<f64>>,
-    /// rad.
-    pub(super) incidence: f64,
+    /// degrees.
+    pub(super) incidence: Option<Law>,
     pub(super) width: Option<Law>,
     pub(super) lift_slope: Law,
-    /// rad.
-    pub(super) zero_lift_offset: f64,
+    /// degrees.
+    pub(super) zero_lift_offset: Option<Law>,
+    pub(super) zero_lift_moment: Option<Law>,
     pub(super) profile_drag: Law,
-    pub(super) leading_edge_suction: f64,
+    pub(super) leading_edge_suction: Option<Law>,
     pub(super) flap: Option<FlapSpec>,
     pub(super) controls: Vec<ControlSpec>,
 }
@@ -126,8 +126,7 @@ pub(super) struct ControlSpec {
     pub(super) place: Place,
     pub(super) input: Input,
     pub(super) gain: f64,
-    pub(super) from: f64,
-    pub(super) to: f64,
+    pub(super) stretch: Stretch,
 }
 
 pub(super) struct EngineSpec {

@@ -1,65 +1,128 @@
-//! Lifting surfaces: one aerodynamic strip per element [4.1].
+//! Lifting surfaces: one aerodynamic strip per element or part of one [4.1].
 
 use nalgebra::{Unit, UnitQuaternion, Vector3};
 
-use super::error::{Problem, Report};
-use super::geometry::Line;
-use super::law::{Laws, Point};
-use super::model::{Attachment, ControlGains, Flap, Strip};
+use super::error::{Place, Problem, Report};
+use super::geometry::{Line, Piece, SAME_PLACE, Stretch};
+use super::law::{Law, Laws, Point};
+use super::model::{ControlGains, Flap, Strip};
 use super::schema::{ControlSpec, Input, SurfaceSpec};
 
-/// The strips of a surface, their elements counted from the component's root.
+/// The strips of a surface, their elements counted from the component's root: one for each element, or for each part of
+/// it where the surface or a control begins or ends within.
 pub(super) fn strips(spec: &SurfaceSpec, line: &Line, laws: &Laws) -> Option<Vec<Strip>> {
-    let inside = |point: &Point| (spec.from..=spec.to).contains(&point.s);
-    let points: Vec<Point> = line.points_at(spec.position).into_iter().filter(inside).collect();
-    if points.is_empty() {
-        let found = format!("found no strip from {} to {}", spec.from, spec.to);
-        let allowed = "a stretch that holds position_in_element of at least one element is allowed";
-        laws.report.add(Problem::OutOfRange, &spec.place, found, allowed);
+    let ends = std::iter::once(&spec.stretch).chain(spec.controls.iter().map(|control| &control.stretch));
+    let mut pieces = line.pieces(ends);
+    pieces.retain(|piece| spec.stretch.holds(piece));
+    if pieces.is_empty() {
+        nothing_between(&spec.stretch, &spec.place, laws.report);
         return None;
     }
+    let points: Vec<Point> = pieces.iter().map(|piece| line.point(piece.at(spec.position))).collect();
     let chords = match &spec.chord {
         Some(law) => laws.values(law, &points),
         None => laws.chords(&points, &spec.place.within("chord_m")),
     };
     let widths = spec.width.as_ref().map(|law| laws.values(law, &points));
+    let elastic_axes = laws.values(&spec.elastic_axis, &points);
     let lift_slopes = laws.values(&spec.lift_slope, &points);
     let drags = laws.values(&spec.profile_drag, &points);
-    let axes: Option<Vec<_>> = points.iter().map(|p| axes(spec, line, *p, laws.report)).collect();
-    let gains = gains(&spec.controls, &points, laws.report);
-    let (chords, lift_slopes, drags, axes, gains) = (chords?, lift_slopes?, drags?, axes?, gains?);
-    let mut strips = Vec::with_capacity(points.len());
-    for (i, point) in points.iter().enumerate() {
-        let (forward, span) = axes[i];
+    let optional = |law: &Option<Law>| laws.values_or_zero(law.as_ref(), &points);
+    let (incidences, offsets) = (optional(&spec.incidence), optional(&spec.zero_lift_offset));
+    let (moments, suctions) = (optional(&spec.zero_lift_moment), optional(&spec.leading_edge_suction));
+    let gains = gains(&spec.controls, &pieces, laws.report);
+    let (chords, elastic_axes, lift_slopes, drags) = (chords?, elastic_axes?, lift_slopes?, drags?);
+    let (incidences, offsets, moments, suctions) = (incidences?, offsets?, moments?, suctions?);
+    let gains = gains?;
+    let mut strips = Vec::with_capacity(pieces.len());
+    for (i, piece) in pieces.iter().enumerate() {
+        let (forward, span) = axes(spec, line, piece.element, incidences[i].to_radians(), laws.report)?;
         let width = match &widths {
             Some(widths) => widths.as_ref()?[i],
-            None => projected_width(spec, line, *point, span, laws.report)?,
+            None => projected_width(spec, line, piece.element, span, laws.report)?,
         };
         strips.push(Strip {
-            attachment: Attachment { beam: point.element, fraction: spec.position },
+            attachment: piece.at(spec.position),
             forward,
             span,
             semichord: chords[i] / 2.0,
-            elastic_axis_aft_of_midchord: (spec.elastic_axis - 0.5) * chords[i],
-            width,
+            elastic_axis_aft_of_midchord: (elastic_axes[i] - 0.5) * chords[i],
+            width: width * piece.share(),
             lift_slope: lift_slopes[i],
-            zero_lift_offset: spec.zero_lift_offset,
+            zero_lift_offset: offsets[i].to_radians(),
+            zero_lift_moment: moments[i],
             profile_drag: drags[i],
-            leading_edge_suction: spec.leading_edge_suction,
+            leading_edge_suction: suctions[i],
             flap: spec.flap.map(|f| Flap { lift_slope: f.lift_slope, hinge: f.hinge, gains: gains[i] }),
         });
     }
     Some(strips)
 }
 
-/// f and s of a strip.
+/// Surfaces that share a stretch of a component count it twice, unless their spans cross, as those of a body do that
+/// lifts up and sideways; true when none does.
+pub(super) fn do_not_overlap(specs: &[SurfaceSpec], line: &Line, report: &Report) -> bool {
+    let mut none = true;
+    for (index, later) in specs.iter().enumerate() {
+        let same_span = |earlier: &&SurfaceSpec| {
+            let shared = Stretch {
+                from: earlier.stretch.from.max(later.stretch.from),
+                to: earlier.stretch.to.min(later.stretch.to),
+            };
+            let spans_cross = |element: usize| {
+                let spans = [earlier, later].map(|spec| span_of(spec, line, element));
+                // Without a span axis it is refused for that.
+                let [Some(one), Some(other)] = spans else { return true };
+                one.dot(&other).abs() < CROSSING
+            };
+            shared.to - shared.from > SAME_PLACE
+                && line
+                    .pieces([&earlier.stretch, &later.stretch].into_iter())
+                    .iter()
+                    .any(|piece| shared.holds(piece) && !spans_cross(piece.element))
+        };
+        if let Some(earlier) = specs[..index].iter().find(same_span) {
+            let text = |stretch: &Stretch| format!("from {} to {}", stretch.from, stretch.to);
+            let found = format!(
+                "found a surface {} over {}, which runs {}",
+                text(&later.stretch),
+                earlier.place.field,
+                text(&earlier.stretch)
+            );
+            let allowed = "surfaces of one component are allowed that meet, leave a gap, or whose span axes are at \
+                           least 45 degrees apart";
+            report.add(Problem::Overlap, &later.place, found, allowed);
+            none = false;
+        }
+    }
+    none
+}
+
+/// Cosine of the least angle between the span axes of surfaces that may share a stretch: 45°, and rounding.
+const CROSSING: f64 = std::f64::consts::FRAC_1_SQRT_2 + 1e-9;
+
+/// Complains that a stretch holds no part of any element.
+fn nothing_between(stretch: &Stretch, place: &Place, report: &Report) {
+    let found = format!("found no strip from {} to {}", stretch.from, stretch.to);
+    let allowed =
+        format!("a stretch of the surface is allowed that is longer than {SAME_PLACE} of the component");
+    report.add(Problem::OutOfRange, place, found, allowed);
+}
+
+/// The span axis of a surface on an element.
+fn span_of(spec: &SurfaceSpec, line: &Line, element: usize) -> Option<Vector3<f64>> {
+    spec.span_axis.or_else(|| span_axis(line.span(element)))
+}
+
+/// f and s of a strip set at an incidence, rad.
 fn axes(
     spec: &SurfaceSpec,
     line: &Line,
-    point: Point,
+    element: usize,
+    incidence: f64,
     report: &Report,
 ) -> Option<(Vector3<f64>, Vector3<f64>)> {
-    let span = spec.span_axis.or_else(|| span_axis(line.span(point.element)));
+    let span = span_of(spec, line, element);
     let level = span.and_then(|s| (Vector3::x() - s * s.x).try_normalize(1e-6));
     let (Some(span), Some(level)) = (span, level) else {
         let found = "found a span axis along the body's x axis";
@@ -67,7 +130,7 @@ fn axes(
         report.add(Problem::NoDirection, &spec.place.within("span_axis"), found, allowed);
         return None;
     };
-    let nose_up = UnitQuaternion::from_axis_angle(&Unit::new_unchecked(span), spec.incidence);
+    let nose_up = UnitQuaternion::from_axis_angle(&Unit::new_unchecked(span), incidence);
     Some((nose_up * level, span))
 }
 
@@ -87,11 +150,11 @@ fn rightwards(span: Vector3<f64>) -> Vector3<f64> {
 fn projected_width(
     spec: &SurfaceSpec,
     line: &Line,
-    point: Point,
+    element: usize,
     span: Vector3<f64>,
     report: &Report,
 ) -> Option<f64> {
-    let width = line.span(point.element).dot(&span).abs();
+    let width = line.span(element).dot(&span).abs();
     if width > 1e-6 {
         return Some(width);
     }
@@ -101,17 +164,15 @@ fn projected_width(
     None
 }
 
-/// The gains of the inputs on each strip.
-fn gains(controls: &[ControlSpec], points: &[Point], report: &Report) -> Option<Vec<ControlGains>> {
-    let mut gains = vec![ControlGains::default(); points.len()];
+/// The gains of the inputs on each piece of a surface, none of which the end of a control cuts.
+fn gains(controls: &[ControlSpec], pieces: &[Piece], report: &Report) -> Option<Vec<ControlGains>> {
+    let mut gains = vec![ControlGains::default(); pieces.len()];
     for control in controls {
-        let inside = |point: &Point| (control.from..=control.to).contains(&point.s);
-        if !points.iter().any(inside) {
-            let found = format!("found no strip from {} to {}", control.from, control.to);
-            report.add(Problem::OutOfRange, &control.place, found, "a stretch with strips is allowed");
+        if !pieces.iter().any(|piece| control.stretch.holds(piece)) {
+            nothing_between(&control.stretch, &control.place, report);
             return None;
         }
-        for (gains, _) in gains.iter_mut().zip(points).filter(|(_, point)| inside(point)) {
+        for (gains, _) in gains.iter_mut().zip(pieces).filter(|(_, piece)| control.stretch.holds(piece)) {
             match control.input {
                 Input::Elevator => gains.elevator += control.gain,
                 Input::Aileron => gains.aileron += control.gain,

@@ -1,6 +1,6 @@
 //! The loads and the apparent mass of all strips, and how their wakes change [4.1; physics.md §4].
 
-use pulp::{Simd, WithSimd};
+use crate::arithmetic::{Arithmetic, Work};
 
 use crate::aerodynamics::{InflowStates, WakeFlow};
 use crate::lanes::{LANES, Place};
@@ -32,18 +32,11 @@ pub struct SumLoads<'a> {
     pub mass: &'a mut SquareMatrix,
 }
 
-impl SumLoads<'_> {
-    /// Adds the loads and the apparent mass of all strips, and writes the rates of the inflow states.
-    pub fn run(self) {
-        self.strips.arch.dispatch(self);
-    }
-}
-
-impl WithSimd for SumLoads<'_> {
+impl Work for SumLoads<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
+    fn with<S: Arithmetic>(self, simd: S) {
         if self.sums.is_symmetric() { self.sum::<S, true>(simd) } else { self.sum::<S, false>(simd) }
     }
 }
@@ -51,7 +44,7 @@ impl WithSimd for SumLoads<'_> {
 impl SumLoads<'_> {
     /// `SYMMETRIC` where apparent mass is.
     #[inline(always)]
-    fn sum<S: Simd, const SYMMETRIC: bool>(self, simd: S) {
+    fn sum<S: Arithmetic, const SYMMETRIC: bool>(self, simd: S) {
         let SumLoads { strips, around, layout, state, rates, sums, forces, mass } = self;
         sums.clear();
         for (index, group) in strips.groups.iter().enumerate() {
@@ -77,11 +70,11 @@ impl SumLoads<'_> {
 
 /// Finds the induced velocity of strips and writes the rates of their inflow states; notes reverse flow.
 #[inline(always)]
-fn follow_wake<S: Simd, Motion>(
+fn follow_wake<S: Arithmetic, Motion>(
     place: Place<S>,
     (index, group): (usize, &Group),
     around: &Surroundings,
-    MovingSections { flow, unforced, .. }: &mut MovingSections<S, Motion>,
+    MovingSections { flow, .. }: &mut MovingSections<S, Motion>,
     (states, rates): (&InflowStates<&[f64]>, &mut InflowStates<&mut [f64]>),
     sums: &mut StripSums,
 ) {
@@ -90,7 +83,7 @@ fn follow_wake<S: Simd, Motion>(
         sums.reversed = lane.map(|lane| index * LANES + place.lane(lane));
     }
     let passing = flow.chordwise * place.load(&group.per_semichord);
-    let wake = WakeFlow { w3: flow.w3, passing, unforced: *unforced };
+    let wake = WakeFlow { w3: flow.w3, passing };
     flow.induced = around.inflow.induced_velocity(place, states, flow.w3);
     around.inflow.write_rates(place, states, &wake, rates);
 }

@@ -12,6 +12,38 @@ pub(super) fn gains_of_kinds(gains: &ControlGains) -> [f64; SURFACES] {
     [gains.elevator, gains.aileron, gains.aileron_symmetric, gains.rudder]
 }
 
+/// What the loads of flaps are proportional to: the angle of a kind of surfaces, or the product of two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FlapFactor {
+    Angle(usize),
+    Product([usize; 2]),
+}
+
+impl FlapFactor {
+    /// All there can be.
+    pub(super) fn all() -> impl Iterator<Item = Self> {
+        let products = (0..SURFACES).flat_map(|j| (j..SURFACES).map(move |k| FlapFactor::Product([j, k])));
+        (0..SURFACES).map(FlapFactor::Angle).chain(products)
+    }
+
+    /// Under given angles of the kinds, rad or rad².
+    pub(super) fn value(self, angles: &[f64; SURFACES]) -> f64 {
+        match self {
+            FlapFactor::Angle(kind) => angles[kind],
+            FlapFactor::Product([j, k]) => angles[j] * angles[k],
+        }
+    }
+
+    /// Its coefficient in the angle δ, or in δ², of a flap that the kinds turn with given gains.
+    pub(super) fn coefficient(self, gains: &[f64; SURFACES]) -> f64 {
+        match self {
+            FlapFactor::Angle(kind) => gains[kind],
+            FlapFactor::Product([j, k]) if j == k => gains[j] * gains[j],
+            FlapFactor::Product([j, k]) => 2.0 * gains[j] * gains[k],
+        }
+    }
+}
+
 /// Absolute control positions and the motion of the air.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Controls {
@@ -45,9 +77,8 @@ impl Controls {
         }
     }
 
-    /// What the forces are linear in: the angles of [`SURFACES`] kinds of surfaces, then the thrusts.
-    pub(super) fn values(&self) -> impl Iterator<Item = f64> {
-        let surfaces = [self.elevator, self.aileron, self.aileron_symmetric, self.rudder];
-        surfaces.into_iter().chain(self.thrust.iter().copied())
+    /// The angles of the kinds of surfaces, rad.
+    pub(super) fn angles(&self) -> [f64; SURFACES] {
+        [self.elevator, self.aileron, self.aileron_symmetric, self.rudder]
     }
 }

@@ -3,7 +3,7 @@
 //! They lie in the mirror plane with their normals across it. While all motion is in the plane, w, Ω and λ₀ vanish,
 //! V_s is (f·V) f, and of the loads only D₀ = CD0 ρ b |V_s| V_s remains. Everything here is in x and z.
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::lane_vectors::{Arrow, PlaneVector};
 use crate::lanes::{Eight, LANES, Lanes, Place};
@@ -43,7 +43,12 @@ impl EdgeOnStrips {
 
     /// Adds the drag to the sums; returns the first strip that would lift and meets the air from behind.
     #[inline(always)]
-    pub fn add_drag<S: Simd>(&self, simd: S, around: &Surroundings, sums: &mut StripSums) -> Option<usize> {
+    pub fn add_drag<S: Arithmetic>(
+        &self,
+        simd: S,
+        around: &Surroundings,
+        sums: &mut StripSums,
+    ) -> Option<usize> {
         let mut reversed = None;
         for (index, group) in self.groups.iter().enumerate() {
             for place in Place::all(simd) {
@@ -83,7 +88,12 @@ impl Group {
 
     /// Adds the drag of the strips at a place; returns U.
     #[inline(always)]
-    fn add_drag<S: Simd>(&self, place: Place<S>, around: &Surroundings, sums: &mut StripSums) -> Lanes<S> {
+    fn add_drag<S: Arithmetic>(
+        &self,
+        place: Place<S>,
+        around: &Surroundings,
+        sums: &mut StripSums,
+    ) -> Lanes<S> {
         let at_rest = PlaneVector::load(place, self.position.each_ref());
         let undeformed = PlaneVector::load(place, self.forward.each_ref());
         let shapes = self.shapes.iter().map(<[Eight; 3]>::each_ref);

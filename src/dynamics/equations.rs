@@ -4,18 +4,21 @@
 //! mass is not symmetric: RL, or zero-lift lines off the chord); the inflow rates need none. Components of ν that
 //! support or symmetry hold are left out of the matrix.
 
+use std::cell::Cell;
+
 use nalgebra::{DMatrix, Vector3};
 use pulp::Arch;
 
 use crate::aerodynamics::{Air, PetersInflow};
 use crate::aircraft::Support;
+use crate::arithmetic::{Counting, Machine};
 use crate::structure::{
     ElasticForces, ElasticScratch, ModalIntegrals, ReducedModel, ReducedStrip, StrainEnergy, SymmetricHalf,
 };
 
 use super::air_loads::SumLoads;
 use super::attitude::{Attitude, quaternion_rate};
-use super::controls::Controls;
+use super::controls::{Controls, FlapFactor};
 use super::fidelity::{Fidelity, Terms};
 use super::freedom::RigidFreedom;
 use super::inertia::{DeformedInertia, RigidMotion, add};
@@ -146,7 +149,7 @@ impl EquationsOfMotion {
 
     /// Computes with vectors of a given width.
     pub(super) fn take_arch(&mut self, arch: Arch) {
-        (self.arch, self.strips.arch) = (arch, arch);
+        self.arch = arch;
     }
 
     /// Where each part of the state stands.
@@ -182,11 +185,33 @@ impl EquationsOfMotion {
 
     /// Rates of all states; accelerations stay in the workspace. States beyond the model's validity give NaN.
     pub fn rates(&self, state: &[f64], controls: &Controls, rates: &mut [f64], workspace: &mut Workspace) {
+        self.rates_by(self.arch, state, controls, rates, workspace);
+    }
+
+    /// How many multiplications of numbers in registers [`rates`](Self::rates) takes at a state.
+    pub fn multiplications(&self, state: &[f64], controls: &Controls) -> usize {
+        let multiplications = Cell::new(0);
+        let counting = Counting { multiplications: &multiplications };
+        let (mut rates, mut workspace) = (vec![0.0; state.len()], Workspace::new(self));
+        self.rates_by(counting, state, controls, &mut rates, &mut workspace);
+        multiplications.get()
+    }
+
+    /// The rates as a machine computes them.
+    #[inline(always)]
+    fn rates_by(
+        &self,
+        machine: impl Machine,
+        state: &[f64],
+        controls: &Controls,
+        rates: &mut [f64],
+        workspace: &mut Workspace,
+    ) {
         let layout = &self.layout;
         let attitude = Attitude::from_quaternion(&state[layout.attitude()]);
-        self.assemble(state, &attitude, controls, rates, workspace);
+        self.assemble(machine, (state, &attitude), controls, rates, workspace);
         workspace.collect_forces(controls);
-        workspace.regular = workspace.system.solve(self.arch, &mut workspace.solution);
+        workspace.regular = workspace.system.solve(machine, &mut workspace.solution);
         self.write_accelerations(rates, workspace);
 
         let motion = self.motion(state);
@@ -274,7 +299,7 @@ impl EquationsOfMotion {
         workspace: &mut Workspace,
     ) -> Option<DMatrix<f64>> {
         let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
-        self.assemble(state, &attitude, controls, &mut vec![0.0; state.len()], workspace);
+        self.assemble(self.arch, (state, &attitude), controls, &mut vec![0.0; state.len()], workspace);
         let (rigid, size) = (self.freedom.components().len(), self.moving().len());
         let matrix = &workspace.system.matrix;
         let mut mass = DMatrix::from_fn(size, size, |row, column| matrix[(row, column)]);
@@ -311,16 +336,22 @@ impl EquationsOfMotion {
         StripSums::new(&self.strips, self.freedom, self.layout.modes(), self.symmetric)
     }
 
+    /// What the loads of the flaps are proportional to.
+    pub(super) fn flap_factors(&self) -> &[FlapFactor] {
+        &self.strips.factors
+    }
+
     /// Altitude of O, m.
     pub fn altitude(&self, state: &[f64]) -> f64 {
         -state[self.layout.position().end - 1]
     }
 
     /// Writes the mass matrix and the generalised forces into the workspace, the inflow rates into `rates`.
+    #[inline(always)]
     fn assemble(
         &self,
-        state: &[f64],
-        attitude: &Attitude,
+        machine: impl Machine,
+        (state, attitude): (&[f64], &Attitude),
         controls: &Controls,
         rates: &mut [f64],
         workspace: &mut Workspace,
@@ -329,7 +360,7 @@ impl EquationsOfMotion {
         let q_dot = &state[self.layout.coordinate_rates()];
         let motion = self.motion(state);
         workspace.forces.clear();
-        self.arch.dispatch(StructuralForces { equations: self, motion: &motion, q, q_dot, workspace });
+        machine.run(StructuralForces { equations: self, motion: &motion, q, q_dot, workspace });
         let Workspace { inertia, forces, elastic_force, system, strip_sums, .. } = workspace;
         let force = forces.passive_mut();
         for (mode, force) in force[6..].iter_mut().enumerate() {
@@ -348,7 +379,16 @@ impl EquationsOfMotion {
         let around = self.surroundings(state, (q, q_dot), attitude, controls);
         let (strips, layout) = (&self.strips, &self.layout);
         let mass = &mut system.matrix;
-        SumLoads { strips, around: &around, layout, state, rates, sums: strip_sums, forces, mass }.run();
+        machine.run(SumLoads {
+            strips,
+            around: &around,
+            layout,
+            state,
+            rates,
+            sums: strip_sums,
+            forces,
+            mass,
+        });
     }
 
     fn surroundings<'a>(

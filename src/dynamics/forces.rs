@@ -1,17 +1,18 @@
-//! Generalised forces on ν = [v; ω; q̇], linear in surface angles and thrusts [4.1, 4.2; physics.md §4, §5].
+//! Generalised forces on ν = [v; ω; q̇] as sums of what each control does [4.1, 4.2; physics.md §4, §5].
 //!
-//! Loads of flaps and engines are linear in δ and thrust at a given state. Kept apart, the forces under other
-//! controls cost next to nothing.
+//! At a given state the loads of flaps are quadratic in δ, those of engines linear in thrust. Kept apart, the forces
+//! under other controls cost next to nothing.
 
-use super::controls::{Controls, SURFACES};
+use super::controls::{Controls, FlapFactor};
 
 /// Generalised forces at one state. Those on components of ν that cannot move are not all complete.
 #[derive(Clone, Debug)]
 pub struct GeneralisedForces {
     /// How many components ν has.
     components: usize,
-    /// With all surfaces neutral and no thrust; then per radian of each kind of surfaces, then per newton of each
-    /// engine's thrust.
+    /// What the loads of flaps are proportional to.
+    factors: Vec<FlapFactor>,
+    /// With all surfaces neutral and no thrust; then per unit of each factor, then per newton of each engine's thrust.
     rows: Vec<f64>,
     /// Under the controls of the last evaluation.
     total: Vec<f64>,
@@ -19,10 +20,11 @@ pub struct GeneralisedForces {
 
 impl GeneralisedForces {
     /// Nothing acts yet on so many components of ν.
-    pub fn new(components: usize, engines: usize) -> Self {
+    pub(super) fn new(components: usize, factors: &[FlapFactor], engines: usize) -> Self {
         GeneralisedForces {
             components,
-            rows: vec![0.0; (1 + SURFACES + engines) * components],
+            factors: factors.to_vec(),
+            rows: vec![0.0; (1 + factors.len() + engines) * components],
             total: vec![0.0; components],
         }
     }
@@ -37,14 +39,14 @@ impl GeneralisedForces {
         &mut self.rows[..self.components]
     }
 
-    /// Those per radian of a kind of surfaces.
-    pub fn of_surface_mut(&mut self, surface: usize) -> &mut [f64] {
-        &mut self.rows[(1 + surface) * self.components..][..self.components]
+    /// Those per unit of each factor of the flaps' loads, rad or rad².
+    pub fn of_flaps_mut(&mut self) -> impl Iterator<Item = &mut [f64]> {
+        self.rows.chunks_exact_mut(self.components).skip(1).take(self.factors.len())
     }
 
     /// Those per newton of each engine's thrust.
     pub fn of_thrust_mut(&mut self) -> impl Iterator<Item = &mut [f64]> {
-        self.rows.chunks_exact_mut(self.components).skip(1 + SURFACES)
+        self.rows.chunks_exact_mut(self.components).skip(1 + self.factors.len())
     }
 
     /// Sums what acts under the given controls.
@@ -52,7 +54,10 @@ impl GeneralisedForces {
         let (passive, effects) = self.rows.split_at(self.components);
         self.total.copy_from_slice(passive);
         let effects = effects.chunks_exact(self.components);
-        for (effect, value) in effects.zip(controls.values()).filter(|(_, value)| *value != 0.0) {
+        let angles = controls.angles();
+        let flaps = self.factors.iter().map(|factor| factor.value(&angles));
+        let values = flaps.chain(controls.thrust.iter().copied());
+        for (effect, value) in effects.zip(values).filter(|(_, value)| *value != 0.0) {
             for (total, effect) in self.total.iter_mut().zip(effect) {
                 *total += effect * value;
             }

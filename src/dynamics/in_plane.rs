@@ -1,9 +1,9 @@
 //! Strips in the mirror plane while all motion is in it [4.1; physics.md §4].
 //!
-//! Everything is in x and z but rates and turns, which are about y. The triad turns about a fixed axis: Ψᵠq̇ is its true
-//! spin in the body, and the true ẇ₃ forces the wake. Symbols as in `in_space`.
+//! Everything is in x and z but rates and turns, which are about y. The triad turns about a fixed axis: Ψᵠq̇ is its
+//! spin in the body. Symbols as in `in_space`.
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::lane_vectors::{Arrow, PlaneVector};
 use crate::lanes::{Eight, Lanes, Place};
@@ -14,7 +14,7 @@ use super::strip_sums::StripSums;
 use super::strips::{Group, Loads, MovingSections, Surroundings};
 
 /// Where strips in the mirror plane are and how they move.
-pub(super) struct PlaneMotion<S: Simd> {
+pub(super) struct PlaneMotion<S: Arithmetic> {
     /// R.
     pub(super) position: PlaneVector<S>,
     pub(super) forward: PlaneVector<S>,
@@ -27,7 +27,7 @@ pub(super) struct PlaneMotion<S: Simd> {
 }
 
 /// How sections in the mirror plane stand.
-pub(super) struct PlaneSections<S: Simd> {
+pub(super) struct PlaneSections<S: Arithmetic> {
     motion: PlaneMotion<S>,
     /// s.
     span: Lanes<S>,
@@ -36,7 +36,7 @@ pub(super) struct PlaneSections<S: Simd> {
     zero_lift_normal: PlaneVector<S>,
 }
 
-impl<S: Simd> PlaneMotion<S> {
+impl<S: Arithmetic> PlaneMotion<S> {
     /// Of strips with their undeformed places and axes f, and the x and z components of Ψᵘ and the y component of Ψᵠ of
     /// each mode.
     #[inline(always)]
@@ -74,13 +74,13 @@ impl<S: Simd> PlaneMotion<S> {
 impl Group {
     /// Where the undeformed strips are.
     #[inline(always)]
-    fn place_in_plane<S: Simd>(&self, place: Place<S>) -> PlaneVector<S> {
+    fn place_in_plane<S: Arithmetic>(&self, place: Place<S>) -> PlaneVector<S> {
         PlaneVector::load(place, [&self.position.x, &self.position.z])
     }
 
     /// Deforms the sections and finds their flow; the induced velocity is left at zero.
     #[inline(always)]
-    pub(super) fn deform_in_plane<S: Simd, const SYMMETRIC: bool>(
+    pub(super) fn deform_in_plane<S: Arithmetic, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         around: &Surroundings,
@@ -97,20 +97,19 @@ impl Group {
         let transport = PlaneVector::splat(place, &around.air_transport) + elastic_velocity.turned_by(rate);
         let upwash_drift =
             zero_lift_normal.dot(&transport) + elastic_rate * zero_lift_normal.cross(&velocity);
-        let zero = place.splat(0.0);
         let flow = self.flow::<S, SYMMETRIC>(
             place,
             around.density,
             [forward.dot(&velocity), normal.dot(&velocity), span * (rate + elastic_rate)],
-            [upwash_drift, zero],
+            [upwash_drift, place.splat(0.0)],
         );
         let motion = PlaneSections { motion, span, normal, zero_lift_normal };
-        MovingSections { motion, flow, unforced: zero }
+        MovingSections { motion, flow }
     }
 
     /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
     #[inline(always)]
-    pub(super) fn distribute_in_plane<S: Simd, const SYMMETRIC: bool>(
+    pub(super) fn distribute_in_plane<S: Arithmetic, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         index: usize,

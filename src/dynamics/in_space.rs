@@ -1,13 +1,10 @@
 //! How strips move with the deformed aircraft and where their loads go [4.1; physics.md §4].
 //!
 //! Symbols: f, s, n the deformed triad, R = r + Ψᵘq, V the velocity relative to the air, m = n + α0 f, and
-//! the rows G_w = nᵀ[1, −R×, Ψᵘ], G_Ω = sᵀ[0, 1, Ψᵠ] on ν = [v; ω; q̇].
-//!
-//! **Caveat.** physics.md §4 turns the triad by the finite rotation exp((Ψᵠq)×) but lets it spin at Ψᵠq̇ in ẇ
-//! and Ω̇, which is the true spin only for small rotations. The inflow is forced by that ẇ, so its states,
-//! which count from the true w₃, take the difference (`unforced`) off again.
+//! the rows G_w = nᵀ[1, −R×, Ψᵘ], G_Ω = sᵀ[0, 1, Ψᵠ] on ν = [v; ω; q̇]. The triad turns by the finite rotation
+//! exp((Ψᵠq)×) and spins accordingly: ẇ and Ω̇ are the rates of w and Ω.
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::lane_vectors::{Arrow, LaneVector};
 use crate::lanes::Place;
@@ -18,7 +15,7 @@ use super::strip_sums::{Row, StripSums};
 use super::strips::{Group, Loads, MovingSections, Surroundings};
 
 /// How sections stand.
-pub(super) struct SpaceMotion<S: Simd> {
+pub(super) struct SpaceMotion<S: Arithmetic> {
     forward: LaneVector<S>,
     span: LaneVector<S>,
     normal: LaneVector<S>,
@@ -31,7 +28,7 @@ pub(super) struct SpaceMotion<S: Simd> {
 impl Group {
     /// Deforms the sections and finds their flow; the induced velocity is left at zero.
     #[inline(always)]
-    pub(super) fn deform<S: Simd, const SYMMETRIC: bool>(
+    pub(super) fn deform<S: Arithmetic, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         around: &Surroundings,
@@ -51,25 +48,23 @@ impl Group {
         let spin = rate + elastic_rate;
         let zero_lift_normal = self.zero_lift_normal::<S, _, SYMMETRIC>(place, [normal, forward]);
 
-        // (ω × m)·V = ω·(m × V): how w and Ω change with the spin of the triad.
-        let (by_spin, pitch_by_spin) = (zero_lift_normal.cross(&air_velocity), span.cross(&spin));
-        let upwash_drift = zero_lift_normal.dot(&transport) + elastic_rate.dot(&by_spin);
+        // (σ × m)·V = σ·(m × V): how w and Ω change with the spin of the triad.
+        let triad_spin = elastic_rate + turn.excess_spin(&elastic_rate);
+        let upwash_drift =
+            zero_lift_normal.dot(&transport) + triad_spin.dot(&zero_lift_normal.cross(&air_velocity));
         let flow = self.flow::<S, SYMMETRIC>(
             place,
             around.density,
             [forward.dot(&air_velocity), normal.dot(&air_velocity), span.dot(&spin)],
-            [upwash_drift, elastic_rate.dot(&pitch_by_spin)],
+            [upwash_drift, triad_spin.dot(&span.cross(&spin))],
         );
-        let excess = turn.excess_spin(&elastic_rate);
-        let unforced =
-            self.section.three_quarter_chord_upwash(place, excess.dot(&by_spin), excess.dot(&pitch_by_spin));
         let motion = SpaceMotion { forward, span, normal, zero_lift_normal, position };
-        MovingSections { motion, flow, unforced }
+        MovingSections { motion, flow }
     }
 
     /// Ψᵘq, Ψᵠq, Ψᵘq̇ and Ψᵠq̇.
     #[inline(always)]
-    fn combine<S: Simd>(&self, place: Place<S>, q: &[f64], q_dot: &[f64]) -> [LaneVector<S>; 4] {
+    fn combine<S: Arithmetic>(&self, place: Place<S>, q: &[f64], q_dot: &[f64]) -> [LaneVector<S>; 4] {
         let (mut sums, mut rates) = ([place.splat(0.0); 6], [place.splat(0.0); 6]);
         for (shape, (&q, &q_dot)) in self.shapes.iter().zip(q.iter().zip(q_dot)) {
             for row in 0..6 {
@@ -90,7 +85,7 @@ impl Group {
 
     /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
     #[inline(always)]
-    pub(super) fn distribute<S: Simd, const SYMMETRIC: bool>(
+    pub(super) fn distribute<S: Arithmetic, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         index: usize,
@@ -120,7 +115,7 @@ impl Group {
 
     /// Adds the rows of translations along axes and of rotations about axes.
     #[inline(always)]
-    fn add_rigid_rows<'a, S: Simd, const SYMMETRIC: bool>(
+    fn add_rigid_rows<'a, S: Arithmetic, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         RigidRows { index, arms, span }: &RigidRows<S>,
@@ -142,7 +137,7 @@ impl Group {
 }
 
 /// What the rows of the rigid motion of a group of strips need.
-struct RigidRows<'a, S: Simd> {
+struct RigidRows<'a, S: Arithmetic> {
     /// The group.
     index: usize,
     /// At which loads act, and at which accelerations.

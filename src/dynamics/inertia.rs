@@ -3,8 +3,8 @@
 //! Γ̂_α and ĥ_α are linear in q, and both are needed along the axes about which the aircraft spins. They are kept
 //! component by component, each for all modes, and come from one product of a constant matrix with q.
 
+use crate::arithmetic::Arithmetic;
 use nalgebra::{Matrix3, Vector3};
-use pulp::Simd;
 
 use crate::columns::Columns;
 use crate::lanes::{AlignedNumbers, LANES, zeros};
@@ -77,7 +77,7 @@ impl DeformedInertia {
 
     /// Evaluates all integrals at q.
     #[inline(always)]
-    pub fn deform<S: Simd>(&mut self, simd: S, integrals: &ModalIntegrals, q: &[f64]) {
+    pub fn deform<S: Arithmetic>(&mut self, simd: S, integrals: &ModalIntegrals, q: &[f64]) {
         self.slopes.times(simd, q, &mut self.deformed);
         for (deformed, undeformed) in self.deformed.iter_mut().zip(self.undeformed.iter()) {
             *deformed += undeformed;
@@ -156,7 +156,7 @@ impl DeformedInertia {
 
     /// Adds the δ terms −2ω×p_αq̇_α, −2Γ̂_αᵀωq̇_α, −2υ_αβᵀωq̇_β.
     #[inline(always)]
-    pub fn add_coriolis<S: Simd>(
+    pub fn add_coriolis<S: Arithmetic>(
         &mut self,
         simd: S,
         integrals: &ModalIntegrals,

@@ -3,7 +3,9 @@
 //! nalgebra's factorisations take and give back owned storage, and its LU allocates; the equations of motion are
 //! solved hundreds of times a second of flight.
 
-use pulp::{Arch, Simd, WithSimd};
+use pulp::Arch;
+
+use crate::arithmetic::{Arithmetic, Machine, Work};
 
 use crate::lanes::{LANES, Place};
 
@@ -33,9 +35,9 @@ impl LinearSystem {
     }
 
     /// Factorises A and turns b into x. `false` when A is singular, or not positive definite if it is to be symmetric.
-    pub fn solve(&mut self, arch: Arch, b: &mut [f64]) -> bool {
+    pub fn solve(&mut self, machine: impl Machine, b: &mut [f64]) -> bool {
         match &mut self.method {
-            Method::Cholesky => arch.dispatch(CholeskySolution { matrix: &mut self.matrix, b }),
+            Method::Cholesky => machine.run(CholeskySolution { matrix: &mut self.matrix, b }),
             Method::Elimination { pivots } => {
                 let regular = eliminate(&mut self.matrix, pivots);
                 if regular {
@@ -70,11 +72,11 @@ struct CholeskySolution<'a> {
     b: &'a mut [f64],
 }
 
-impl WithSimd for CholeskySolution<'_> {
+impl Work for CholeskySolution<'_> {
     type Output = bool;
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> bool {
+    fn with<S: Arithmetic>(self, simd: S) -> bool {
         let CholeskySolution { matrix, b } = self;
         // b is eliminated with the matrix, as one more column.
         let n = b.len();
@@ -102,7 +104,7 @@ impl WithSimd for CholeskySolution<'_> {
 /// Factorises a symmetric matrix with rows of a given width, and eliminates all that stands right of it; `false` when it
 /// is not positive definite.
 #[inline(always)]
-fn factorise<S: Simd>(simd: S, rows: &mut [f64], width: usize) -> bool {
+fn factorise<S: Arithmetic>(simd: S, rows: &mut [f64], width: usize) -> bool {
     let Some(&(mut pivot)) = rows.first() else { return true };
     for j in 0..rows.len() / width {
         if pivot.is_nan() || pivot <= 0.0 {
@@ -140,7 +142,7 @@ fn substitute_back(matrix: &SquareMatrix, b: &mut [f64]) {
 
 /// target −= factor · row.
 #[inline(always)]
-fn subtract<S: Simd>(simd: S, target: &mut [f64], factor: f64, row: &[f64]) {
+fn subtract<S: Arithmetic>(simd: S, target: &mut [f64], factor: f64, row: &[f64]) {
     for (target, row) in target.chunks_exact_mut(LANES).zip(row.chunks_exact(LANES)) {
         for place in Place::all(simd) {
             place.store_slice(target, place.load_slice(target) - place.load_slice(row) * factor);

@@ -2,7 +2,9 @@
 
 use nalgebra::Vector3;
 
-use pulp::{Scalar, Simd};
+use pulp::Scalar;
+
+use crate::arithmetic::Arithmetic;
 
 use crate::lane_vectors::{Arrow, LaneVector, PlaneVector};
 use crate::lanes::Lanes;
@@ -38,7 +40,7 @@ const fn taylor(first: usize) -> [f64; TERMS] {
 
 /// exp(φ×) = 1 + (sin φ/φ) φ× + ((1 − cos φ)/φ²) φ×φ×, ready to be applied.
 #[derive(Clone, Copy, Debug)]
-pub struct Rotation<S: Simd> {
+pub struct Rotation<S: Arithmetic> {
     vector: LaneVector<S>,
     /// sin φ/φ.
     sine: Lanes<S>,
@@ -48,7 +50,7 @@ pub struct Rotation<S: Simd> {
     sine_deficit: Lanes<S>,
 }
 
-impl<S: Simd> Rotation<S> {
+impl<S: Arithmetic> Rotation<S> {
     /// By the vectors φ, rad.
     #[inline(always)]
     pub fn new(vector: LaneVector<S>) -> Self {
@@ -84,7 +86,7 @@ impl<S: Simd> Rotation<S> {
 
 /// Vectors in the mirror plane turned by angles about y, rad.
 #[inline(always)]
-pub fn turned_about_y<S: Simd>(angle: Lanes<S>, vectors: PlaneVector<S>) -> PlaneVector<S> {
+pub fn turned_about_y<S: Arithmetic>(angle: Lanes<S>, vectors: PlaneVector<S>) -> PlaneVector<S> {
     let square = angle * angle;
     let [sine, versine, _] = functions(square);
     vectors * (square.splat(1.0) - square * versine) + vectors.turned_by(angle * sine)
@@ -92,7 +94,7 @@ pub fn turned_about_y<S: Simd>(angle: Lanes<S>, vectors: PlaneVector<S>) -> Plan
 
 /// sin φ/φ, (1 − cos φ)/φ² and (1 − sin φ/φ)/φ² of φ².
 #[inline(always)]
-fn functions<S: Simd>(square: Lanes<S>) -> [Lanes<S>; 3] {
+fn functions<S: Arithmetic>(square: Lanes<S>) -> [Lanes<S>; 3] {
     let (mut versine, mut sine_deficit) = (polynomial(square, &VERSINE), polynomial(square, &SINE_DEFICIT));
     let mut sine = square.splat(1.0) - square * sine_deficit;
     if square.largest() >= SERIES_LIMIT {
@@ -103,7 +105,9 @@ fn functions<S: Simd>(square: Lanes<S>) -> [Lanes<S>; 3] {
 
 /// φ² and the series of the [`functions`]; returns these, replaced where the angle is too large for the series.
 #[cold]
-fn closed_forms<S: Simd>([square, mut sine, mut versine, mut sine_deficit]: [Lanes<S>; 4]) -> [Lanes<S>; 3] {
+fn closed_forms<S: Arithmetic>(
+    [square, mut sine, mut versine, mut sine_deficit]: [Lanes<S>; 4],
+) -> [Lanes<S>; 3] {
     for (lane, &square) in square.numbers().iter().enumerate().filter(|(_, square)| **square >= SERIES_LIMIT)
     {
         let angle = libm::sqrt(square);
@@ -122,7 +126,7 @@ pub fn turned(rotation: &Vector3<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
 
 /// c₀ + c₁x + c₂x² + …, in pairs: a shorter way from x to the sum.
 #[inline(always)]
-fn polynomial<S: Simd>(x: Lanes<S>, [c0, c1, c2, c3, c4, c5, c6]: &[f64; TERMS]) -> Lanes<S> {
+fn polynomial<S: Arithmetic>(x: Lanes<S>, [c0, c1, c2, c3, c4, c5, c6]: &[f64; TERMS]) -> Lanes<S> {
     let pair = |low: &f64, high: &f64| x * *high + x.splat(*low);
     let square = x * x;
     let (first, second, third) = (pair(c0, c1), pair(c2, c3), pair(c4, c5));

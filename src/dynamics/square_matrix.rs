@@ -2,7 +2,7 @@
 
 use std::ops::{Index, IndexMut};
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::lanes::{AlignedNumbers, LANES, Place, zeros};
 
@@ -84,7 +84,7 @@ impl SquareMatrix {
 
     /// Adds another of the same size times a factor.
     #[inline(always)]
-    pub fn add_scaled<S: Simd>(&mut self, simd: S, factor: f64, other: &Self) {
+    pub fn add_scaled<S: Arithmetic>(&mut self, simd: S, factor: f64, other: &Self) {
         let eights = other.numbers.chunks_exact(LANES);
         for (sum, other) in self.numbers.chunks_exact_mut(LANES).zip(eights) {
             for place in Place::all(simd) {

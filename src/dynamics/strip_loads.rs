@@ -9,7 +9,7 @@
 //!
 //! heave and pitch times the root of their apparent mass or inertia.
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::aerodynamics::{FlapLoads, SectionLoads};
 use crate::lane_vectors::{Arrow, LaneVector, PlaneVector};
@@ -18,7 +18,7 @@ use crate::lanes::Lanes;
 use super::strip_sums::RowEntry;
 
 /// Resultants on whole strips, vectors of kind `V`; `SYMMETRIC` where accelerations are distributed as loads are.
-pub struct StripLoads<S: Simd, V, const SYMMETRIC: bool> {
+pub struct StripLoads<S: Arithmetic, V, const SYMMETRIC: bool> {
     /// What translations meet.
     pub resultants: Resultants<V, SYMMETRIC>,
     /// M, N·m.
@@ -37,18 +37,22 @@ pub struct Resultants<V, const SYMMETRIC: bool> {
     force: V,
     /// √(πb²Δy) m.
     acceleration: V,
+    /// f, along which flaps drag.
+    forward: V,
 }
 
-/// Resultants of the flaps per radian, the force in parts of the heave of [`Resultants`].
-pub struct FlapResultants<S: Simd> {
-    /// N per √kg.
-    force: Lanes<S>,
-    /// N·m.
+/// Resultants of the flaps: forces in parts of the heave and of the forward axis of [`Resultants`].
+pub struct FlapResultants<S: Arithmetic> {
+    /// Per radian: N per √kg along heave, N along f, N·m.
+    heave: Lanes<S>,
+    forward: Lanes<S>,
     moment: Lanes<S>,
+    /// Per radian squared: N along −f.
+    drag: Lanes<S>,
 }
 
 /// Properties of whole strips that distributing their loads needs.
-pub struct StripSizes<S: Simd> {
+pub struct StripSizes<S: Arithmetic> {
     /// Δy, m.
     pub width: Lanes<S>,
     /// d, m.
@@ -60,18 +64,20 @@ pub struct StripSizes<S: Simd> {
 }
 
 /// How a component of ν moves strips.
-pub struct Displacement<S: Simd> {
+pub struct Displacement<S: Arithmetic> {
     /// √(πb²Δy) n·δu.
     heave: Lanes<S>,
     /// F·δu.
     force: Lanes<S>,
     /// √(πb²Δy) m·δu.
     acceleration: Lanes<S>,
+    /// f·δu.
+    forward: Lanes<S>,
     /// δθ.
     turn: Lanes<S>,
 }
 
-impl<S: Simd, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETRIC> {
+impl<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETRIC> {
     /// Of strips with their axes n, f and m.
     #[inline(always)]
     pub fn new(
@@ -85,6 +91,7 @@ impl<S: Simd, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETRIC> {
                 heave,
                 force: *normal * (loads.down * sizes.width) + *forward * (loads.forward * sizes.width),
                 acceleration: if SYMMETRIC { heave } else { *zero_lift_normal * sizes.root_mass },
+                forward: *forward,
             },
             moment: loads.pitching * sizes.width,
             heave_by_turn: -(sizes.elastic_axis_aft_of_midchord * sizes.root_mass),
@@ -95,7 +102,7 @@ impl<S: Simd, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETRIC> {
     /// The entries of a component of ν, flaps neutral.
     #[inline(always)]
     pub fn on(&self, displacement: &Displacement<S>) -> RowEntry<S> {
-        let Displacement { heave, force, acceleration, turn } = *displacement;
+        let Displacement { heave, force, acceleration, turn, .. } = *displacement;
         let by_turn = turn * self.heave_by_turn;
         let heave = heave + by_turn;
         RowEntry {
@@ -110,7 +117,7 @@ impl<S: Simd, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETRIC> {
 impl<V, const SYMMETRIC: bool> Resultants<V, SYMMETRIC> {
     /// Of a component of ν that moves the attachment along a vector and turns the strips.
     #[inline(always)]
-    pub fn displaced<S: Simd>(&self, translation: &V, turn: Lanes<S>) -> Displacement<S>
+    pub fn displaced<S: Arithmetic>(&self, translation: &V, turn: Lanes<S>) -> Displacement<S>
     where
         V: Arrow<S>,
     {
@@ -119,12 +126,13 @@ impl<V, const SYMMETRIC: bool> Resultants<V, SYMMETRIC> {
             heave,
             force: self.force.dot(translation),
             acceleration: if SYMMETRIC { heave } else { self.acceleration.dot(translation) },
+            forward: self.forward.dot(translation),
             turn,
         }
     }
 }
 
-impl<S: Simd, const SYMMETRIC: bool> Resultants<LaneVector<S>, SYMMETRIC> {
+impl<S: Arithmetic, const SYMMETRIC: bool> Resultants<LaneVector<S>, SYMMETRIC> {
     /// Those that rotations about O meet: of forces at `arm`, of accelerations at `position`.
     #[inline(always)]
     pub fn about(&self, [arm, position]: [&LaneVector<S>; 2]) -> Self {
@@ -133,6 +141,7 @@ impl<S: Simd, const SYMMETRIC: bool> Resultants<LaneVector<S>, SYMMETRIC> {
             heave,
             force: arm.cross(&self.force),
             acceleration: if SYMMETRIC { heave } else { position.cross(&self.acceleration) },
+            forward: arm.cross(&self.forward),
         }
     }
 
@@ -143,45 +152,58 @@ impl<S: Simd, const SYMMETRIC: bool> Resultants<LaneVector<S>, SYMMETRIC> {
             heave: self.heave.component(axis),
             force: self.force.component(axis),
             acceleration: self.acceleration.component(axis),
+            forward: self.forward.component(axis),
             turn,
         }
     }
 }
 
-impl<S: Simd, const SYMMETRIC: bool> Resultants<PlaneVector<S>, SYMMETRIC> {
+impl<S: Arithmetic, const SYMMETRIC: bool> Resultants<PlaneVector<S>, SYMMETRIC> {
     /// Of units of motion in the mirror plane: along x, along z, and about y through O, which turns the strips by
     /// `turn`; loads act at `arm`, accelerations at `position`.
     #[inline(always)]
     pub fn in_plane(&self, [arm, position]: [&PlaneVector<S>; 2], turn: Lanes<S>) -> [Displacement<S>; 3] {
-        let Resultants { heave, force, acceleration } = self;
-        let still = turn.splat(0.0);
+        let Resultants { heave, force, acceleration, forward } = self;
+        let along = |component: fn(&PlaneVector<S>) -> Lanes<S>| Displacement {
+            heave: component(heave),
+            force: component(force),
+            acceleration: component(acceleration),
+            forward: component(forward),
+            turn: turn.splat(0.0),
+        };
         let heave_about = arm.cross(heave);
-        [
-            Displacement { heave: heave.x, force: force.x, acceleration: acceleration.x, turn: still },
-            Displacement { heave: heave.z, force: force.z, acceleration: acceleration.z, turn: still },
-            Displacement {
-                heave: heave_about,
-                force: arm.cross(force),
-                acceleration: if SYMMETRIC { heave_about } else { position.cross(acceleration) },
-                turn,
-            },
-        ]
+        let about = Displacement {
+            heave: heave_about,
+            force: arm.cross(force),
+            acceleration: if SYMMETRIC { heave_about } else { position.cross(acceleration) },
+            forward: arm.cross(forward),
+            turn,
+        };
+        [along(|vector| vector.x), along(|vector| vector.z), about]
     }
 }
 
-impl<S: Simd> FlapResultants<S> {
+impl<S: Arithmetic> FlapResultants<S> {
     /// Of the flaps of strips.
     #[inline(always)]
     pub fn new(loads: &FlapLoads<S>, sizes: &StripSizes<S>, per_root_mass: Lanes<S>) -> Self {
         FlapResultants {
-            force: loads.down * sizes.width * per_root_mass,
+            heave: loads.down * sizes.width * per_root_mass,
+            forward: loads.forward * sizes.width,
             moment: loads.pitching * sizes.width,
+            drag: loads.drag * sizes.width,
         }
     }
 
     /// The generalised force along a component of ν, per radian.
     #[inline(always)]
-    pub fn on(&self, displacement: &Displacement<S>) -> Lanes<S> {
-        displacement.heave * self.force + displacement.turn * self.moment
+    pub fn on(&self, Displacement { heave, forward, turn, .. }: &Displacement<S>) -> Lanes<S> {
+        *heave * self.heave + *forward * self.forward + *turn * self.moment
+    }
+
+    /// The generalised force along a component of ν, per radian squared.
+    #[inline(always)]
+    pub fn drag_on(&self, displacement: &Displacement<S>) -> Lanes<S> {
+        -(displacement.forward * self.drag)
     }
 }

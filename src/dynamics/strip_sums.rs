@@ -4,11 +4,10 @@
 //! ρXᵀY of two rows per strip, each scaled by the root of its mass in air of unit density. Each entry is summed lane
 //! by lane over the groups of strips, then over the lanes: always in the same order.
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::lanes::{Eight, Lanes, Place};
 
-use super::controls::SURFACES;
 use super::forces::GeneralisedForces;
 use super::freedom::RigidFreedom;
 use super::square_matrix::{SPARE, SquareMatrix};
@@ -25,8 +24,6 @@ pub struct StripSums {
     moving: Vec<usize>,
     /// How many of them, the first, are translations of the whole aircraft.
     translations: usize,
-    /// Kinds of surfaces that move any flap.
-    surfaces: Vec<usize>,
     /// Whether X and Y are the same.
     symmetric: bool,
     /// Padded to whole blocks.
@@ -42,8 +39,8 @@ pub struct StripSums {
 pub struct Row {
     /// Generalised force with the flaps neutral, per lane.
     force: Eight,
-    /// Generalised force per radian of each kind of surfaces, per lane.
-    effects: [Eight; SURFACES],
+    /// Generalised force per unit of each factor of the flaps' loads, per lane.
+    effects: Vec<Eight>,
     /// Of X and Y, of every group.
     pitch: Vec<Eight>,
     /// Of X, of every group.
@@ -54,7 +51,7 @@ pub struct Row {
 
 /// One component of ν of the rows of some strips, and the force along it.
 #[derive(Clone, Copy, Debug)]
-pub struct RowEntry<S: Simd> {
+pub struct RowEntry<S: Arithmetic> {
     /// √(πb²Δy) (G_w − dG_Ω).
     pub heave: Lanes<S>,
     /// √(πb⁴Δy/8) G_Ω.
@@ -69,13 +66,12 @@ impl StripSums {
     /// Room for the sums of some strips; of the generalised forces and masses those of the components of ν that move.
     pub fn new(strips: &Strips, freedom: RigidFreedom, modes: usize, symmetric: bool) -> Self {
         let moving = freedom.moving(modes);
-        let row = Row::new(strips.groups(), symmetric);
+        let row = Row::new(strips.groups(), strips.factors.len(), symmetric);
         StripSums {
             rows: vec![row; moving.len().next_multiple_of(BLOCK)],
             product: SquareMatrix::new(moving.len()),
             moving,
             translations: freedom.translations(),
-            surfaces: strips.surfaces.clone(),
             symmetric,
             reversed: None,
         }
@@ -96,9 +92,7 @@ impl StripSums {
     pub fn clear(&mut self) {
         for row in &mut self.rows {
             row.force = Eight::ZERO;
-            for &surface in &self.surfaces {
-                row.effects[surface] = Eight::ZERO;
-            }
+            row.effects.fill(Eight::ZERO);
         }
         self.reversed = None;
     }
@@ -109,10 +103,10 @@ impl StripSums {
         self.rows[..self.moving.len()].iter_mut()
     }
 
-    /// Adds the forces to those on ν and to those per radian of each kind of surfaces, and ρXᵀY to the mass matrix of the
-    /// components that move; of a symmetric one only the upper triangle.
+    /// Adds the forces to those on ν and to those of the flaps, and ρXᵀY to the mass matrix of the components that move;
+    /// of a symmetric one only the upper triangle.
     #[inline(always)]
-    pub fn add_to<S: Simd>(
+    pub fn add_to<S: Arithmetic>(
         &mut self,
         simd: S,
         density: f64,
@@ -124,10 +118,9 @@ impl StripSums {
         for (&component, row) in rows() {
             passive[component] += row.force.sum();
         }
-        for &surface in &self.surfaces {
-            let effect = forces.of_surface_mut(surface);
+        for (factor, effect) in forces.of_flaps_mut().enumerate() {
             for (&component, row) in rows() {
-                effect[component] += row.effects[surface].sum();
+                effect[component] += row.effects[factor].sum();
             }
         }
         let size = self.moving.len();
@@ -145,7 +138,7 @@ impl StripSums {
     /// Writes the block of XᵀY that begins at a row and a column; of one on the diagonal of a symmetric product, only
     /// the upper triangle counts.
     #[inline(always)]
-    fn multiply<S: Simd, const ON_DIAGONAL: bool>(&mut self, simd: S, row: usize, column: usize) {
+    fn multiply<S: Arithmetic, const ON_DIAGONAL: bool>(&mut self, simd: S, row: usize, column: usize) {
         let (x, y) = (&self.rows[row..row + BLOCK], &self.rows[column..column + BLOCK]);
         // Translations turn nothing: their pitch is zero.
         let translations = |first: usize| self.translations.saturating_sub(first);
@@ -183,7 +176,7 @@ impl StripSums {
 /// Adds the products of the last `ROWS` rows of a block of X with a block of Y, summed over the groups; on the diagonal
 /// only the upper triangle.
 #[inline(always)]
-fn add_products<S: Simd, const ROWS: usize, const ON_DIAGONAL: bool>(
+fn add_products<S: Arithmetic, const ROWS: usize, const ON_DIAGONAL: bool>(
     place: Place<S>,
     [x0, x1, x2]: [&Vec<Eight>; BLOCK],
     [y0, y1, y2]: [&Vec<Eight>; BLOCK],
@@ -202,12 +195,12 @@ fn add_products<S: Simd, const ROWS: usize, const ON_DIAGONAL: bool>(
 }
 
 impl Row {
-    /// Of so many groups; `symmetric` where accelerations are distributed as loads are.
-    fn new(groups: usize, symmetric: bool) -> Self {
+    /// Of so many groups and factors of the flaps' loads; `symmetric` where accelerations are distributed as loads are.
+    fn new(groups: usize, factors: usize, symmetric: bool) -> Self {
         let zeros = vec![Eight::ZERO; groups];
         Row {
             force: Eight::ZERO,
-            effects: [Eight::ZERO; SURFACES],
+            effects: vec![Eight::ZERO; factors],
             pitch: zeros.clone(),
             heave: zeros.clone(),
             acceleration: if symmetric { Vec::new() } else { zeros },
@@ -222,7 +215,7 @@ impl Row {
 
     /// Sets what a group's strips have in this row of X and Y, and adds their force.
     #[inline(always)]
-    pub fn add<S: Simd, const SYMMETRIC: bool>(
+    pub fn add<S: Arithmetic, const SYMMETRIC: bool>(
         &mut self,
         place: Place<S>,
         group: usize,
@@ -238,18 +231,18 @@ impl Row {
 
     /// Adds a generalised force.
     #[inline(always)]
-    pub fn add_force<S: Simd>(&mut self, place: Place<S>, force: Lanes<S>) {
+    pub fn add_force<S: Arithmetic>(&mut self, place: Place<S>, force: Lanes<S>) {
         add_to(place, &mut self.force, force);
     }
 
-    /// Adds the generalised force per radian of a kind of surfaces.
+    /// Adds the generalised force per unit of a factor of the flaps' loads.
     #[inline(always)]
-    pub fn add_effect<S: Simd>(&mut self, place: Place<S>, surface: usize, effect: Lanes<S>) {
-        add_to(place, &mut self.effects[surface], effect);
+    pub fn add_effect<S: Arithmetic>(&mut self, place: Place<S>, factor: usize, effect: Lanes<S>) {
+        add_to(place, &mut self.effects[factor], effect);
     }
 }
 
 #[inline(always)]
-fn add_to<S: Simd>(place: Place<S>, sum: &mut Eight, lanes: Lanes<S>) {
+fn add_to<S: Arithmetic>(place: Place<S>, sum: &mut Eight, lanes: Lanes<S>) {
     place.store(sum, place.load(sum) + lanes);
 }

@@ -5,7 +5,9 @@
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
-use pulp::{Arch, Scalar, Simd};
+use pulp::Scalar;
+
+use crate::arithmetic::Arithmetic;
 
 use crate::aerodynamics::{FlapEffect, LocalFlow, PetersInflow, Section};
 use crate::aircraft::Flap;
@@ -13,7 +15,7 @@ use crate::lane_vectors::{Arrow, EightVectors};
 use crate::lanes::{Eight, LANES, Lanes, Place};
 use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
 
-use super::controls::{SURFACES, gains_of_kinds};
+use super::controls::{FlapFactor, gains_of_kinds};
 use super::edge_on::EdgeOnStrips;
 use super::freedom::RigidFreedom;
 use super::layout::StateLayout;
@@ -36,8 +38,10 @@ pub(super) struct Group {
     pub(super) per_semichord: Eight,
     zero_lift_offset: Eight,
     pub(super) section: Section,
-    /// Flap angle per angle of a kind of surfaces, for those kinds that move any flap here.
+    /// Coefficients of δ by the factors, by their places, that move any flap here.
     gains: Vec<(usize, Eight)>,
+    /// Coefficients of δ², where it drags.
+    squared_gains: Vec<(usize, Eight)>,
     /// Whether motion and all strips stay in the mirror plane.
     pub(super) in_plane: bool,
     /// Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z of each mode.
@@ -50,12 +54,10 @@ pub struct Strips {
     /// Number of strips.
     pub(super) count: usize,
     pub(super) groups: Vec<Group>,
-    /// Kinds of surfaces that move any flap.
-    pub(super) surfaces: Vec<usize>,
+    /// What the loads of any flap are proportional to.
+    pub(super) factors: Vec<FlapFactor>,
     /// Those that only drag.
     pub(super) edge_on: EdgeOnStrips,
-    /// How wide this machine's vectors are.
-    pub(super) arch: Arch,
 }
 
 /// The state of the aircraft and of the air that all strips share.
@@ -81,11 +83,9 @@ pub struct Surroundings<'a> {
 }
 
 /// Sections in their flow, with what is known of their motion.
-pub(super) struct MovingSections<S: Simd, Motion> {
+pub(super) struct MovingSections<S: Arithmetic, Motion> {
     pub(super) motion: Motion,
     pub(super) flow: LocalFlow<S>,
-    /// The part of dw₃/dt that does not force the inflow, m/s².
-    pub(super) unforced: Lanes<S>,
 }
 
 /// Loads on strips, vectors of kind `V`: those with the flaps neutral, and those of the flaps if there are any.
@@ -96,21 +96,17 @@ impl Strips {
     /// whether motion is in that plane.
     pub fn new(model: &ReducedModel, edge_on: &[ReducedStrip], free: RigidFreedom) -> Self {
         let modes = model.modes.len();
-        let moves = |surface: usize| {
-            let mut flaps = model.strips.iter().filter_map(|strip| strip.flap.as_ref());
-            flaps.any(|flap| gains_of_kinds(&flap.gains)[surface] != 0.0)
-        };
-        let surfaces: Vec<usize> = (0..SURFACES).filter(|&surface| moves(surface)).collect();
+        let acts = |factor: &FlapFactor| model.strips.iter().any(|strip| coefficient(strip, *factor) != 0.0);
+        let factors: Vec<FlapFactor> = FlapFactor::all().filter(acts).collect();
         let group = |strips: &[ReducedStrip]| Group {
             in_plane: free == RigidFreedom::InPlane && strips.iter().all(ReducedStrip::stays_in_plane),
-            ..Group::new(strips, &surfaces, modes)
+            ..Group::new(strips, &factors, modes)
         };
         Strips {
             count: model.strips.len(),
             groups: model.strips.chunks(LANES).map(group).collect(),
-            surfaces,
+            factors,
             edge_on: EdgeOnStrips::new(edge_on, modes),
-            arch: Arch::new(),
         }
     }
 
@@ -162,7 +158,7 @@ impl Strips {
 
 impl Group {
     /// Up to eight strips of a model with `modes` modes.
-    fn new(strips: &[ReducedStrip], surfaces: &[usize], modes: usize) -> Self {
+    fn new(strips: &[ReducedStrip], factors: &[FlapFactor], modes: usize) -> Self {
         let lanes = |value: &dyn Fn(&ReducedStrip) -> f64, empty: f64| {
             Eight(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
         };
@@ -172,11 +168,14 @@ impl Group {
         let flap = |value: &dyn Fn(&FlapEffect) -> f64| {
             lanes(&|strip| strip.flap.as_ref().map_or(0.0, |flap| value(&FlapEffect::new(flap))), 0.0)
         };
-        let gain = |surface: usize| {
-            let gain = |flap: &Flap| gains_of_kinds(&flap.gains)[surface];
-            lanes(&|strip| strip.flap.as_ref().map_or(0.0, gain), 0.0)
+        let coefficients = |places: &dyn Fn(&FlapFactor) -> bool| {
+            let factors = factors.iter().enumerate().filter(|(_, factor)| places(factor));
+            let coefficients = factors.map(|(place, &factor)| {
+                let coefficients = lanes(&|strip| coefficient(strip, factor), 0.0);
+                (place, coefficients)
+            });
+            coefficients.filter(|(_, coefficients)| *coefficients != Eight::ZERO).collect()
         };
-        let gains = surfaces.iter().map(|&surface| (surface, gain(surface)));
         let shape = |mode: usize, row: usize| {
             lanes(
                 &|ReducedStrip { shapes: ModeShapes { translation, rotation }, .. }| {
@@ -202,11 +201,14 @@ impl Group {
                 elastic_axis_aft_of_midchord: lanes(&|strip| strip.elastic_axis_aft_of_midchord, 0.0),
                 lift_slope: lanes(&|strip| strip.lift_slope, 0.0),
                 profile_drag: lanes(&|strip| strip.profile_drag, 0.0),
-                leading_edge_suction: lanes(&|strip| strip.leading_edge_suction, 0.0),
+                zero_lift_moment: lanes(&|strip| 2.0 * strip.zero_lift_moment, 0.0),
+                suction_loss: lanes(&suction_loss, 0.0),
                 flap_lift: flap(&|effect| effect.lift),
+                flap_drag: lanes(&flap_drag, 0.0),
                 flap_moment: flap(&|effect| effect.moment),
             },
-            gains: gains.filter(|(_, gain)| *gain != Eight::ZERO).collect(),
+            gains: coefficients(&|factor| matches!(factor, FlapFactor::Angle(_))),
+            squared_gains: coefficients(&|factor| matches!(factor, FlapFactor::Product(_))),
             in_plane: false,
             shapes: (0..modes).map(|mode| std::array::from_fn(|row| shape(mode, row))).collect(),
         }
@@ -214,7 +216,7 @@ impl Group {
 
     /// m = n + α0 f.
     #[inline(always)]
-    pub(super) fn zero_lift_normal<S: Simd, V: Arrow<S>, const SYMMETRIC: bool>(
+    pub(super) fn zero_lift_normal<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         [normal, forward]: [V; 2],
@@ -225,7 +227,7 @@ impl Group {
     /// The flow by f·V, n·V and Ω, and by those parts of ẇ and Ω̇ that no acceleration makes; the induced velocity is left
     /// at zero.
     #[inline(always)]
-    pub(super) fn flow<S: Simd, const SYMMETRIC: bool>(
+    pub(super) fn flow<S: Arithmetic, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         density: f64,
@@ -248,7 +250,7 @@ impl Group {
 
     /// The loads on the strips in a flow, by their axes n, f and m.
     #[inline(always)]
-    pub(super) fn loads<S: Simd, V: Arrow<S>, const SYMMETRIC: bool>(
+    pub(super) fn loads<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         flow: &LocalFlow<S>,
@@ -272,7 +274,7 @@ impl Group {
 
     /// Adds what the loads and the flaps contribute to one component of ν.
     #[inline(always)]
-    pub(super) fn add_row<S: Simd, V: Arrow<S>, const SYMMETRIC: bool>(
+    pub(super) fn add_row<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool>(
         &self,
         place: Place<S>,
         index: usize,
@@ -283,16 +285,47 @@ impl Group {
         row.add::<S, SYMMETRIC>(place, index, &loads.on(displacement));
         if let Some(flaps) = flaps {
             let effect = flaps.on(displacement);
-            for (surface, gain) in &self.gains {
-                row.add_effect(place, *surface, effect * place.load(gain));
+            for (factor, gain) in &self.gains {
+                row.add_effect(place, *factor, effect * place.load(gain));
+            }
+            if !self.squared_gains.is_empty() {
+                let drag = flaps.drag_on(displacement);
+                for (factor, gain) in &self.squared_gains {
+                    row.add_effect(place, *factor, drag * place.load(gain));
+                }
             }
         }
     }
 }
 
+/// 1 − η, where there is lift to lose suction from.
+fn suction_loss(strip: &ReducedStrip) -> f64 {
+    if strip.lift_slope == 0.0 { 0.0 } else { 1.0 - strip.leading_edge_suction }
+}
+
+/// (1 − η)(CLδ c1)²/CLα, 1/rad.
+fn flap_drag(strip: &ReducedStrip) -> f64 {
+    match &strip.flap {
+        Some(flap) if strip.lift_slope != 0.0 => {
+            let lift = FlapEffect::new(flap).lift;
+            suction_loss(strip) * lift * lift / strip.lift_slope
+        }
+        _ => 0.0,
+    }
+}
+
+/// The coefficient of a factor in a strip's δ; in its δ² where that drags.
+fn coefficient(strip: &ReducedStrip, factor: FlapFactor) -> f64 {
+    let coefficient = |flap: &Flap| factor.coefficient(&gains_of_kinds(&flap.gains));
+    match factor {
+        FlapFactor::Product(_) if flap_drag(strip) == 0.0 => 0.0,
+        _ => strip.flap.as_ref().map_or(0.0, coefficient),
+    }
+}
+
 /// The first lane whose lifting strip meets the air from behind.
 #[cold]
-pub(super) fn first_reversed<S: Simd>(chordwise: Lanes<S>, lift_slope: Lanes<S>) -> Option<usize> {
+pub(super) fn first_reversed<S: Arithmetic>(chordwise: Lanes<S>, lift_slope: Lanes<S>) -> Option<usize> {
     let mut strips = chordwise.numbers().iter().zip(lift_slope.numbers());
     strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
 }

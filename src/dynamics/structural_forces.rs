@@ -1,6 +1,6 @@
 //! What the structure's mass and stiffness contribute to the equations of motion [2.2–2.4; physics.md §2, §3].
 
-use pulp::{Simd, WithSimd};
+use crate::arithmetic::{Arithmetic, Work};
 
 use super::equations::EquationsOfMotion;
 use super::inertia::RigidMotion;
@@ -20,11 +20,11 @@ pub struct StructuralForces<'a> {
     pub workspace: &'a mut Workspace,
 }
 
-impl WithSimd for StructuralForces<'_> {
+impl Work for StructuralForces<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
+    fn with<S: Arithmetic>(self, simd: S) {
         let StructuralForces { equations, motion, q, q_dot, workspace } = self;
         let EquationsOfMotion { terms, integrals, elastic_forces, .. } = equations;
         let Workspace { inertia, forces, elastic_force, elastic_scratch, system, .. } = workspace;

@@ -88,6 +88,7 @@ fn with_lifting_body(mut model: ReducedModel) -> ReducedModel {
         let gains = ControlGains { elevator: 0.5, aileron_symmetric: -0.3, ..ControlGains::default() };
         strip.flap = Some(Flap { lift_slope: 4.0, hinge: 0.7, gains });
         strip.zero_lift_offset = 0.03;
+        strip.zero_lift_moment = -0.05;
         altered += 1;
     }
     assert!(
@@ -168,4 +169,22 @@ fn steering_gives_the_same_bits_as_a_new_evaluation() {
         assert_eq!(steered, rates);
         assert_ne!(steered, before);
     }
+}
+
+#[test]
+fn counted_multiplications_grow_by_the_same_number_with_every_group_of_strips() {
+    let model = jet().select(&[0, 1, 2, 3, 4]);
+    let count = |groups: usize| {
+        let strips = model.strips.iter().filter(|strip| strip.flap.is_none()).take(groups * LANES);
+        let model = ReducedModel { strips: strips.cloned().collect(), ..model.clone() };
+        let equations = EquationsOfMotion::new(&model, &configuration(Fidelity::Exact));
+        let mut state = vec![0.0; equations.layout().len()];
+        state[equations.layout().attitude().start] = 1.0;
+        state[equations.layout().velocity().start] = 127.0;
+        equations.multiplications(&state, &Controls::neutral(2))
+    };
+    let [none, one, two, three] = [0, 1, 2, 3].map(count);
+    assert_eq!([two - one, three - two], [one - none; 2]);
+    // Of each strip Ψᵘq, Ψᵠq and their rates for every mode, as often again for their rows.
+    assert!(one - none > LANES * 5 * 24 && one - none < LANES * 5 * 24 * 5, "{}", one - none);
 }

@@ -35,9 +35,10 @@ impl Workspace {
     /// For the given equations.
     pub fn new(equations: &EquationsOfMotion) -> Self {
         let (components, moving) = (equations.layout().velocities(), equations.moving().len());
+        let engines = equations.engine_count();
         Workspace {
             inertia: equations.undeformed_inertia(),
-            forces: GeneralisedForces::new(components, equations.engine_count()),
+            forces: GeneralisedForces::new(components, equations.flap_factors(), engines),
             elastic_force: vec![0.0; components - 6],
             elastic_scratch: equations.elastic_scratch(),
             system: equations.linear_system(),

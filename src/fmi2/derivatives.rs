@@ -9,10 +9,11 @@ use super::values::Family;
 use crate::simulation::Inputs;
 use crate::variables::{InputSlot, OutputSlot, Slot};
 
-/// Shifts of the inputs over which the outputs bend little, yet far beyond rounding: rad, N, m/s.
+/// Shifts of the inputs over which the outputs bend little, yet far beyond rounding: rad, N, m/s, m/s².
 const SURFACE_SHIFT: f64 = 0.01;
 const THRUST_SHIFT: f64 = 1000.0;
 const WIND_SHIFT: f64 = 0.1;
+const WIND_RATE_SHIFT: f64 = 1.0;
 
 impl Instance {
     /// `fmi2GetDirectionalDerivative`: the changes of the unknown outputs along a direction of known inputs.
@@ -95,5 +96,6 @@ fn usual_shift(input: InputSlot) -> f64 {
         }
         InputSlot::Thrust(_) => THRUST_SHIFT,
         InputSlot::Wind(_) => WIND_SHIFT,
+        InputSlot::WindRate(_) => WIND_RATE_SHIFT,
     }
 }

@@ -8,9 +8,9 @@ use super::life_cycle::{Function, State};
 use super::logger::Logger;
 use super::types::Status;
 use super::{RESOURCE_FILE, guid, identity, resource};
-use crate::simulation::{Inputs, LATEST, Settings, Simulation};
+use crate::simulation::{Inputs, LATEST, Settings, Simulation, resolution};
 use crate::structure::{ReducedModel, StructureError};
-use crate::variables::{VariableTable, start_settings};
+use crate::variables::{Slot, VariableTable, start_settings};
 
 /// Why a call is refused, and with which status.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,7 +68,7 @@ pub enum InstantiationError {
 /// What `fmi2SetupExperiment` says.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Experiment {
-    /// Wins over the parameter when given.
+    /// The tighter of it and the parameter counts.
     pub tolerance: Option<f64>,
     /// s.
     pub start: f64,
@@ -87,18 +87,32 @@ impl Experiment {
             let allowed = format!("allowed is -{LATEST:e} to {LATEST:e} s: {GRID_REASON}");
             return Some(format!("start time: found {start}, {allowed}"));
         }
-        let found = stop.filter(|stop| !(is_time(*stop) && *stop >= start))?;
-        let allowed = format!("allowed is the start time {start} to {LATEST:e} s: {GRID_REASON}");
-        Some(format!("stop time: found {found}, {allowed}"))
+        let found = stop.filter(|stop| stop.is_nan() || *stop < start)?;
+        Some(format!("stop time: found {found}, allowed is the start time {start} s or later"))
     }
 }
 
-const GRID_REASON: &str = "beyond, numbers are too coarse for the simulation's grid of time";
+impl Experiment {
+    /// The tighter of its tolerance and that of the parameter.
+    pub fn tolerance_in_use(&self, settings: &Settings) -> f64 {
+        self.tolerance.unwrap_or(settings.tolerance).min(settings.tolerance).max(TIGHTEST)
+    }
 
-/// Whether a number can be a time, s; not-a-number cannot.
+    /// By how much a communication point may miss a time (s) that it should be, s: masters add up steps, and round.
+    pub fn slack(&self, time: f64) -> f64 {
+        1e-9 * (time - self.start).clamp(0.0, 1e6) + resolution(time)
+    }
+}
+
+const GRID_REASON: &str = "beyond, doubles are too coarse for the simulation's grid of 10 ms";
+
+/// Whether a number can be a time that is flown, s; not-a-number cannot.
 pub(super) fn is_time(time: f64) -> bool {
     time.abs() <= LATEST
 }
+
+/// The tightest tolerance in use, whatever is asked for: the smallest that the parameter may have. Rounding comes next.
+const TIGHTEST: f64 = 1e-12;
 
 /// An instance of the FMU.
 #[derive(Debug)]
@@ -113,14 +127,16 @@ pub struct Instance {
     pub(super) inputs: Inputs,
     /// Rates of change of the inputs, from `fmi2SetRealInputDerivatives`.
     pub(super) rates: Inputs,
+    /// Which of them, by value reference, were given at the present communication point: setting the input's value
+    /// does not end them.
+    pub(super) rate_is_new: Vec<bool>,
     /// The communication point that has been reached, s.
     pub(super) time: f64,
     /// Made when first needed, for it must be trimmed; made anew when a parameter changes.
     pub(super) flight: Option<Simulation>,
+    /// What the call in progress will warn of.
+    warnings: Vec<String>,
 }
-
-/// Communication points may differ by this fraction (of the time, at least of 1 s): masters add up steps.
-pub(super) const TIME_SLACK: f64 = 1e-9;
 
 impl Instance {
     /// Reads the model from the resources and compares the guid.
@@ -149,17 +165,22 @@ impl Instance {
     /// In the state instantiated, with all variables at their starts.
     pub(super) fn of_model(model: ReducedModel, logger: Logger) -> Self {
         let engines = model.engines.len();
+        let table = VariableTable::new(&model);
+        let input_count =
+            table.iter().filter(|(_, variable)| matches!(variable.slot, Slot::Input(_))).count();
         Instance {
             identity: identity(&model),
-            table: VariableTable::new(&model),
+            table,
             logger,
             state: State::Instantiated,
             experiment: Experiment::default(),
             settings: start_settings(&model),
             inputs: Inputs::zero(engines),
             rates: Inputs::zero(engines),
+            rate_is_new: vec![false; input_count],
             time: 0.0,
             flight: None,
+            warnings: Vec::new(),
             model: Arc::new(model),
         }
     }
@@ -177,8 +198,15 @@ impl Instance {
         }
         // The instance is not used again after a panic, so a state broken halfway does no harm.
         match catch_unwind(AssertUnwindSafe(|| body(self))) {
-            Ok(Ok(())) => Status::Ok,
+            Ok(Ok(())) if self.warnings.is_empty() => Status::Ok,
+            Ok(Ok(())) => {
+                for warning in std::mem::take(&mut self.warnings) {
+                    self.logger.log(Status::Warning, &format!("{}: {warning}", function.name()));
+                }
+                Status::Warning
+            }
             Ok(Err(refusal)) => {
+                self.warnings.clear();
                 self.logger.log(refusal.status, &format!("{}: {}", function.name(), refusal.reason));
                 refusal.status
             }
@@ -188,6 +216,11 @@ impl Instance {
                 Status::Fatal
             }
         }
+    }
+
+    /// Has the call in progress end with `fmi2Warning` if it succeeds, and this in the log.
+    pub(super) fn warn(&mut self, warning: String) {
+        self.warnings.push(warning);
     }
 
     /// `fmi2SetupExperiment`.
@@ -226,6 +259,7 @@ impl Instance {
         self.settings = start_settings(&self.model);
         self.inputs = Inputs::zero(engines);
         self.rates = Inputs::zero(engines);
+        self.rate_is_new.fill(false);
         self.time = 0.0;
         self.flight = None;
         self.logger.log(Status::Ok, "reset");
@@ -233,29 +267,34 @@ impl Instance {
 
     /// `fmi2DoStep`, without allocating when it succeeds.
     pub fn do_step(&mut self, point: f64, size: f64) -> Result<(), Refusal> {
-        let slack = TIME_SLACK * self.time.abs().max(1.0);
         if !size.is_finite() || size < 0.0 {
             let reason = format!("step size: found {size}, allowed is a finite number that is not negative");
             return Err(Refusal::error(reason));
         }
-        if !point.is_finite() || (point - self.time).abs() > slack {
-            let reason = format!("communication point: found {point}, expected {}", self.time);
+        let began = self.time;
+        if !point.is_finite() || (point - began).abs() > self.experiment.slack(began) {
+            let reason = format!("communication point: found {point}, expected {began}");
             return Err(Refusal::error(reason));
         }
-        let end = if size > 0.0 { self.time.max(point + size) } else { self.time };
+        let end = if size > 0.0 { began.max(point + size) } else { began };
         if !is_time(end) {
             let reason = format!("the step to {end} passes {LATEST:e} s: {GRID_REASON}");
             return Err(Refusal::error(reason));
         }
-        if let Some(stop) = self.experiment.stop.filter(|stop| end > stop + slack) {
+        if let Some(stop) = self.experiment.stop.filter(|stop| end > stop + self.experiment.slack(end)) {
             return Err(Refusal::error(format!("the step to {end} passes the stop time {stop}")));
         }
-        let began = self.time;
-        if let Err(error) = self.flight()?.advance_to(end) {
+        // A master that is off by its rounding and does not step stays.
+        let point = if size > 0.0 { point } else { began };
+        if let Err(error) = self.flight()?.step(point, size) {
             return Err(Refusal::error(format!("in the step from t = {began} s to {end} s: {error}")));
         }
-        // The simulation knows that the inputs have ramped; this is for reading them.
-        self.inputs.add(end - began, &self.rates);
+        if let Some(flight) = &self.flight {
+            flight.write_inputs(&mut self.inputs);
+        }
+        if end > began {
+            self.rate_is_new.fill(false);
+        }
         self.time = end;
         Ok(())
     }
@@ -288,7 +327,7 @@ impl Instance {
         settings: &Settings,
         experiment: &Experiment,
     ) -> Result<Simulation, Refusal> {
-        let tolerance = experiment.tolerance.unwrap_or(settings.tolerance);
+        let tolerance = experiment.tolerance_in_use(settings);
         let settings = Settings { tolerance, ..settings.clone() };
         Simulation::new(self.model.clone(), &settings, experiment.start)
             .map_err(|error| Refusal::error(error.to_string()))

@@ -43,7 +43,7 @@ impl Category {
     pub fn description(self) -> &'static str {
         match self {
             Category::Events => "Instantiation, initialisation, trim, reset and termination",
-            Category::StatusWarning => "Reasons of fmi2Discard",
+            Category::StatusWarning => "Reasons of fmi2Warning and fmi2Discard",
             Category::StatusError => "Reasons of fmi2Error",
             Category::StatusFatal => "Reasons of fmi2Fatal",
             Category::All => "All messages",
@@ -53,7 +53,7 @@ impl Category {
     fn of(status: Status) -> Self {
         match status {
             Status::Ok => Category::Events,
-            Status::Discard => Category::StatusWarning,
+            Status::Warning | Status::Discard => Category::StatusWarning,
             Status::Error => Category::StatusError,
             Status::Fatal => Category::StatusFatal,
         }
@@ -69,11 +69,11 @@ pub struct Logger {
     wanted: Vec<Category>,
 }
 
-/// What is told when debug logging is off: an error without a reason costs its finder days.
-const ALWAYS: [Category; 2] = [Category::StatusError, Category::StatusFatal];
+/// What is told when debug logging is off: a warning or an error without a reason costs its finder days.
+const ALWAYS: [Category; 3] = [Category::StatusWarning, Category::StatusError, Category::StatusFatal];
 
 impl Logger {
-    /// With all categories when `logging_on`, else errors only.
+    /// With all categories when `logging_on`, else warnings and errors only.
     ///
     /// The callback must be safe to call with `environment` from the thread that uses the instance: the
     /// importer grants that by passing both to `fmi2Instantiate`.
@@ -89,7 +89,7 @@ impl Logger {
         logger
     }
 
-    /// `fmi2SetDebugLogging`: these categories only (none given: all), or errors only when off.
+    /// `fmi2SetDebugLogging`: these categories only (none given: all), or warnings and errors only when off.
     pub fn choose(&mut self, logging_on: bool, categories: &[Category]) {
         let chosen = match (logging_on, categories) {
             (false, _) => &ALWAYS,

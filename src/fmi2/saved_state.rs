@@ -1,11 +1,12 @@
 //! The state of an instance as bytes: everything that decides how it goes on, and nothing of the log.
 //!
 //! Layout, little-endian: magic, length of the whole, identity of the FMU, life-cycle state, time,
-//! experiment, parameters, inputs and their rates in the order of the variable table, the flight's own
-//! snapshot when there is one, checksum of all that. The identity changes with aircraft, variables and
-//! version, so foreign bytes are noticed without a version number of their own.
+//! experiment, parameters, inputs with their rates and whether these were given at the present time, in the
+//! order of the variable table, the flight's own snapshot when there is one, checksum of all that. The
+//! identity changes with aircraft, variables and version, so foreign bytes are noticed without a version
+//! number of their own.
 
-use super::instance::{Experiment, Instance, Refusal, TIME_SLACK, is_time};
+use super::instance::{Experiment, Instance, Refusal, is_time};
 use super::life_cycle::State;
 use crate::simulation::{Inputs, Settings, Simulation};
 use crate::structure::fnv1a;
@@ -42,6 +43,7 @@ impl Instance {
             bytes.push(u8::from(optional.is_some()));
             bytes.extend(optional.unwrap_or_default().to_le_bytes());
         }
+        let mut rate_is_new = self.rate_is_new.iter();
         for (_, variable) in self.table.iter() {
             match variable.slot {
                 Slot::Parameter(slot) => match slot.get(&self.settings) {
@@ -51,6 +53,7 @@ impl Instance {
                 Slot::Input(slot) => {
                     bytes.extend(slot.get(&self.inputs).to_le_bytes());
                     bytes.extend(slot.get(&self.rates).to_le_bytes());
+                    bytes.push(u8::from(rate_is_new.next() == Some(&true)));
                 }
                 Slot::Output(_) => {}
             }
@@ -127,6 +130,7 @@ impl Instance {
         self.settings = restored.settings;
         self.inputs = restored.inputs;
         self.rates = restored.rates;
+        self.rate_is_new = restored.rate_is_new;
         Ok(())
     }
 }
@@ -141,6 +145,7 @@ struct Restored<'a> {
     settings: Settings,
     inputs: Inputs,
     rates: Inputs,
+    rate_is_new: Vec<bool>,
     flight: Option<&'a [u8]>,
 }
 
@@ -158,6 +163,7 @@ impl<'a> Restored<'a> {
         let mut settings = instance.settings.clone();
         let mut inputs = instance.inputs.clone();
         let mut rates = instance.rates.clone();
+        let mut rate_is_new = Vec::with_capacity(instance.rate_is_new.len());
         for (_, variable) in instance.table.iter() {
             match variable.slot {
                 Slot::Parameter(slot) => {
@@ -170,13 +176,14 @@ impl<'a> Restored<'a> {
                 Slot::Input(slot) => {
                     *slot.of(&mut inputs) = reader.real()?;
                     *slot.of(&mut rates) = reader.real()?;
+                    rate_is_new.push(reader.flag()?);
                 }
                 Slot::Output(_) => {}
             }
         }
         let flight = reader.flag()?.then_some(reader.bytes);
         let experiment = Experiment { tolerance, start, stop };
-        Some(Restored { state, time, experiment, settings, inputs, rates, flight })
+        Some(Restored { state, time, experiment, settings, inputs, rates, rate_is_new, flight })
     }
 
     /// Why no instance can have come into such a state: a checksum does not tell a forger from a saver.
@@ -190,7 +197,8 @@ impl<'a> Restored<'a> {
         if let Some(objection) = self.experiment.objection() {
             return Some(objection);
         }
-        let end = if has_flown { stop.unwrap_or(f64::INFINITY) + self.slack() } else { start };
+        let slack = self.experiment.slack(self.time);
+        let end = if has_flown { stop.unwrap_or(f64::INFINITY) + slack } else { start };
         if !(is_time(self.time) && (start..=end).contains(&self.time)) {
             return Some(format!("time: found {} outside the experiment", self.time));
         }
@@ -207,12 +215,7 @@ impl<'a> Restored<'a> {
 
     /// Whether a flight's time, which may stand on a grid point close by, is that of the instance.
     fn is_now(&self, time: f64) -> bool {
-        (time - self.time).abs() <= 10.0 * self.slack()
-    }
-
-    /// s.
-    fn slack(&self) -> f64 {
-        TIME_SLACK * self.time.abs().max(1.0)
+        (time - self.time).abs() <= 10.0 * self.experiment.slack(self.time)
     }
 }
 

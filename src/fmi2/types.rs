@@ -24,13 +24,14 @@ pub const LAST_SUCCESSFUL_TIME: c_int = 2;
 /// `fmi2Terminated` of `fmi2StatusKind`.
 pub const TERMINATED: c_int = 3;
 
-/// `fmi2Status`. `fmi2Warning` (1) and `fmi2Pending` (5) are missing: this slave warns of nothing and computes
-/// while it is called.
+/// `fmi2Status`. `fmi2Pending` (5) is missing: this slave computes while it is called.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// `fmi2OK`
     Ok = 0,
+    /// `fmi2Warning`
+    Warning = 1,
     /// `fmi2Discard`
     Discard = 2,
     /// `fmi2Error`

@@ -5,7 +5,7 @@
 use super::instance::{Instance, Refusal};
 use super::life_cycle::State;
 use super::types::ValueReference;
-use crate::variables::{InputSlot, Slot, Type, Value, Variable};
+use crate::variables::{InputSlot, ParameterSlot, Slot, Type, Value, Variable};
 
 /// Which variables a function reads or writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,6 +47,8 @@ impl Instance {
         if any_output {
             self.flight()?;
         }
+        let in_use = matches!(self.state, State::StepComplete | State::Terminated)
+            .then(|| self.experiment.tolerance_in_use(&self.settings));
         let Instance { table, inputs, settings, flight, time, .. } = self;
         let present = flight.as_mut().filter(|_| any_output).map(|flight| {
             let trim = *flight.trim();
@@ -55,6 +57,9 @@ impl Instance {
         let values = references.iter().filter_map(|reference| table.get(*reference)).map(|variable| {
             let value = match (variable.slot, &present) {
                 (Slot::Input(slot), _) => Value::Real(slot.get(inputs)),
+                (Slot::Parameter(ParameterSlot::Tolerance), _) => {
+                    Value::Real(in_use.unwrap_or(settings.tolerance))
+                }
                 (Slot::Parameter(slot), _) => slot.get(settings),
                 (Slot::Output(slot), Some((trim, outputs))) => Value::Real(slot.get(outputs, trim)),
                 (Slot::Output(_), None) => Value::Real(f64::NAN),
@@ -70,7 +75,8 @@ impl Instance {
         Ok(())
     }
 
-    /// Sets variables, all of them or none.
+    /// Sets variables, all of them or none. The value of an input ends a derivative that was given at an earlier
+    /// communication point, not one that was given at the present one.
     pub fn set(
         &mut self,
         family: Family,
@@ -88,7 +94,9 @@ impl Instance {
             match (self.variable(*reference, family)?.slot, value) {
                 (Slot::Input(slot), Value::Real(x)) => {
                     *slot.of(&mut self.inputs) = x;
-                    *slot.of(&mut self.rates) = 0.0;
+                    if !*self.rate_is_new(*reference) {
+                        *slot.of(&mut self.rates) = 0.0;
+                    }
                 }
                 (Slot::Parameter(slot), value) => slot.set(&mut settings, value),
                 _ => {}
@@ -102,30 +110,38 @@ impl Instance {
         Ok(())
     }
 
-    /// `fmi2SetRealInputDerivatives`: from now on the input changes at this rate, until it is set again.
+    /// `fmi2SetRealInputDerivatives`: from now on the input changes at this rate, until its rate is given again or its
+    /// value is set at a later communication point. Derivatives of higher orders are left out with a warning.
     pub fn set_input_rates(
         &mut self,
         references: &[ValueReference],
         orders: &[i32],
-        rates: &[f64],
+        derivatives: &[f64],
     ) -> Result<(), Refusal> {
-        for ((reference, order), rate) in references.iter().zip(orders).zip(rates) {
+        let derivatives = references.iter().zip(orders).zip(derivatives);
+        for ((reference, order), derivative) in derivatives.clone() {
             self.input(*reference)?;
-            if *order != 1 {
+            if *order < 1 || !derivative.is_finite() {
                 let name = &self.variable(*reference, Family::Real)?.name;
-                return Err(Refusal::error(format!(
-                    "`{name}`: found a derivative of order {order}, allowed is 1"
-                )));
-            }
-            if !rate.is_finite() {
-                let name = &self.variable(*reference, Family::Real)?.name;
-                return Err(Refusal::error(format!(
-                    "`{name}`: found the derivative {rate}, allowed are finite ones"
-                )));
+                return Err(Refusal::error(if *order < 1 {
+                    format!(
+                        "`{name}`: found a derivative of order {order}, allowed is 1 (higher ones are left out)"
+                    )
+                } else {
+                    format!("`{name}`: found the derivative {derivative}, allowed are finite ones")
+                }));
             }
         }
-        for (reference, rate) in references.iter().zip(rates) {
-            *self.input(*reference)?.of(&mut self.rates) = *rate;
+        for ((reference, order), derivative) in derivatives {
+            if *order == 1 {
+                *self.input(*reference)?.of(&mut self.rates) = *derivative;
+                *self.rate_is_new(*reference) = true;
+            } else {
+                let name = &self.variable(*reference, Family::Real)?.name;
+                self.warn(format!(
+                    "`{name}`: its derivative of order {order} is left out, only order 1 acts"
+                ));
+            }
         }
         self.pass_inputs_on();
         Ok(())
@@ -158,6 +174,12 @@ impl Instance {
             Slot::Input(slot) => Ok(slot),
             _ => Err(Refusal::error(format!("`{}` is not an input", variable.name))),
         }
+    }
+
+    /// Whether the rate of an input was given at the present communication point.
+    fn rate_is_new(&mut self, input: ValueReference) -> &mut bool {
+        // Inputs are the first rows of the table.
+        &mut self.rate_is_new[input as usize]
     }
 
     fn pass_inputs_on(&mut self) {

@@ -5,6 +5,10 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+/// What differs by less than this share differs by rounding alone: that of an angle up to 2π, of its sine and cosine as
+/// another program computes them, and of products with them.
+pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// A turn about the vertical.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Course {
@@ -25,13 +29,16 @@ impl Course {
         Vector3::new(cos * vector.x - sin * vector.y, sin * vector.x + cos * vector.y, vector.z)
     }
 
-    /// Forward, right, down from north, east, down.
+    /// Forward, right, down from north, east, down; what is along the course but for rounding is along it.
     pub fn along(self, vector: &Vector3<f64>) -> Vector3<f64> {
         let Course { sin, cos } = self;
-        Vector3::new(cos * vector.x + sin * vector.y, cos * vector.y - sin * vector.x, vector.z)
+        let right = cos * vector.y - sin * vector.x;
+        let is_rounding = right.abs() <= ROUNDING * vector.x.abs().max(vector.y.abs());
+        let right = if is_rounding { 0.0 } else { right };
+        Vector3::new(cos * vector.x + sin * vector.y, right, vector.z)
     }
 
-    /// The matrix of [`along`](Self::along).
+    /// The matrix of [`along`](Self::along), without its regard for rounding.
     pub fn matrix(self) -> Matrix3<f64> {
         let Course { sin, cos } = self;
         Matrix3::new(cos, sin, 0.0, -sin, cos, 0.0, 0.0, 0.0, 1.0)
@@ -50,6 +57,19 @@ mod tests {
         let arrow = Vector3::new(0.3, -2.0, 0.7);
         assert!((course.along(&course.north_east_down(&arrow)) - arrow).norm() < 1e-15);
         assert!((course.matrix() * arrow - course.along(&arrow)).norm() < 1e-15);
+    }
+
+    #[test]
+    fn what_is_along_a_course_has_nothing_to_the_right() {
+        for degrees in 0..360 {
+            let heading = f64::from(degrees).to_radians();
+            let ahead = Vector3::new(libm::cos(heading), libm::sin(heading), 0.0);
+            for along in [ahead * 9.7, ahead * -3.1e-5, ahead / 3.0] {
+                assert_eq!(Course::new(heading).along(&along).y, 0.0, "{degrees} degrees");
+            }
+            let beside = Course::new(heading + 1e-14).along(&ahead).y;
+            assert!((beside + 1e-14).abs() < 2e-15, "{degrees} degrees: {beside:e}");
+        }
     }
 
     #[test]

@@ -16,8 +16,14 @@ pub enum SimulationError {
         allowed: String,
     },
     /// A time is not finite or beyond the time grid.
-    #[error("time: found {found} s, allowed is -{most} to {most} s", most = super::LATEST)]
+    #[error("time: found {found:e} s, allowed is -{most:e} to {most:e} s", most = super::LATEST)]
     Time {
+        /// s.
+        found: f64,
+    },
+    /// A step is so long that nobody would wait for it.
+    #[error("step: found {found} s, allowed is up to {most} s, a day, at once", most = super::LONGEST_STEP)]
+    Step {
         /// s.
         found: f64,
     },

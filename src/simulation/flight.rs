@@ -10,19 +10,14 @@ use crate::structure::ReducedModel;
 use super::airframe::{Airframe, Airframes};
 use super::course::Course;
 use super::integrator::{CellEnd, MAX_SUBSTEPS};
+use super::moment::{LATEST, Moment, ON_GRID, resolution};
 use super::point::{Path, Point};
 use super::steering::Steering;
 use super::{Inputs, Outputs, Settings, SimulationError, outputs};
 
-/// Width of a grid cell, s: the usual communication step. In the standard flight of README.md one step over it keeps
-/// pitch, wing tip and load factor within 2e-6 of their peaks; the error control halves from there.
-pub(super) const CELL: f64 = 10e-3;
-
-/// Communication points this close to a grid point (in cells) are on it.
-const ON_GRID: f64 = 1e-6;
-
-/// Times beyond this, s, leave too few digits to tell the cells of the grid apart.
-pub const LATEST: f64 = 1e7;
+/// Longest step, s: a day. It is flown in minutes; beyond, a slip of the unit or a time taken for a step size would keep
+/// its caller waiting for hours or for ever.
+pub const LONGEST_STEP: f64 = 86_400.0;
 
 /// The inflow's linear part is taken at a reference airspeed, which follows the flight when the two differ
 /// by more than this share; the rest of the decay, 160/s for the jet, is then well inside what a step bears.
@@ -53,7 +48,7 @@ type Wind = (Vector3<f64>, Vector3<f64>);
 
 /// A flight of one aircraft: state, time and everything needed to go on.
 ///
-/// Cells of time begin and end on an absolute grid. Where a step ends inside a cell, the present is computed
+/// Cells of time begin and end on a grid that begins with the flight. Where a step ends inside a cell, the present is computed
 /// from the cell's beginning, the anchor, and the next step begins at the anchor again, unless the inputs
 /// have changed: one step of 10 ms and ten of 1 ms are the same computation and give the same bits.
 #[derive(Clone, Debug)]
@@ -63,6 +58,8 @@ pub struct Simulation {
     pub(super) identity: u128,
     pub(super) airframes: Airframes,
     pub(super) course: Course,
+    /// Time at which the flight begins, s.
+    pub(super) start: f64,
     pub(super) steering: Steering,
     /// Where the flight is and where its cell of time begins.
     pub(super) path: Path,
@@ -91,9 +88,10 @@ impl Simulation {
         let room = airframes.whole().equations.layout().len();
         Ok(Simulation {
             identity: super::snapshot::identity(&model, settings),
-            steering: Steering::new(TrimPoint { pitch, elevator, thrust }, settings, engines, start),
+            steering: Steering::new(TrimPoint { pitch, elevator, thrust }, settings, engines),
             course: Course::new(settings.heading),
-            path: Path::new(start, &state, room),
+            start,
+            path: Path::new(Moment::START, &state, room),
             controls: Controls::neutral(engines),
             evaluated_in: None,
             view: View { state: Vec::with_capacity(room), slope: vec![0.0; room], is_fresh: false },
@@ -106,7 +104,12 @@ impl Simulation {
 
     /// Time, s.
     pub fn time(&self) -> f64 {
-        self.path.present.time
+        self.time_of(self.path.present.time)
+    }
+
+    /// s.
+    fn time_of(&self, moment: Moment) -> f64 {
+        self.start + moment.seconds()
     }
 
     /// The trim found at construction.
@@ -114,7 +117,13 @@ impl Simulation {
         &self.steering.trim
     }
 
-    /// Sets the inputs that act from now on, and their rates of change (zero: held constant).
+    /// Writes the inputs as they stand now: what was set last, and what its rates have made of it since.
+    pub fn write_inputs(&self, inputs: &mut Inputs) {
+        self.steering.write_inputs(self.path.present.time, inputs);
+    }
+
+    /// Sets the inputs that act from now on, and their rates of change (zero: held constant, the wind but for its
+    /// `wind_rate`).
     pub fn set_inputs(&mut self, inputs: &Inputs, rates: &Inputs) {
         if self.steering.set(inputs, rates, self.path.present.time) {
             self.path.present.slope_is_fresh = false;
@@ -127,16 +136,40 @@ impl Simulation {
     /// Flies to `end` (s, ≥ [`time`](Self::time)), without allocating.
     ///
     /// # Errors
-    /// When the flight leaves the model's validity or `end` is out of range; the simulation is then as it was
-    /// before the call.
+    /// When the flight leaves the model's validity or `end` is out of range or more than [`LONGEST_STEP`] away; the
+    /// simulation is then as it was before the call.
     pub fn advance_to(&mut self, end: f64) -> Result<(), SimulationError> {
-        check_time(end)?;
+        self.step(end, 0.0)
+    }
+
+    /// Flies over a step of a size (s) from a communication point (s): to (point − start) + size after the start, or to
+    /// the grid if that is within the [`resolution`] of the point. What points have lost of their digits, sizes still have:
+    /// where they are coarser than the grid, the size counts from the present, as long as that is within their resolution.
+    ///
+    /// # Errors
+    /// As for [`advance_to`](Self::advance_to).
+    pub fn step(&mut self, point: f64, size: f64) -> Result<(), SimulationError> {
+        check_time(point + size)?;
+        let present = self.path.present.time;
+        let resolution = resolution(point.abs().max(self.start.abs()));
+        let end = Moment::after_start((point - self.start) + size, resolution);
+        if end.since(present) > LONGEST_STEP {
+            return Err(SimulationError::Step { found: end.since(present) });
+        }
+        let by_size = Moment::after_start(present.seconds() + size, 0.0);
+        let is_coarse = size > 0.0 && resolution > ON_GRID && !end.is_on_grid();
+        let keeps_to_size = is_coarse && by_size.since(end).abs() <= resolution;
+        self.fly_or_stay(if keeps_to_size { by_size } else { end })
+    }
+
+    /// Flies to a time, or is as before.
+    fn fly_or_stay(&mut self, end: Moment) -> Result<(), SimulationError> {
         let (was_half, reference_airspeed) =
             (self.airframes.is_half(), self.airframes.flying().reference_airspeed);
         // What stands now stays until a second cell is flown.
         let turns_back = self.path.begins_here()
             && !self.must_unfold()
-            && end - cell_end(self.path.present.time) < ON_GRID * CELL;
+            && end.since(self.path.present.time.cell_end()) < ON_GRID;
         if !turns_back {
             self.path.keep();
         }
@@ -209,7 +242,7 @@ impl Simulation {
         let View { state, slope, is_fresh } = &mut self.view;
         if !*is_fresh {
             self.airframes.unfold(&self.path.present.state, state);
-            self.steering.write(self.path.present.time, &mut self.controls);
+            self.steering.write_at(self.path.present.time, &mut self.controls);
             let Airframe { equations, workspace, .. } = self.airframes.whole_mut();
             equations.rates(state, &self.controls, slope, workspace);
             *is_fresh = true;
@@ -223,11 +256,11 @@ impl Simulation {
     }
 
     /// Flies full cells from the anchor as far as `end` allows, then the rest of the way.
-    fn fly(&mut self, end: f64) -> Result<(), SimulationError> {
-        while end - self.path.present.time > ON_GRID * CELL {
+    fn fly(&mut self, end: Moment) -> Result<(), SimulationError> {
+        while end.since(self.path.present.time) > ON_GRID {
             let begin = self.path.anchor().time;
-            let boundary = cell_end(begin);
-            let is_full = boundary - end < ON_GRID * CELL;
+            let boundary = begin.cell_end();
+            let is_full = end >= boundary;
             if !self.path.begins_here() {
                 self.evaluated_in = None;
             }
@@ -241,35 +274,36 @@ impl Simulation {
     }
 
     /// Flies from the anchor over one cell or part of one.
-    fn fly_cell(&mut self, begin: f64, end: f64) -> Result<(), SimulationError> {
+    fn fly_cell(&mut self, begin: Moment, end: Moment) -> Result<(), SimulationError> {
         let Simulation { path, airframes, steering, controls, evaluated_in, .. } = self;
         let airframe = airframes.flying_mut();
         let (anchor, present) = path.set_off();
         refresh(anchor, airframe, steering, controls, evaluated_in);
         *evaluated_in = None;
         let Airframe { equations, workspace, integrator, .. } = airframe;
+        let set_before = begin.since(steering.since);
         let mut rates = |time: f64, state: &[f64], rates: &mut [f64]| {
-            steering.write(time, controls);
+            steering.write_after(set_before + time, controls);
             equations.rates(state, controls, rates, workspace);
         };
         let (from, to) =
             ((&anchor.state[..], &anchor.slope[..]), (&mut present.state[..], &mut present.slope[..]));
-        let cell_end = integrator.fly_cell((begin, end), anchor.substeps, from, to, &mut rates);
+        let cell_end = integrator.fly_cell(end.since(begin), anchor.substeps, from, to, &mut rates);
         let reversed = workspace.reversed_strip();
         match cell_end {
             CellEnd::Accepted { next } => {
                 (present.time, present.substeps, present.slope_is_fresh) = (end, next, true);
                 *evaluated_in = Some((controls.wind, controls.wind_rate));
-                reversed.map_or(Ok(()), |strip| Err(self.reverse_flow(end, strip)))
+                reversed.map_or(Ok(()), |strip| Err(self.reverse_flow(self.time_of(end), strip)))
             }
-            CellEnd::Failed => Err(self.failure((begin, end), reversed)),
+            CellEnd::Failed => Err(self.failure(begin, end, reversed)),
         }
     }
 
     /// Keeps the inflow's linear part near that of the flight.
     fn follow_airspeed(&mut self) {
         let anchor = self.path.anchor();
-        self.steering.write(anchor.time, &mut self.controls);
+        self.steering.write_at(anchor.time, &mut self.controls);
         let airframe = self.airframes.flying_mut();
         let airspeed = airframe.equations.airspeed(&anchor.state, &self.controls);
         let reference = airframe.reference_airspeed;
@@ -279,15 +313,16 @@ impl Simulation {
     }
 
     /// Why a cell could not be flown, not even in the smallest sub-steps.
-    fn failure(&self, (time, end): (f64, f64), reversed: Option<usize>) -> SimulationError {
+    fn failure(&self, begin: Moment, end: Moment, reversed: Option<usize>) -> SimulationError {
         let Point { state, slope, .. } = &self.path.present;
+        let time = self.time_of(begin);
         if let Some(strip) = reversed {
             return self.reverse_flow(time, strip);
         }
         if state.iter().chain(slope).any(|x| !x.is_finite()) {
             return SimulationError::NotFinite { time };
         }
-        let step = (end - time) / f64::from(MAX_SUBSTEPS);
+        let step = end.since(begin) / f64::from(MAX_SUBSTEPS);
         SimulationError::Tolerance { time, step, tolerance: self.airframes.flying().integrator.tolerance() }
     }
 
@@ -310,7 +345,7 @@ fn refresh(
     if point.slope_is_fresh {
         return;
     }
-    steering.write(point.time, controls);
+    steering.write_at(point.time, controls);
     let wind = (controls.wind, controls.wind_rate);
     let Airframe { equations, workspace, .. } = airframe;
     if *evaluated_in == Some(wind) {
@@ -320,11 +355,6 @@ fn refresh(
         *evaluated_in = Some(wind);
     }
     point.slope_is_fresh = true;
-}
-
-/// Where the cell ends, s, that a time (s) is in or begins.
-fn cell_end(time: f64) -> f64 {
-    CELL * (libm::floor(time / CELL + ON_GRID) + 1.0)
 }
 
 fn check_time(time: f64) -> Result<(), SimulationError> {

@@ -17,6 +17,8 @@ pub struct Inputs {
     pub thrust: Vec<f64>,
     /// Velocity of the air mass, north-east-down, m/s.
     pub wind: Vector3<f64>,
+    /// At which the wind changes until it is set again, north-east-down, m/s²: a gust acts on the apparent mass by it.
+    pub wind_rate: Vector3<f64>,
 }
 
 impl Clone for Inputs {
@@ -26,9 +28,9 @@ impl Clone for Inputs {
 
     /// Without allocating when both have as many engines: inputs are passed on in every step.
     fn clone_from(&mut self, source: &Self) {
-        let Inputs { elevator, aileron, aileron_symmetric, rudder, ref thrust, wind } = *source;
+        let Inputs { elevator, aileron, aileron_symmetric, rudder, ref thrust, wind, wind_rate } = *source;
         (self.elevator, self.aileron, self.rudder) = (elevator, aileron, rudder);
-        (self.aileron_symmetric, self.wind) = (aileron_symmetric, wind);
+        (self.aileron_symmetric, self.wind, self.wind_rate) = (aileron_symmetric, wind, wind_rate);
         self.thrust.clone_from(thrust);
     }
 }
@@ -44,14 +46,21 @@ impl Inputs {
             rudder: 0.0,
             thrust: vec![0.0; engine_count],
             wind: Vector3::zeros(),
+            wind_rate: Vector3::zeros(),
         }
     }
 
-    /// Adds `factor` times others, such as rates of change times an elapsed time.
+    /// Adds `factor` times others.
     pub fn add(&mut self, factor: f64, others: &Inputs) {
         for (value, other) in self.values_mut().zip(others.values()) {
             *value += factor * other;
         }
+    }
+
+    /// What they become within a time (s) at some rates: each changes at its own, the wind at the input `wind_rate` too.
+    pub(super) fn ramp(&mut self, elapsed: f64, rates: &Inputs) {
+        self.wind += elapsed * (self.wind_rate + 0.5 * elapsed * rates.wind_rate);
+        self.add(elapsed, rates);
     }
 
     /// Whether nothing acts, or as rates, nothing changes.
@@ -61,13 +70,15 @@ impl Inputs {
 
     /// All numbers, in the order of [`values_mut`](Self::values_mut).
     pub(crate) fn values(&self) -> impl Iterator<Item = f64> {
-        let Inputs { elevator, aileron, aileron_symmetric, rudder, thrust, wind } = self;
-        [elevator, aileron, aileron_symmetric, rudder].into_iter().chain(thrust).chain(wind.iter()).copied()
+        let Inputs { elevator, aileron, aileron_symmetric, rudder, thrust, wind, wind_rate } = self;
+        let surfaces = [elevator, aileron, aileron_symmetric, rudder].into_iter();
+        surfaces.chain(thrust).chain(wind.iter()).chain(wind_rate.iter()).copied()
     }
 
     /// All numbers, to be changed.
     pub(super) fn values_mut(&mut self) -> impl Iterator<Item = &mut f64> {
-        let Inputs { elevator, aileron, aileron_symmetric, rudder, thrust, wind } = self;
-        [elevator, aileron, aileron_symmetric, rudder].into_iter().chain(thrust).chain(wind.iter_mut())
+        let Inputs { elevator, aileron, aileron_symmetric, rudder, thrust, wind, wind_rate } = self;
+        let surfaces = [elevator, aileron, aileron_symmetric, rudder].into_iter();
+        surfaces.chain(thrust).chain(wind.iter_mut()).chain(wind_rate.iter_mut())
     }
 }

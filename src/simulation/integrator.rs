@@ -107,11 +107,12 @@ impl Integrator {
         }
     }
 
-    /// Flies from `begin` to `end` (s) in at least `substeps` sub-steps: from a state and f there to a state and f at
-    /// the end; `rates(t, y, f)` evaluates f. After a failure the state is the one that was refused.
+    /// Flies over a cell of some width (s) in at least `substeps` sub-steps: from a state and f there to a state and f at
+    /// the end; `rates(t, y, f)` evaluates f at t (s) from the beginning of the cell. After a failure the state is the one
+    /// that was refused.
     pub fn fly_cell(
         &mut self,
-        (begin, end): (f64, f64),
+        width: f64,
         substeps: u32,
         from: (&[f64], &[f64]),
         (to, to_slope): (&mut [f64], &mut [f64]),
@@ -119,12 +120,12 @@ impl Integrator {
     ) -> CellEnd {
         let mut count = substeps;
         loop {
-            let step = (end - begin) / f64::from(count);
+            let step = width / f64::from(count);
             let weights = self.prepare_weights(step);
             let mut worst = 0.0;
             for index in 0..count {
-                let time = begin + f64::from(index) * step;
-                let next = if index + 1 == count { end } else { begin + f64::from(index + 1) * step };
+                let time = f64::from(index) * step;
+                let next = if index + 1 == count { width } else { f64::from(index + 1) * step };
                 let start: (&[f64], &[f64]) = if index == 0 { from } else { (to, to_slope) };
                 self.begin_step(start);
                 worst = nan_max(worst, self.step((time, next), weights, (to, to_slope), &mut rates));
@@ -274,7 +275,7 @@ mod tests {
         let decay = -800.0;
         integrator.set_inflow_linear_part(|linear| linear[layout.inflow_real()].fill(decay));
         let (lag, x, w) = (layout.inflow_real().start, layout.position().start, layout.attitude().start);
-        let mut rates = |time: f64, state: &[f64], rates: &mut [f64]| {
+        let rates = |time: f64, state: &[f64], rates: &mut [f64]| {
             rates.fill(0.0);
             rates[x] = state[x + 1];
             rates[x + 1] = -frequency * frequency * state[x];
@@ -290,10 +291,11 @@ mod tests {
         rates(0.0, &state, &mut slope);
         let mut substeps = 1;
         for cell in 0..cells {
-            let times = (cell as f64 * width, (cell + 1) as f64 * width);
+            let begin = cell as f64 * width;
             let (from, from_slope) = (state.clone(), slope.clone());
             let (from, to) = ((&from[..], &from_slope[..]), (&mut state[..], &mut slope[..]));
-            match integrator.fly_cell(times, substeps, from, to, &mut rates) {
+            let rates = |time: f64, state: &[f64], slope: &mut [f64]| rates(begin + time, state, slope);
+            match integrator.fly_cell(width, substeps, from, to, rates) {
                 CellEnd::Accepted { next } => substeps = next,
                 CellEnd::Failed => panic!("failed"),
             }
@@ -331,10 +333,9 @@ mod tests {
         let mut integrator = Integrator::new(&layout, scale, Amplitudes::new(&layout, None));
         let (state, slope) = (vec![1.0; layout.len()], vec![f64::NAN; layout.len()]);
         let (mut to, mut to_slope) = (state.clone(), slope.clone());
-        let end =
-            integrator.fly_cell((0.0, 1e-3), 1, (&state, &slope), (&mut to, &mut to_slope), |_, _, f| {
-                f.fill(f64::NAN);
-            });
+        let end = integrator.fly_cell(1e-3, 1, (&state, &slope), (&mut to, &mut to_slope), |_, _, f| {
+            f.fill(f64::NAN);
+        });
         assert_eq!(end, CellEnd::Failed);
         assert!(to.iter().any(|state| state.is_nan()));
     }

@@ -8,6 +8,7 @@ mod exponential;
 mod flight;
 mod inputs;
 mod integrator;
+mod moment;
 mod outputs;
 mod point;
 mod settings;
@@ -17,7 +18,11 @@ mod steering;
 
 pub use crate::dynamics::Fidelity;
 pub use error::SimulationError;
-pub use flight::{LATEST, Simulation, TrimPoint};
+pub use flight::{LONGEST_STEP, Simulation, TrimPoint};
 pub use inputs::Inputs;
+pub use moment::{LATEST, resolution};
 pub use outputs::{AirData, Deflection, Outputs};
 pub use settings::{InputReference, ModeSelection, Settings};
+
+#[cfg(test)]
+mod tests;

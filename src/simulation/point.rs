@@ -2,11 +2,13 @@
 
 use std::mem::swap;
 
+use super::moment::Moment;
+
 /// A place on the flight path, with what the integrator needs to go on from it.
 #[derive(Clone, Debug)]
 pub(super) struct Point {
-    /// s.
-    pub time: f64,
+    /// When.
+    pub time: Moment,
     /// All states of the equations that fly, in the axes of the course.
     pub state: Vec<f64>,
     /// Sub-steps to try in the next cell.
@@ -19,7 +21,7 @@ pub(super) struct Point {
 
 impl Point {
     /// With room for a state of some length.
-    pub fn new(time: f64, state: &[f64], room: usize) -> Self {
+    pub fn new(time: Moment, state: &[f64], room: usize) -> Self {
         let with_room = |numbers: &[f64]| {
             let mut vector = Vec::with_capacity(room);
             vector.extend_from_slice(numbers);
@@ -63,7 +65,7 @@ pub(super) struct Path {
 
 impl Path {
     /// At its beginning, with room for states of some length.
-    pub fn new(time: f64, state: &[f64], room: usize) -> Self {
+    pub fn new(time: Moment, state: &[f64], room: usize) -> Self {
         let point = Point::new(time, state, room);
         let again = || Point::new(time, state, room);
         Path {
@@ -128,7 +130,7 @@ impl Path {
 
     /// Takes times and sub-steps of the next cell at anchor and present, whose states are set by
     /// [`points_mut`](Self::points_mut).
-    pub fn stand(&mut self, [anchor, present]: [(f64, u32); 2]) {
+    pub fn stand(&mut self, [anchor, present]: [(Moment, u32); 2]) {
         (self.origin.time, self.origin.substeps) = anchor;
         (self.present.time, self.present.substeps) = present;
         self.begins_here = anchor.0 == present.0;

@@ -1,17 +1,17 @@
 //! The complete state of a flight as bytes: restoring them continues bit for bit.
 //!
 //! Layout, little-endian: 8 bytes of magic with the format's version, identity of model and settings (u128),
-//! sub-steps of anchor and present and whether half the aircraft flies (1) or all (0) (u32 each), the numbers (f64),
-//! FNV-1a hash of all before (u128).
+//! sub-steps of anchor and present and whether half the aircraft flies (1) or all (0) (u32 each), the numbers (f64,
+//! times as cells of the grid and a part of one), FNV-1a hash of all before (u128).
 
 use crate::structure::{ReducedModel, fnv1a};
 
-use super::flight::{CELL, LATEST};
 use super::integrator::MAX_SUBSTEPS;
+use super::moment::{LATEST, Moment};
 use super::{Settings, Simulation, SimulationError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXSNP04";
+const MAGIC: &[u8; 8] = b"FLXSNP05";
 
 /// Bytes before the numbers.
 const HEADER: usize = 8 + 16 + 3 * 4;
@@ -34,7 +34,8 @@ impl Simulation {
             bytes.extend_from_slice(&count.to_le_bytes());
         }
         let reference_airspeed = self.airframes.flying().reference_airspeed;
-        for number in [anchor.time, present.time, self.steering.since, reference_airspeed] {
+        let times = [present.time, anchor.time, self.steering.since].into_iter().flat_map(Moment::numbers);
+        for number in times.chain([self.start, reference_airspeed]) {
             bytes.extend_from_slice(&number.to_le_bytes());
         }
         let inputs = self.steering.inputs.values().chain(self.steering.rates.values());
@@ -58,8 +59,11 @@ impl Simulation {
 
     /// The time, s, at which a snapshot was taken, if it is one; what else it says is not checked.
     pub fn time_of_snapshot(bytes: &[u8]) -> Option<f64> {
-        let time = bytes.get(HEADER + 8..)?.first_chunk()?;
-        Some(f64::from_le_bytes(*time))
+        let number = |place: usize| {
+            bytes.get(HEADER + 8 * place..)?.first_chunk().map(|bytes| f64::from_le_bytes(*bytes))
+        };
+        let [present, start] = [Moment::from_numbers([number(0)?, number(1)?])?.seconds(), number(6)?];
+        Some(start + present)
     }
 
     /// Whether a snapshot is of half or of all of the aircraft, and the length of its states, if its mark says one of the
@@ -76,7 +80,7 @@ impl Simulation {
 
     /// Length of a snapshot with states of some length.
     fn size_with(&self, state: usize) -> usize {
-        let numbers = 4 + 2 * self.steering.inputs.values().count() + 2 * state;
+        let numbers = 8 + 2 * self.steering.inputs.values().count() + 2 * state;
         HEADER + 8 * numbers + 16
     }
 
@@ -115,11 +119,17 @@ impl Simulation {
             return refuse("it holds numbers that are not finite");
         }
         let mut next = || numbers.next().unwrap_or(f64::NAN);
-        let [anchor, present, since, reference_airspeed] = [next(), next(), next(), next()];
-        if !(anchor..=anchor + CELL).contains(&present) || present.abs() > LATEST || reference_airspeed < 0.0
-        {
+        let times = [(); 3].map(|()| Moment::from_numbers([next(), next()]));
+        let [start, reference_airspeed] = [next(), next()];
+        let [Some(present), Some(anchor), Some(since)] = times else {
+            return refuse("its times are out of range");
+        };
+        let is_in_cell = (anchor..=anchor.cell_end()).contains(&present) && since <= present;
+        let is_in_time = start.abs() <= LATEST && (start + present.seconds()).abs() <= LATEST;
+        if !is_in_cell || !is_in_time || reference_airspeed < 0.0 {
             return refuse("its times or its airspeed are out of range");
         }
+        self.start = start;
         self.steering.since = since;
         for number in self.steering.inputs.values_mut().chain(self.steering.rates.values_mut()) {
             *number = next();

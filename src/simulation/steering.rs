@@ -1,8 +1,11 @@
 //! The inputs as functions of time: values and rates set at an instant, about the trim or absolute.
 
+use nalgebra::Vector3;
+
 use crate::dynamics::Controls;
 
-use super::course::Course;
+use super::course::{Course, ROUNDING};
+use super::moment::Moment;
 use super::{InputReference, Inputs, Settings, TrimPoint};
 
 /// What acts on the aircraft from the last setting of the inputs on.
@@ -17,21 +20,22 @@ pub struct Steering {
     pub inputs: Inputs,
     /// Per second.
     pub rates: Inputs,
-    /// When they were set, s.
-    pub since: f64,
+    /// When they were set.
+    pub(super) since: Moment,
 }
 
 impl Steering {
-    /// Hands off, from a time (s) on.
-    pub fn new(trim: TrimPoint, settings: &Settings, engines: usize, since: f64) -> Self {
+    /// Hands off, from the start on.
+    pub fn new(trim: TrimPoint, settings: &Settings, engines: usize) -> Self {
         let (inputs, rates) = (Inputs::zero(engines), Inputs::zero(engines));
         let course = Course::new(settings.heading);
-        Steering { trim, reference: settings.input_reference, course, inputs, rates, since }
+        Steering { trim, reference: settings.input_reference, course, inputs, rates, since: Moment::START }
     }
 
-    /// Sets inputs and rates at a time (s); returns whether that changes anything.
-    pub fn set(&mut self, inputs: &Inputs, rates: &Inputs, time: f64) -> bool {
-        if self.inputs == *inputs && self.rates.is_zero() && rates.is_zero() {
+    /// Sets inputs and rates at a time; returns whether that changes anything.
+    pub(super) fn set(&mut self, inputs: &Inputs, rates: &Inputs, time: Moment) -> bool {
+        let is_steady = self.rates.is_zero() && rates.is_zero() && inputs.wind_rate == Vector3::zeros();
+        if is_steady && self.inputs == *inputs {
             return false;
         }
         self.inputs.clone_from(inputs);
@@ -40,25 +44,54 @@ impl Steering {
         true
     }
 
-    /// Whether everything acts alike on both sides, and will; `images` has the mirror image of each engine.
-    pub fn is_symmetric(&self, images: &[usize]) -> bool {
-        [&self.inputs, &self.rates].into_iter().all(|inputs| {
-            let mut engines = images.iter().enumerate();
-            inputs.aileron == 0.0
-                && inputs.rudder == 0.0
-                && self.course.along(&inputs.wind).y == 0.0
-                && engines.all(|(engine, &image)| inputs.thrust[engine] == inputs.thrust[image])
-        })
+    /// Writes the inputs as they stand at a time: what was set, and what its rates have made of it.
+    pub(super) fn write_inputs(&self, time: Moment, inputs: &mut Inputs) {
+        inputs.clone_from(&self.inputs);
+        inputs.ramp(time.since(self.since), &self.rates);
     }
 
-    /// The absolute controls at a time (s).
-    pub fn write(&self, time: f64, controls: &mut Controls) {
-        let Steering { trim, inputs, rates, course, .. } = self;
-        let elapsed = time - self.since;
-        let (elevator, thrust) = match self.reference {
-            InputReference::Trim => (trim.elevator, trim.thrust),
+    /// Whether everything acts alike on both sides, but for rounding, and will; `images` has the mirror image of each
+    /// engine.
+    pub fn is_symmetric(&self, images: &[usize]) -> bool {
+        let Steering { inputs, rates, .. } = self;
+        let (_, trimmed) = self.reference_values();
+        let are_alike = |a: f64, b: f64| (a - b).abs() <= ROUNDING * a.abs().max(b.abs());
+        let mut engines = images.iter().enumerate();
+        inputs.aileron.abs().max(inputs.rudder.abs()) <= ROUNDING
+            && (rates.aileron, rates.rudder) == (0.0, 0.0)
+            && self.winds().into_iter().all(|wind| wind.y == 0.0)
+            && engines.all(|(engine, &image)| {
+                are_alike(trimmed + inputs.thrust[engine], trimmed + inputs.thrust[image])
+                    && are_alike(rates.thrust[engine], rates.thrust[image])
+            })
+    }
+
+    /// Along the course: the wind when it was set, m/s, its rate, m/s², and the rate of that, m/s³.
+    fn winds(&self) -> [Vector3<f64>; 3] {
+        let Steering { inputs, rates, course, .. } = self;
+        // Each by itself, for the rounding of a sum may be more than a part of the sum.
+        let [wind, given, input, change] =
+            [inputs.wind, rates.wind, inputs.wind_rate, rates.wind_rate].map(|wind| course.along(&wind));
+        [wind, given + input, change]
+    }
+
+    /// Elevator angle (rad) and thrust per engine (N), to which the inputs add.
+    fn reference_values(&self) -> (f64, f64) {
+        match self.reference {
+            InputReference::Trim => (self.trim.elevator, self.trim.thrust),
             InputReference::Absolute => (0.0, 0.0),
-        };
+        }
+    }
+
+    /// The absolute controls at a time.
+    pub(super) fn write_at(&self, time: Moment, controls: &mut Controls) {
+        self.write_after(time.since(self.since), controls);
+    }
+
+    /// The absolute controls a time (s) after the inputs were set.
+    pub fn write_after(&self, elapsed: f64, controls: &mut Controls) {
+        let Steering { inputs, rates, .. } = self;
+        let (elevator, thrust) = self.reference_values();
         controls.elevator = elevator + inputs.elevator + elapsed * rates.elevator;
         controls.aileron = inputs.aileron + elapsed * rates.aileron;
         controls.aileron_symmetric = inputs.aileron_symmetric + elapsed * rates.aileron_symmetric;
@@ -66,7 +99,8 @@ impl Steering {
         for ((acting, input), rate) in controls.thrust.iter_mut().zip(&inputs.thrust).zip(&rates.thrust) {
             *acting = thrust + input + elapsed * rate;
         }
-        controls.wind = course.along(&(inputs.wind + rates.wind * elapsed));
-        controls.wind_rate = course.along(&rates.wind);
+        let [wind, rate, change] = self.winds();
+        controls.wind = wind + (rate + change * (0.5 * elapsed)) * elapsed;
+        controls.wind_rate = rate + change * elapsed;
     }
 }

@@ -9,7 +9,7 @@ use crate::aircraft::{AIRSPEEDS, ALTITUDES};
 use super::{ModeShapes, ReducedModel, StructureError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXAIR02";
+const MAGIC: &[u8; 8] = b"FLXAIR03";
 
 /// Bytes before the payload.
 const HEADER: usize = 8 + 8 + 16;

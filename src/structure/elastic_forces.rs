@@ -10,7 +10,7 @@
 //! mirror plane every monomial with an odd number of antisymmetric modes vanishes: rows are ordered by parity, and
 //! [`Columns`] leaves out what is zero. The plain form is [`StrainEnergy`].
 
-use pulp::Simd;
+use crate::arithmetic::Arithmetic;
 
 use crate::columns::Columns;
 use crate::lanes::{AlignedNumbers, LANES, zeros};
@@ -122,7 +122,13 @@ impl ElasticForces {
 
     /// Writes ∂U/∂q at q.
     #[inline(always)]
-    pub fn write<S: Simd>(&self, simd: S, q: &[f64], gradient: &mut [f64], scratch: &mut ElasticScratch) {
+    pub fn write<S: Arithmetic>(
+        &self,
+        simd: S,
+        q: &[f64],
+        gradient: &mut [f64],
+        scratch: &mut ElasticScratch,
+    ) {
         let ElasticScratch { vector, product } = scratch;
         let (linear, products) = vector.split_at_mut(q.len());
         linear.copy_from_slice(q);

@@ -1,5 +1,7 @@
 //! What can go wrong between an aircraft and its reduced model.
 
+use super::ModeKind;
+
 /// Why a structure could not be reduced, or a reduced model not be read.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StructureError {
@@ -20,16 +22,21 @@ pub enum StructureError {
     #[error("the natural modes did not converge")]
     EigenvaluesNotFound,
     /// More modes were asked for than the masses allow.
-    #[error("{wanted} modes were asked for, the structure has {available}")]
+    #[error("{wanted} {kind} were asked for, the structure has {available}")]
     TooFewModes {
         /// Asked for.
         wanted: usize,
+        /// Of these.
+        kind: ModeKind,
         /// Possible.
         available: usize,
     },
+    /// Symmetric modes were asked for.
+    #[error("symmetric modes were asked for, the structure has no mirror plane y = 0")]
+    NoMirrorPlane,
     /// More modes were asked for than the strain energy can hold.
     #[error(
-        "{wanted} modes were asked for, at most {most} are possible: the quartic strain energy has n⁴/24 coefficients"
+        "{wanted} modes are needed, at most {most} are possible: the quartic strain energy has n⁴/24 coefficients"
     )]
     TooManyModes {
         /// Asked for.

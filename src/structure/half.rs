@@ -55,11 +55,7 @@ impl SymmetricHalf {
         let modes: Vec<usize> = (0..whole.modes.len()).filter(symmetric).collect();
         let mut model = whole.select(&modes);
         let mirror = Mirror::of(&model);
-        let engines = model
-            .engines
-            .iter()
-            .map(|engine| model.engines.iter().position(|image| mirror.maps_engine(engine, image)))
-            .collect::<Option<_>>()?;
+        let engines = mirror.engine_images(&model.engines)?;
         let images = mirror.images(&model.strips)?;
         let (mut kept, mut edge_on) = (Vec::new(), Vec::new());
         let mut places = vec![None; images.len()];
@@ -164,27 +160,42 @@ impl Mirror {
         }
     }
 
-    /// For every strip on the left its image on the right, each taken once; the others are their own.
+    /// For every strip the one on the right or in the plane that it moves like, each with one image. Of two strips that
+    /// meet in the plane, being images of each other, the first counts as the right one.
     fn images(&self, strips: &[ReducedStrip]) -> Option<Vec<Image>> {
         let side = |index: usize| self.side(&strips[index].position);
-        let mut taken = vec![false; strips.len()];
-        let mut image = |index: usize| {
-            let is_in_plane = side(index) == 0;
-            if is_in_plane {
-                let sign = self.sign(&strips[index], &strips[index])?;
-                return Some(Image { of: index, sign, is_in_plane });
+        let mut images: Vec<Option<Image>> = vec![None; strips.len()];
+        for index in 0..strips.len() {
+            if images[index].is_some() {
+                continue;
             }
-            if side(index) > 0 {
-                return Some(Image { of: index, sign: 1.0, is_in_plane });
+            let own = (side(index) == 0).then(|| self.sign(&strips[index], &strips[index])).flatten();
+            if let Some(sign) = own {
+                images[index] = Some(Image { of: index, sign, is_in_plane: true });
+                continue;
             }
-            let mut right = (0..strips.len()).filter(|&other| side(other) > 0 && !taken[other]);
-            let (of, sign) =
-                right.find_map(|of| self.sign(&strips[index], &strips[of]).map(|sign| (of, sign)))?;
-            taken[of] = true;
-            Some(Image { of, sign, is_in_plane })
-        };
-        let images = (0..strips.len()).map(&mut image).collect::<Option<Vec<_>>>()?;
-        (0..strips.len()).all(|index| side(index) <= 0 || taken[index]).then_some(images)
+            let mut others =
+                (index + 1..strips.len()).filter(|&o| images[o].is_none() && side(o) == -side(index));
+            let (other, sign) =
+                others.find_map(|other| Some((other, self.sign(&strips[index], &strips[other])?)))?;
+            let [right, left] = if side(index) < 0 { [other, index] } else { [index, other] };
+            images[right] = Some(Image { of: right, sign: 1.0, is_in_plane: false });
+            images[left] = Some(Image { of: right, sign, is_in_plane: false });
+        }
+        images.into_iter().collect()
+    }
+
+    /// For every engine its image, each with one: itself or another.
+    fn engine_images(&self, engines: &[ReducedEngine]) -> Option<Vec<usize>> {
+        let mut images = vec![None; engines.len()];
+        for index in 0..engines.len() {
+            if images[index].is_none() {
+                let mut others = (index..engines.len()).filter(|&other| images[other].is_none());
+                let image = others.find(|&other| self.maps_engine(&engines[index], &engines[other]))?;
+                (images[index], images[image]) = (Some(image), Some(index));
+            }
+        }
+        images.into_iter().collect()
     }
 
     /// Whether one strip is the mirror image of another, and whether its span axis is the mirrored one (1) or its
@@ -207,6 +218,7 @@ impl Mirror {
         };
         let alike = numbers(strip).into_iter().zip(numbers(image)).all(|(a, b)| are_alike(a, b))
             && are_alike(strip.zero_lift_offset, sign * image.zero_lift_offset)
+            && are_alike(strip.zero_lift_moment, sign * image.zero_lift_moment)
             && flaps_mirror(flap.as_ref(), image.flap.as_ref(), sign)
             && self.maps_shapes(shapes, &image.shapes);
         alike.then_some(sign)
@@ -305,6 +317,8 @@ mod tests {
         assert!(!has_half(|jet| drop(jet.strips.remove(0))));
         let fin = jet().strips.iter().position(|strip| strip.component == "vtail").unwrap();
         assert!(!has_half(|jet| jet.strips[fin].zero_lift_offset = 0.01));
+        assert!(!has_half(|jet| jet.strips[fin].zero_lift_moment = 0.01));
+        assert!(!has_half(|jet| jet.strips[3].zero_lift_moment = -0.1));
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! The mirror plane y = 0 and the subspaces of symmetric and antisymmetric motion (physics.md §1).
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector, Vector3};
 
-use crate::aircraft::Aircraft;
+use crate::aircraft::{Aircraft, Branches};
 
 use super::ModeFamily;
 
@@ -25,17 +25,20 @@ const SIGN: [f64; 6] = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
 impl Mirror {
     /// The mirror of an aircraft, `None` when its nodes, stiffness or mass have no mirror plane y = 0.
     pub fn find(aircraft: &Aircraft, stiffness: &DMatrix<f64>, mass: &DMatrix<f64>) -> Option<Self> {
-        let size = aircraft.nodes.iter().map(nalgebra::Vector3::norm).fold(0.0, f64::max);
-        let image = aircraft
-            .nodes
-            .iter()
-            .map(|node| {
-                let mirrored = nalgebra::Vector3::new(node.x, -node.y, node.z);
-                aircraft.nodes.iter().position(|other| (other - mirrored).norm() < 1e-9 * size)
-            })
-            .collect::<Option<Vec<_>>>()?;
-        let mirror = Mirror { image };
-        (mirror.preserves(stiffness) && mirror.preserves(mass)).then_some(mirror)
+        let size = aircraft.nodes.iter().map(Vector3::norm).fold(0.0, f64::max);
+        let branches = Branches::of(aircraft);
+        let matrices = [Reflected::new(stiffness), Reflected::new(mass)];
+        let alike = |node: usize, other: usize| {
+            let (at, image_at) = (aircraft.nodes[node], aircraft.nodes[other]);
+            let (before, image_before) = (branches.parent(node), branches.parent(other));
+            (Vector3::new(at.x, -at.y, at.z) - image_at).norm() < 1e-9 * size
+                && matrices.iter().all(|matrix| {
+                    matrix.preserves([node, node], [other, other])
+                        && matrix.preserves([before, node], [image_before, other])
+                })
+        };
+        // Stiffness and mass join each node to itself and to its neighbours in the tree: nothing else is to be compared.
+        Some(Mirror { image: branches.images(&alike).into_iter().collect::<Option<_>>()? })
     }
 
     /// Orthonormal basis of a family's subspace.
@@ -55,19 +58,32 @@ impl Mirror {
         }
         basis
     }
+}
 
-    /// Whether reflecting rows and columns leaves the matrix as it is, each entry relative to its diagonals.
-    fn preserves(&self, matrix: &DMatrix<f64>) -> bool {
-        let reflect =
-            |unknown: usize| (6 * (self.image[unknown / 6 + 1] - 1) + unknown % 6, SIGN[unknown % 6]);
-        let diagonal = matrix.map_diagonal(|value| value.abs().sqrt());
-        (0..matrix.nrows()).all(|i| {
-            let (image_i, sign_i) = reflect(i);
-            (0..matrix.ncols()).all(|j| {
-                let (image_j, sign_j) = reflect(j);
-                let difference = matrix[(i, j)] - sign_i * sign_j * matrix[(image_i, image_j)];
-                difference.abs() <= SYMMETRIC * diagonal[i] * diagonal[j]
-            })
+/// A symmetric matrix of nodal unknowns, to be compared with its reflection.
+struct Reflected<'m> {
+    matrix: &'m DMatrix<f64>,
+    /// Roots of the diagonal.
+    scale: DVector<f64>,
+}
+
+impl<'m> Reflected<'m> {
+    fn new(matrix: &'m DMatrix<f64>) -> Self {
+        Reflected { matrix, scale: matrix.map_diagonal(|value| value.abs().sqrt()) }
+    }
+
+    /// Whether the block of two nodes is, reflected, that of their images, each entry relative to its diagonals. The
+    /// clamped node has none.
+    fn preserves(&self, [row, column]: [usize; 2], [image_row, image_column]: [usize; 2]) -> bool {
+        if [row, column, image_row, image_column].contains(&0) {
+            return row == image_row;
+        }
+        let (first, first_column) = (6 * (row - 1), 6 * (column - 1));
+        let (image, image_column) = (6 * (image_row - 1), 6 * (image_column - 1));
+        (0..36).map(|entry| (entry / 6, entry % 6)).all(|(i, j)| {
+            let reflected = SIGN[i] * SIGN[j] * self.matrix[(image + i, image_column + j)];
+            let difference = self.matrix[(first + i, first_column + j)] - reflected;
+            difference.abs() <= SYMMETRIC * self.scale[first + i] * self.scale[first_column + j]
         })
     }
 }
@@ -91,8 +107,8 @@ pub fn restrict(matrix: &DMatrix<f64>, basis: &[BasisVector]) -> DMatrix<f64> {
 }
 
 /// A vector of the subspace, written in all unknowns.
-pub fn expand(coordinates: &[f64], basis: &[BasisVector], unknowns: usize) -> nalgebra::DVector<f64> {
-    let mut vector = nalgebra::DVector::zeros(unknowns);
+pub fn expand(coordinates: &[f64], basis: &[BasisVector], unknowns: usize) -> DVector<f64> {
+    let mut vector = DVector::zeros(unknowns);
     for (coordinate, terms) in coordinates.iter().zip(basis) {
         for &(unknown, coefficient) in terms {
             vector[unknown] += coefficient * coordinate;

@@ -6,6 +6,7 @@ use crate::aircraft::ModeBasis;
 
 use super::assembly::Structure;
 use super::mirror::{self, Mirror};
+use super::mode_count::{ModeCount, ModeKind};
 use super::{Mode, ModeFamily, StructureError};
 
 /// Frequencies closer than this (relative) count as equal: symmetric before antisymmetric.
@@ -24,11 +25,19 @@ pub struct ModalBasis {
 }
 
 impl ModalBasis {
-    /// The `count` lowest modes of all families together.
+    /// The lowest modes of all families together.
     ///
     /// # Errors
-    /// When the stiffness matrix is not positive definite or there are fewer than `count` modes.
-    pub fn new(structure: &Structure, count: usize) -> Result<Self, StructureError> {
+    /// As [`with`](Self::with).
+    pub fn new(structure: &Structure, count: impl Into<ModeCount>) -> Result<Self, StructureError> {
+        Self::with(structure, count.into(), ModeKind::All)
+    }
+
+    /// The lowest modes of all families together, as many as it takes to have `count` of a kind among them.
+    ///
+    /// # Errors
+    /// When the stiffness matrix is not positive definite, or the structure has no such modes.
+    pub fn with(structure: &Structure, count: ModeCount, kind: ModeKind) -> Result<Self, StructureError> {
         let stiffness = structure.stiffness(structure.aircraft.mode_basis == ModeBasis::BendingTorsion);
         let mass = structure.mass();
         // Axially rigid beams would hide a difference in bending.
@@ -42,9 +51,7 @@ impl ModalBasis {
                 family_modes(&stiffness, &mass, &whole, ModeFamily::Unsymmetric)?
             }
         };
-        if modes.len() < count {
-            return Err(StructureError::TooFewModes { wanted: count, available: modes.len() });
-        }
+        let count = count.lowest(kind, modes.iter().map(|(mode, _)| mode.family))?;
         let (modes, shapes): (Vec<_>, Vec<_>) = modes.into_iter().take(count).unzip();
         let shapes = if shapes.is_empty() {
             DMatrix::zeros(structure.unknowns(), 0)

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::aircraft::{Aircraft, Flap, Support};
 
 use super::assembly::Structure;
+use super::mode_count::{MOST_MODES, ModeCount, ModeKind};
 use super::{ModalBasis, ModalIntegrals, StrainEnergy, StructureError};
 
 /// How a mode behaves under reflection in the plane y = 0.
@@ -87,6 +88,8 @@ pub struct ReducedStrip {
     pub lift_slope: f64,
     /// α0, rad.
     pub zero_lift_offset: f64,
+    /// c_m0: the section's moment coefficient about its aerodynamic centre.
+    pub zero_lift_moment: f64,
     /// CD0.
     pub profile_drag: f64,
     /// η.
@@ -139,19 +142,24 @@ impl ReducedModel {
     /// lowest modes twelve are symmetric, so that the FMU's `mode_count` of 12 serves either `mode_family`.
     pub const USUAL_MODES: usize = 26;
 
-    /// The most modes that a model can have: the quartic strain energy then has 0.6 million coefficients.
-    pub const MOST_MODES: usize = 60;
+    /// The most modes that a model can have.
+    pub const MOST_MODES: usize = MOST_MODES;
 
-    /// Reduces an aircraft to its `mode_count` lowest modes of all families together.
+    /// Reduces an aircraft to its lowest modes of all families together; a plain number is one that is asked for.
     ///
     /// # Errors
     /// When there are no such modes, too many are asked for, or the numbers overflow.
-    pub fn new(aircraft: &Aircraft, mode_count: usize) -> Result<Self, StructureError> {
-        if mode_count > Self::MOST_MODES {
-            return Err(StructureError::TooManyModes { wanted: mode_count, most: Self::MOST_MODES });
-        }
+    pub fn new(aircraft: &Aircraft, count: impl Into<ModeCount>) -> Result<Self, StructureError> {
+        Self::with(aircraft, count.into(), ModeKind::All)
+    }
+
+    /// Reduces an aircraft to its lowest modes, as many as it takes to have `count` of a kind among them.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), or for symmetric modes of a structure without mirror plane.
+    pub fn with(aircraft: &Aircraft, count: ModeCount, kind: ModeKind) -> Result<Self, StructureError> {
         let structure = Structure::new(aircraft)?;
-        let basis = ModalBasis::new(&structure, mode_count)?;
+        let basis = ModalBasis::with(&structure, count, kind)?;
         let model = ReducedModel {
             name: aircraft.name.clone(),
             gravity: aircraft.gravity,
@@ -220,6 +228,7 @@ fn reduced_strips(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedSt
         width: strip.width,
         lift_slope: strip.lift_slope,
         zero_lift_offset: strip.zero_lift_offset,
+        zero_lift_moment: strip.zero_lift_moment,
         profile_drag: strip.profile_drag,
         leading_edge_suction: strip.leading_edge_suction,
         flap: strip.flap,

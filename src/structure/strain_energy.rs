@@ -29,12 +29,11 @@ impl StrainEnergy {
     /// Integrates over all elements for the given mode shapes, with the real EA.
     pub fn new(structure: &Structure, shapes: &DMatrix<f64>) -> Self {
         let mut energy = StrainEnergy::zero(shapes.ncols());
-        let monomials = Monomials::new(shapes.ncols());
         for (index, beam) in structure.aircraft.beams.iter().enumerate() {
             let geometry = &structure.geometry[index];
             for (fraction, weight) in GAUSS_5 {
                 let section = SectionGradients::new(structure, index, &geometry.gradients(fraction), shapes);
-                energy.add_section(&monomials, beam, &section, weight * geometry.length);
+                energy.add_section(beam, &section, weight * geometry.length);
             }
         }
         energy
@@ -66,27 +65,25 @@ impl StrainEnergy {
     /// The energy of a choice of modes (ascending), all others held at zero.
     pub fn select(&self, chosen: &[usize]) -> Self {
         let n = self.modes;
-        let monomials = Monomials::new(n);
-        let kept = |old: &[usize]| old.iter().all(|mode| chosen.contains(mode));
         StrainEnergy {
             modes: chosen.len(),
             linear_stiffness: chosen
                 .iter()
                 .flat_map(|&a| chosen.iter().map(move |&b| self.linear_stiffness[a * n + b]))
                 .collect(),
-            cubic: kept_coefficients(&monomials.cubic, &self.cubic, kept),
-            quartic: kept_coefficients(&monomials.quartic, &self.quartic, kept),
+            cubic: chosen_coefficients::<3>(&self.cubic, n, chosen),
+            quartic: chosen_coefficients::<4>(&self.quartic, n, chosen),
         }
     }
 
     /// The modes of each monomial of U₃ and its coefficient.
     pub(super) fn cubic_terms(&self) -> impl Iterator<Item = ([usize; 3], f64)> {
-        ascending_tuples(self.modes).into_iter().zip(self.cubic.iter().copied())
+        ascending_tuples(self.modes).zip(self.cubic.iter().copied())
     }
 
     /// The modes of each monomial of U₄ and its coefficient.
     pub(super) fn quartic_terms(&self) -> impl Iterator<Item = ([usize; 4], f64)> {
-        ascending_tuples(self.modes).into_iter().zip(self.quartic.iter().copied())
+        ascending_tuples(self.modes).zip(self.quartic.iter().copied())
     }
 
     /// U₂ = ½ qᵀK₀q, with K₀ q added to `gradient`.
@@ -144,42 +141,43 @@ impl StrainEnergy {
     }
 
     /// Adds the energy of one integration section that stands for `length` metres of the beam.
-    fn add_section(&mut self, monomials: &Monomials, beam: &Beam, section: &SectionGradients, length: f64) {
+    fn add_section(&mut self, beam: &Beam, section: &SectionGradients, length: f64) {
         let torsion = &section.twist * section.twist.transpose() * (beam.torsional_stiffness * length);
         self.add_linear_stiffness(&torsion);
         let half_height_y = (beam.bending_stiffness_z / beam.axial_stiffness).sqrt();
         let half_height_z = (beam.bending_stiffness_y / beam.axial_stiffness).sqrt();
         for (y, z) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
             let rigidity = 0.25 * beam.axial_stiffness * length;
-            self.add_boom(monomials, section, [y * half_height_y, z * half_height_z], rigidity);
+            self.add_boom(section, [y * half_height_y, z * half_height_z], rigidity);
         }
     }
 
     /// Adds ½ EA ε² of a boom at (y, z): ε = e·q + ½ qᵀQq.
-    fn add_boom(
-        &mut self,
-        monomials: &Monomials,
-        section: &SectionGradients,
-        [y, z]: [f64; 2],
-        rigidity: f64,
-    ) {
+    fn add_boom(&mut self, section: &SectionGradients, [y, z]: [f64; 2], rigidity: f64) {
         let e = &section.stretch - &section.curvature_v * y - &section.curvature_w * z;
         let v = &section.slope_v - &section.twist * z;
         let w = &section.slope_w + &section.twist * y;
         let quadratic = &e * e.transpose() + &v * v.transpose() + &w * w.transpose();
         self.add_linear_stiffness(&(&e * e.transpose() * rigidity));
 
-        for (tuple, coefficient) in monomials.cubic.iter().zip(&mut self.cubic) {
-            let &[a, b, c] = tuple;
+        for (tuple, coefficient) in ascending_tuples(self.modes).zip(&mut self.cubic) {
+            let [a, b, c] = tuple;
             let symmetric = e[a] * quadratic[(b, c)] + e[b] * quadratic[(a, c)] + e[c] * quadratic[(a, b)];
-            *coefficient += 0.5 * rigidity * permutations(tuple) * symmetric / 3.0;
+            *coefficient += 0.5 * rigidity * permutations(&tuple) * symmetric / 3.0;
         }
-        for (tuple, coefficient) in monomials.quartic.iter().zip(&mut self.quartic) {
-            let &[a, b, c, d] = tuple;
-            let symmetric = quadratic[(a, b)] * quadratic[(c, d)]
-                + quadratic[(a, c)] * quadratic[(b, d)]
-                + quadratic[(a, d)] * quadratic[(b, c)];
-            *coefficient += 0.125 * rigidity * permutations(tuple) * symmetric / 3.0;
+        let mut rest = self.quartic.as_mut_slice();
+        for [a, b, c] in ascending_tuples(self.modes) {
+            let (row, tail) = rest.split_at_mut(self.modes - c);
+            rest = tail;
+            // Columns stand for rows of the symmetric matrix: their numbers lie side by side.
+            let [of_a, of_b, of_c] = [a, b, c].map(|mode| &quadratic.as_slice()[mode * self.modes..][c..]);
+            let (ab, ac, bc) = (quadratic[(a, b)], quadratic[(a, c)], quadratic[(b, c)]);
+            let factors = [c, c + 1].map(|d| 0.125 * rigidity * permutations(&[a, b, c, d]));
+            let columns = of_a.iter().zip(of_b).zip(of_c);
+            for (place, (coefficient, ((ad, bd), cd))) in row.iter_mut().zip(columns).enumerate() {
+                let symmetric = ab * cd + ac * bd + ad * bc;
+                *coefficient += factors[place.min(1)] * symmetric / 3.0;
+            }
         }
     }
 
@@ -187,18 +185,6 @@ impl StrainEnergy {
         for (sum, term) in self.linear_stiffness.iter_mut().zip(matrix.iter()) {
             *sum += term;
         }
-    }
-}
-
-/// The index tuples of all monomials, in the order of the coefficients.
-struct Monomials {
-    cubic: Vec<[usize; 3]>,
-    quartic: Vec<[usize; 4]>,
-}
-
-impl Monomials {
-    fn new(modes: usize) -> Self {
-        Monomials { cubic: ascending_tuples(modes), quartic: ascending_tuples(modes) }
     }
 }
 
@@ -236,13 +222,22 @@ fn sweep(row: &[f64], factor: f64, q: &[f64], gradient: &mut [f64]) -> f64 {
     sum
 }
 
-/// The coefficients of those monomials whose modes are all kept.
-fn kept_coefficients<const DEGREE: usize>(
-    monomials: &[[usize; DEGREE]],
-    coefficients: &[f64],
-    kept: impl Fn(&[usize]) -> bool,
-) -> Vec<f64> {
-    monomials.iter().zip(coefficients).filter(|(modes, _)| kept(*modes)).map(|(_, &c)| c).collect()
+/// The coefficients of those monomials of n modes whose modes are all among the chosen (ascending) ones.
+fn chosen_coefficients<const DEGREE: usize>(coefficients: &[f64], n: usize, chosen: &[usize]) -> Vec<f64> {
+    let tuples = ascending_tuples::<DEGREE>(chosen.len());
+    tuples.map(|tuple| coefficients[rank(tuple.map(|place| chosen[place]), n)]).collect()
+}
+
+/// How many ascending tuples stand before one in lexicographic order.
+fn rank<const DEGREE: usize>(tuple: [usize; DEGREE], n: usize) -> usize {
+    let mut before = 0;
+    let mut least = 0;
+    for (place, &index) in tuple.iter().enumerate() {
+        // Those that agree up to here and go on with less.
+        before += monomials(n - least, DEGREE - place) - monomials(n - index, DEGREE - place);
+        least = index;
+    }
+    before
 }
 
 /// Number of distinct monomials of a degree in n variables.
@@ -251,18 +246,13 @@ fn monomials(n: usize, degree: usize) -> usize {
 }
 
 /// All ascending index tuples a ≤ b ≤ … < n, in lexicographic order.
-fn ascending_tuples<const DEGREE: usize>(n: usize) -> Vec<[usize; DEGREE]> {
-    let mut tuples = Vec::with_capacity(monomials(n, DEGREE));
-    let mut next = (n > 0).then_some([0; DEGREE]);
-    while let Some(mut tuple) = next {
-        tuples.push(tuple);
-        next = (0..DEGREE).rev().find(|&place| tuple[place] + 1 < n).map(|place| {
-            let following = tuple[place] + 1;
-            tuple[place..].fill(following);
-            tuple
-        });
-    }
-    tuples
+fn ascending_tuples<const DEGREE: usize>(n: usize) -> impl Iterator<Item = [usize; DEGREE]> {
+    std::iter::successors((n > 0).then_some([0; DEGREE]), move |tuple| {
+        let place = (0..DEGREE).rev().find(|&place| tuple[place] + 1 < n)?;
+        let mut next = *tuple;
+        next[place..].fill(tuple[place] + 1);
+        Some(next)
+    })
 }
 
 /// Number of distinct orders of the indices of an ascending tuple.
@@ -308,9 +298,8 @@ mod tests {
         let energy = sample();
         let q = [0.3, -1.2, 0.7, 2.0];
         let product = |tuple: &[usize]| tuple.iter().map(|&i| q[i]).product::<f64>();
-        let Monomials { cubic, quartic } = Monomials::new(4);
-        let cubic: f64 = cubic.iter().zip(&energy.cubic).map(|(tuple, c)| c * product(tuple)).sum();
-        let quartic: f64 = quartic.iter().zip(&energy.quartic).map(|(tuple, c)| c * product(tuple)).sum();
+        let cubic: f64 = energy.cubic_terms().map(|(tuple, c)| c * product(&tuple)).sum();
+        let quartic: f64 = energy.quartic_terms().map(|(tuple, c)| c * product(&tuple)).sum();
         assert!((energy.add_cubic(&q, &mut [0.0; 4]) - cubic).abs() < 1e-13);
         assert!((energy.add_quartic(&q, &mut [0.0; 4]) - quartic).abs() < 1e-13);
     }
@@ -345,6 +334,15 @@ mod tests {
         let part =
             chosen.add_quadratic(&q, unused) + chosen.add_cubic(&q, unused) + chosen.add_quartic(&q, unused);
         assert!((part - value(&energy, &[0.0, q[0], 0.0, q[1]])).abs() < 1e-14);
+    }
+
+    #[test]
+    fn monomials_are_found_by_their_rank() {
+        for n in 1..7 {
+            assert_eq!(ascending_tuples::<4>(n).count(), monomials(n, 4));
+            assert!(ascending_tuples::<3>(n).enumerate().all(|(place, tuple)| rank(tuple, n) == place));
+            assert!(ascending_tuples::<4>(n).enumerate().all(|(place, tuple)| rank(tuple, n) == place));
+        }
     }
 
     #[test]

@@ -3,8 +3,8 @@
 
 use super::{AirQuantity, Axis, InputSlot, OutputSlot, ParameterSlot};
 
-/// Whether an input acts on an output at the same instant: accelerations feel every force, the flow feels
-/// the wind; positions, velocities and deformations are states and follow only by integration.
+/// Whether an input acts on an output at the same instant: accelerations feel every force, by the apparent mass also
+/// the rate of the wind; the flow feels the wind alone; positions, velocities and deformations are states and follow only by integration.
 pub(super) fn direct(output: OutputSlot, input: InputSlot) -> bool {
     match output {
         OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) | OutputSlot::SpecificForce { .. } => true,

@@ -119,6 +119,7 @@ pub enum InputSlot {
     /// Of the engine with this index.
     Thrust(usize),
     Wind(Axis),
+    WindRate(Axis),
 }
 
 /// A parameter.
@@ -198,6 +199,7 @@ impl InputSlot {
             InputSlot::Rudder => &mut inputs.rudder,
             InputSlot::Thrust(engine) => &mut inputs.thrust[engine],
             InputSlot::Wind(axis) => &mut inputs.wind[axis.index()],
+            InputSlot::WindRate(axis) => &mut inputs.wind_rate[axis.index()],
         }
     }
 
@@ -210,6 +212,7 @@ impl InputSlot {
             InputSlot::Rudder => inputs.rudder,
             InputSlot::Thrust(engine) => inputs.thrust[engine],
             InputSlot::Wind(axis) => inputs.wind[axis.index()],
+            InputSlot::WindRate(axis) => inputs.wind_rate[axis.index()],
         }
     }
 }

@@ -44,6 +44,13 @@ fn inputs(model: &ReducedModel) -> Vec<Variable> {
         let text = format!("Velocity of the air mass towards {direction}");
         rows.push(input(&format!("wind_{direction}"), Unit::MetrePerSecond, InputSlot::Wind(axis), &text));
     }
+    for (axis, direction) in Axis::ALL.into_iter().zip(NORTH_EAST_DOWN) {
+        let text = format!(
+            "Rate of wind_{direction}, which changes by it until one of the two is set; gusts need it"
+        );
+        let name = format!("wind_rate_{direction}");
+        rows.push(input(&name, Unit::MetrePerSecondSquared, InputSlot::WindRate(axis), &text));
+    }
     rows
 }
 

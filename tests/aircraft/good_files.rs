@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Problem, Strip};
+use flexible_aircraft::structure::ReducedModel;
 use nalgebra::Vector3;
 
 use super::{GOOD, edited};
@@ -62,7 +63,7 @@ fn twist_is_nose_up_without_a_strip_too() {
         ("fuselage", Vector3::x()),
     ] {
         let aircraft = aircraft(&[
-            ("elastic_axis = 0.35", "elastic_axis = 0.35\nto = 0.8"),
+            ("elastic_axis = 0.35", "elastic_axis = 0.35\nto = 0.75"),
             ("component = \"wing_left\"", &format!("component = \"{component}\"")),
         ]);
         assert_eq!(aircraft.stations[0].twist_axis, axis, "{component}");
@@ -86,6 +87,47 @@ fn laws_are_evaluated_at_the_middle_of_each_element() {
     near(root.torsional_stiffness, 2.0 * root.bending_stiffness_y);
     near(root.bending_stiffness_z, 3e6 - 0.125 * 2e6);
     near(aircraft.beams[10].bending_stiffness_z, 8e6);
+}
+
+#[test]
+fn zero_lift_moment_is_a_law_and_comes_with_the_reduced_strip_through_its_bytes() {
+    let moments = "profile_drag = 0.01\nzero_lift_moment = { at = [0, 1], values = [-0.08, -0.04] }";
+    let model = ReducedModel::new(&aircraft(&[("profile_drag = 0.01", moments)]), 4).unwrap();
+    let model = ReducedModel::from_bytes(&model.to_bytes()).unwrap();
+    for (strip, expected) in model.strips.iter().zip([-0.075, -0.065, -0.055, -0.045].repeat(2)) {
+        assert!((strip.zero_lift_moment - expected).abs() < 1e-16, "{strip:?}");
+    }
+    let without = ReducedModel::new(&aircraft(&[]), 4).unwrap();
+    assert!(without.strips.iter().all(|strip| strip.zero_lift_moment == 0.0));
+}
+
+#[test]
+fn incidence_camber_axis_suction_and_offsets_are_laws_along_the_span() {
+    let aircraft = aircraft(&[
+        (
+            "elastic_axis = 0.35",
+            "elastic_axis = { at = [0, 1], values = [0.3, 0.4] }\nincidence_deg = { at = [0, 1], values = [2, -2] }\n\
+             zero_lift_offset_deg = { polynomial = [3, -1] }\nleading_edge_suction = { per_element = [1, 0.9, 0.8, 0.7] }",
+        ),
+        (
+            "gyration_chords = [0, 0.25, 0.25]",
+            "gyration_chords = [0, 0.25, 0.25]\noffset_chords = [{ at = [0, 1], values = [-0.1, 0.1] }, 0, 0.02]",
+        ),
+    ]);
+    let near = |one: f64, other: f64| assert!((one - other).abs() < 1e-15, "{one} instead of {other}");
+    for wing in ["wing_right", "wing_left"] {
+        for (element, strip) in strips(&aircraft, wing).iter().enumerate() {
+            let s = (element as f64 + 0.5) / 4.0;
+            near(libm::atan2(-strip.forward.z, strip.forward.x), (2.0 - 4.0 * s).to_radians());
+            near(strip.zero_lift_offset, (3.0 - s).to_radians());
+            near(strip.elastic_axis_aft_of_midchord, (0.3 + 0.1 * s - 0.5) * 1.5);
+            near(strip.leading_edge_suction, 1.0 - 0.1 * element as f64);
+        }
+    }
+    for (bay, s) in aircraft.bays.iter().zip([0.125, 0.375, 0.625, 0.875].repeat(2)) {
+        near(bay.offset.x, (-0.1 + 0.2 * s) * 1.5);
+        near(bay.offset.z, 0.03);
+    }
 }
 
 #[test]

@@ -5,6 +5,8 @@ mod bad_airframes;
 mod bad_fields;
 mod good_files;
 mod jet;
+mod mirrors;
+mod ranges;
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 

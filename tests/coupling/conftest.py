@@ -72,7 +72,8 @@ def write_system(flexair, aircraft, fmus):
         fmu, duration, connections = LAWS[law]
         ssp, osp = folder / f"{law}.ssp", folder / "osp"
         options = ["--component", f"law={fmus / fmu}.fmu", "--component", f"gust={fmus / 'VerticalGust.fmu'}"]
-        for connection in [*connections, "gust.wind_down=aircraft.wind_down"]:
+        gust = [f"gust.{name}=aircraft.{name}" for name in ("wind_down", "wind_rate_down")]
+        for connection in [*connections, *gust]:
             options += ["--connect", connection]
         for setting in [f"gust.duration={duration}", *settings]:
             options += ["--set", setting]

@@ -79,7 +79,7 @@ fn fmus_that_differ_in_more_than_their_platforms_are_not_merged() {
     let aircraft = |fmu: &Path| {
         let (mut package, _folder) = other_package();
         package.aircraft = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small-aircraft.toml");
-        package.mode_count = 4;
+        package.mode_count = 4.into();
         package.write(fmu).unwrap();
     };
     let message = refusal(aircraft);

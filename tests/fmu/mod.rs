@@ -23,7 +23,7 @@ fn package() -> Package {
     let library = std::env::current_exe().unwrap().with_file_name(name);
     Package {
         aircraft: jet_file(),
-        mode_count: MODE_COUNT,
+        mode_count: MODE_COUNT.into(),
         binaries: vec![(Platform::host().unwrap(), library)],
         workspace: env!("CARGO_MANIFEST_DIR").into(),
     }

@@ -2,6 +2,7 @@
 
 pub mod beams;
 pub mod linearised;
+pub mod plain_loads;
 pub mod ritz;
 pub mod strip;
 

@@ -19,7 +19,8 @@ pub const SPEED: f64 = 20.0;
 pub struct PrescribedStrip {
     equations: EquationsOfMotion,
     workspace: Workspace,
-    controls: Controls,
+    /// Surfaces; the elevator turns the flap.
+    pub controls: Controls,
     /// All states of the equations; the motion is written into them.
     pub state: Vec<f64>,
 }
@@ -27,12 +28,23 @@ pub struct PrescribedStrip {
 impl PrescribedStrip {
     /// At rest in its own motion, wake at rest. `hinge` is a fraction of the chord.
     pub fn new(inflow_states: usize, axis: f64, suction: f64, hinge: f64) -> Self {
+        PrescribedStrip::altered(inflow_states, axis, suction, hinge, |_| {})
+    }
+
+    /// The same with other properties.
+    pub fn altered(
+        inflow_states: usize,
+        axis: f64,
+        suction: f64,
+        hinge: f64,
+        alter: impl FnOnce(&mut ReducedStrip),
+    ) -> Self {
         let flap = Flap {
             lift_slope: std::f64::consts::TAU,
             hinge,
             gains: ControlGains { elevator: 1.0, ..ControlGains::default() },
         };
-        let strip = ReducedStrip {
+        let mut strip = ReducedStrip {
             component: "strip".to_owned(),
             position: Vector3::zeros(),
             forward: Vector3::x(),
@@ -42,22 +54,19 @@ impl PrescribedStrip {
             width: 1.0,
             lift_slope: std::f64::consts::TAU,
             zero_lift_offset: 0.0,
+            zero_lift_moment: 0.0,
             profile_drag: 0.0,
             leading_edge_suction: suction,
             flap: Some(flap),
             shapes: ModeShapes::default(),
         };
+        alter(&mut strip);
         let equations = EquationsOfMotion::new(&model(strip), &configuration(inflow_states));
         let mut state = vec![0.0; equations.layout().len()];
         state[equations.layout().attitude().start] = 1.0;
         state[equations.layout().velocity().start] = SPEED;
         let workspace = Workspace::new(&equations);
         PrescribedStrip { equations, workspace, controls: Controls::neutral(0), state }
-    }
-
-    /// Sets the flap's angle, rad.
-    pub fn deflect(&mut self, angle: f64) {
-        self.controls.elevator = angle;
     }
 
     /// Prescribes w = n·V (m/s) and Ω (rad/s).

@@ -1,135 +1,55 @@
 //! Energy balance in air: along a flight the work of aerodynamic forces, thrust and gravity is the change of kinetic
 //! and strain energy, for the two models that follow from a Lagrangian [2.2, 4; physics.md §2, §4, §5].
 //!
-//! The work is summed here strip by strip as physics.md §4 writes the loads, apparent mass included, from the
-//! motion alone; nothing of the program's load summation is used. Steady inflow (N = 0): λ₀ = 0.
+//! The work is summed strip by strip as physics.md §4 writes the loads, apparent mass included
+//! (`support/plain_loads.rs`).
 
-use std::f64::consts::PI;
-
-use flexible_aircraft::aerodynamics::Air;
 use flexible_aircraft::dynamics::{
     Attitude, Configuration, Controls, EquationsOfMotion, Fidelity, Mechanics, TrimCondition, Workspace,
 };
-use flexible_aircraft::structure::{ModeShapes, ReducedModel, ReducedStrip};
-use nalgebra::{DVector, DVectorView, Matrix3xX, Rotation3, Vector3};
+use flexible_aircraft::structure::{ReducedEngine, ReducedModel};
+use nalgebra::{DVector, DVectorView, Vector3};
 
 use super::record::Record;
+use crate::support::plain_loads::{Instant, point};
 use crate::support::{derivative, jet, random};
-
-/// ν, ν̇ and q at an instant.
-struct Motion<'a> {
-    velocity: Vector3<f64>,
-    rate: Vector3<f64>,
-    velocity_change: Vector3<f64>,
-    rate_change: Vector3<f64>,
-    q: DVectorView<'a, f64>,
-    q_dot: DVectorView<'a, f64>,
-    q_dot_change: DVectorView<'a, f64>,
-    density: f64,
-}
-
-/// A point of the structure and what it does.
-struct Point {
-    turn: Rotation3<f64>,
-    velocity: Vector3<f64>,
-    spin: Vector3<f64>,
-    /// Ψᵠq̇.
-    elastic_spin: Vector3<f64>,
-    /// v̇ + ω̇×R + Ψᵘq̈ + ω×Ψᵘq̇.
-    velocity_change: Vector3<f64>,
-    /// ω̇ + Ψᵠq̈.
-    spin_change: Vector3<f64>,
-}
-
-fn point(motion: &Motion, position: &Vector3<f64>, shapes: &ModeShapes) -> Point {
-    let [psi_u, psi_phi] =
-        [&shapes.translation, &shapes.rotation].map(|rows| Matrix3xX::from_row_slice(rows));
-    let place = position + &psi_u * motion.q;
-    let (elastic_velocity, elastic_spin) = (&psi_u * motion.q_dot, &psi_phi * motion.q_dot);
-    Point {
-        turn: Rotation3::new(&psi_phi * motion.q),
-        velocity: motion.velocity + motion.rate.cross(&place) + elastic_velocity,
-        spin: motion.rate + elastic_spin,
-        elastic_spin,
-        velocity_change: motion.velocity_change
-            + motion.rate_change.cross(&place)
-            + &psi_u * motion.q_dot_change
-            + motion.rate.cross(&elastic_velocity),
-        spin_change: motion.rate_change + &psi_phi * motion.q_dot_change,
-    }
-}
-
-/// Power of a strip's loads, W.
-fn strip_power(motion: &Motion, strip: &ReducedStrip, controls: &Controls) -> f64 {
-    let at = point(motion, &strip.position, &strip.shapes);
-    let (f, s) = (at.turn * strip.forward, at.turn * strip.span);
-    let n = f.cross(&s);
-    let m = n + f * strip.zero_lift_offset;
-    let (b, d, rho) = (strip.semichord, strip.elastic_axis_aft_of_midchord, motion.density);
-
-    let (u, across, omega) = (f.dot(&at.velocity), n.dot(&at.velocity), s.dot(&at.spin));
-    let w = across + u * strip.zero_lift_offset;
-    let w_dot = m.dot(&at.velocity_change) + at.elastic_spin.cross(&m).dot(&at.velocity);
-    let omega_dot = s.dot(&at.spin_change) + at.elastic_spin.cross(&s).dot(&at.spin);
-
-    let (mut flap_lift, mut flap_moment) = (0.0, 0.0);
-    if let Some(flap) = &strip.flap {
-        let gains = &flap.gains;
-        let angle = gains.elevator * controls.elevator
-            + gains.aileron * controls.aileron
-            + gains.aileron_symmetric * controls.aileron_symmetric
-            + gains.rudder * controls.rudder;
-        let hinge = libm::acos(2.0 * flap.hinge - 1.0);
-        let (sin, cos) = libm::sincos(hinge);
-        let pressure = flap.lift_slope * rho * b * u * u * angle;
-        flap_lift = pressure * (hinge + sin) / PI;
-        flap_moment = -pressure * b * sin * (1.0 + cos) / (2.0 * PI);
-    }
-    let circulatory = strip.lift_slope * rho * u * b * (w + (0.5 * b - d) * omega);
-    let lift = PI * rho * b * b * (w_dot - d * omega_dot) + circulatory + flap_lift;
-    let moment = (0.5 * b + d) * (circulatory + flap_lift)
-        + PI * rho * b * b * (d * w_dot - 0.5 * b * u * omega - (d * d + b * b / 8.0) * omega_dot)
-        + flap_moment;
-    let suction = strip.leading_edge_suction * strip.lift_slope * rho * b * (w - d * omega).powi(2);
-    let drag = strip.profile_drag * rho * b * (u * u + across * across).powf(1.5);
-    strip.width * (-lift * across + moment * omega + suction * u - drag)
-}
 
 /// Power of all loads, W.
 fn power(
     model: &ReducedModel,
     equations: &EquationsOfMotion,
     state: &[f64],
-    nu_dot: &[f64],
+    rates: &[f64],
     controls: &Controls,
 ) -> f64 {
     let layout = equations.layout();
-    let rigid = equations.motion(state);
-    let motion = Motion {
-        velocity: rigid.velocity,
-        rate: rigid.rate,
-        velocity_change: Vector3::from_column_slice(&nu_dot[0..3]),
-        rate_change: Vector3::from_column_slice(&nu_dot[3..6]),
-        q: DVectorView::from_slice(&state[layout.coordinates()], layout.modes()),
-        q_dot: DVectorView::from_slice(&state[layout.coordinate_rates()], layout.modes()),
-        q_dot_change: DVectorView::from_slice(&nu_dot[6..], layout.modes()),
-        density: Air::at(equations.altitude(state)).density,
-    };
-    let air: f64 = model.strips.iter().map(|strip| strip_power(&motion, strip, controls)).sum();
-    let engine = |(engine, thrust): (&flexible_aircraft::structure::ReducedEngine, &f64)| {
-        let at = point(&motion, &engine.position, &engine.shapes);
+    let instant = Instant { equations, controls, state, rates };
+    let air: f64 = model
+        .strips
+        .iter()
+        .map(|strip| {
+            let load = instant.load(strip);
+            let at = point(equations, state, &strip.position, &strip.shapes);
+            load.force.dot(&at.velocity) + load.moment * load.span.dot(&at.spin)
+        })
+        .sum();
+    let engine = |(engine, thrust): (&ReducedEngine, &f64)| {
+        let at = point(equations, state, &engine.position, &engine.shapes);
         thrust * (at.turn * engine.direction).dot(&at.velocity)
     };
     let thrust: f64 = model.engines.iter().zip(&controls.thrust).map(engine).sum();
 
+    let motion = equations.motion(state);
     let attitude = Attitude::from_quaternion(&state[layout.attitude()]);
     let gravity = attitude.body_from_inertial * Vector3::new(0.0, 0.0, model.gravity);
-    let p = |amounts: &DVectorView<f64>| -> Vector3<f64> {
+    let p = |range: std::ops::Range<usize>| -> Vector3<f64> {
+        let amounts = DVectorView::from_slice(&state[range], layout.modes());
         model.integrals.momentum.iter().zip(amounts.iter()).map(|(p, amount)| p * *amount).sum()
     };
-    let first_moment = model.integrals.first_moment + p(&motion.q);
-    let momentum =
-        motion.velocity * model.integrals.mass + motion.rate.cross(&first_moment) + p(&motion.q_dot);
+    let first_moment = model.integrals.first_moment + p(layout.coordinates());
+    let momentum = motion.velocity * model.integrals.mass
+        + motion.rate.cross(&first_moment)
+        + p(layout.coordinate_rates());
     air + thrust + gravity.dot(&momentum)
 }
 
@@ -171,7 +91,7 @@ fn balance(fidelity: Fidelity) -> (f64, f64) {
         let aircraft = &state.as_slice()[..state.len() - 1];
         equations.rates(aircraft, &controls, &mut rates[..aircraft.len()], &mut workspace);
         let work = rates.len() - 1;
-        rates[work] = power(&model, &equations, aircraft, workspace.accelerations(), &controls);
+        rates[work] = power(&model, &equations, aircraft, &rates[..work], &controls);
         DVector::from_vec(rates)
     };
     let energy = |state: &DVector<f64>| energy(&equations, &state.as_slice()[..state.len() - 1]);
@@ -216,7 +136,7 @@ fn instantaneous(fidelity: Fidelity) -> f64 {
         controls.thrust.fill(3e4 * next());
         let mut rates = vec![0.0; state.len()];
         equations.rates(&state, &controls, &mut rates, &mut workspace);
-        let expected = power(&model, &equations, &state, workspace.accelerations(), &controls);
+        let expected = power(&model, &equations, &state, &rates, &controls);
         // T + U is quartic along a straight line.
         let moved = |s: f64| state.iter().zip(&rates).map(|(x, rate)| x + s * rate).collect::<Vec<_>>();
         let found = derivative(1e-2, |s| energy(&equations, &moved(s)));

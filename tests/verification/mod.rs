@@ -1,6 +1,7 @@
 //! Physics: each file holds one claim against a source that is not this program.
 
 mod beam;
+mod coincident_nodes;
 mod conservation;
 mod eigenvalues;
 mod energy_balance;
@@ -18,6 +19,8 @@ mod rigid_modes;
 mod sensors;
 mod spin_up;
 mod strain_energy;
+mod strip_loads;
+mod suction;
 mod symmetry;
 mod trim;
 mod wind_tunnel;

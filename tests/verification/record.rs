@@ -22,6 +22,8 @@ const CLAIMS: &[Claim] = &[
     ("Strain energy", "strain_energy", &["strain-energy", "string"]),
     ("Geometric stiffening", "spin_up", &["spin-up", "spin-up-taut", "spinning"]),
     ("Unsteady aerodynamics", "inflow", &["theodorsen", "wagner", "garrick", "flap"]),
+    ("Loads of strips", "strip_loads", &["strip-loads", "flow-rates"]),
+    ("Leading-edge suction", "suction", &["steady-drag", "camber-thrust", "adverse-yaw"]),
     ("Clamped frequencies and mass of the jet", "frequencies", &["frequencies"]),
     ("Trim", "trim", &["trim"]),
     ("Eigenvalues", "eigenvalues", &["eigenvalues"]),

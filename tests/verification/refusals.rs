@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::simulation::{ModeSelection, Settings, Simulation};
-use flexible_aircraft::structure::{ReducedModel, StructureError};
+use flexible_aircraft::structure::{ModeCount, ModeFamily, ModeKind, ReducedModel, StructureError};
 
 use crate::support::jet;
 
@@ -53,8 +53,57 @@ fn an_aircraft_without_surfaces_is_told_what_it_lacks() {
 
 #[test]
 fn more_modes_than_can_be_held_are_refused_before_memory_is_asked_for() {
-    let error = ReducedModel::new(&small(|_| ()), 500).unwrap_err();
-    assert!(matches!(error, StructureError::TooManyModes { wanted: 500, most: 60 }), "{error}");
+    let text = include_str!("../../aircraft/generic-business-jet.toml");
+    let error = ReducedModel::new(&Aircraft::parse(text, "jet.toml").unwrap(), 200).unwrap_err();
+    assert!(matches!(error, StructureError::TooManyModes { wanted: 200, most: 120 }), "{error}");
+}
+
+#[test]
+fn a_count_that_a_structure_cannot_give_is_named_by_one_rule() {
+    let small = small(|_| ());
+    let Err(StructureError::TooFewModes { wanted: 1000, available, .. }) = ReducedModel::new(&small, 1000)
+    else {
+        panic!("a structure of 13 elements has no 1000 modes");
+    };
+    let message = ReducedModel::new(&small, available + 1).unwrap_err().to_string();
+    assert_eq!(message, format!("{} modes were asked for, the structure has {available}", available + 1));
+    // Fewer are taken only where nobody asked for a number.
+    let usual = ReducedModel::new(&small, ModeCount::asked_or_usual(None, 1000)).unwrap();
+    assert_eq!(usual.modes.len(), available);
+    assert!(ReducedModel::new(&small, ModeCount::asked_or_usual(Some(1000), 26)).is_err());
+
+    let symmetric = |count| ReducedModel::with(&small, count, ModeKind::Symmetric);
+    let families =
+        |model: &ReducedModel| model.modes.iter().filter(|mode| mode.family == ModeFamily::Symmetric).count();
+    for count in 1..8 {
+        assert_eq!(families(&symmetric(ModeCount::Asked(count)).unwrap()), count);
+    }
+    let of_them = families(&usual);
+    let message = symmetric(ModeCount::Asked(of_them + 1)).unwrap_err().to_string();
+    assert_eq!(
+        message,
+        format!("{} symmetric modes were asked for, the structure has {of_them}", of_them + 1)
+    );
+    assert_eq!(families(&symmetric(ModeCount::Usual(1000)).unwrap()), of_them);
+}
+
+#[test]
+fn a_structure_without_mirror_plane_has_no_symmetric_modes_to_count() {
+    let lopsided = small(|aircraft| aircraft.beams[0].bending_stiffness_y *= 0.9);
+    for count in [ModeCount::Asked(2), ModeCount::Usual(2)] {
+        let error = ReducedModel::with(&lopsided, count, ModeKind::Symmetric).unwrap_err();
+        assert!(matches!(error, StructureError::NoMirrorPlane), "{error}");
+    }
+}
+
+#[test]
+fn more_than_sixty_modes_are_reduced_and_read_back() {
+    let text = include_str!("../../aircraft/goland-wing.toml");
+    let wing = Aircraft::parse(text, "goland-wing.toml").unwrap();
+    let (many, few) = (ReducedModel::new(&wing, 64).unwrap(), ReducedModel::new(&wing, 8).unwrap());
+    assert_eq!((many.modes.len(), &many.modes[..8]), (64, &few.modes[..]));
+    assert_eq!(many.select(&[0, 1, 2, 3, 4, 5, 6, 7]).strain_energy, few.strain_energy);
+    assert!(ReducedModel::from_bytes(&many.to_bytes()).is_ok_and(|read| read == many));
 }
 
 #[test]

@@ -14,7 +14,7 @@ use std::sync::Arc;
 use clap::Args;
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::simulation::SimulationError;
-use flexible_aircraft::structure::{ReducedModel, StructureError};
+use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{FileError, FmuError};
 
@@ -89,7 +89,7 @@ pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
     let inputs = [options.fmu.as_path(), &options.aircraft];
     refuse_overwriting(&[&options.output, &options.plot], inputs)?;
     let aircraft = Aircraft::read(&options.aircraft)?;
-    let model = Arc::new(ReducedModel::new(&aircraft, ReducedModel::USUAL_MODES)?);
+    let model = Arc::new(ReducedModel::new(&aircraft, ModeCount::Usual(ReducedModel::USUAL_MODES))?);
     terminal::note("the standard flight through the C interface …");
     let flight = StandardFlight::measure(&Fmu::open(&options.fmu)?)?;
     terminal::note("the right-hand side and the plain method …");

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::simulation::{Fidelity, Inputs, Settings, Simulation};
-use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
+use flexible_aircraft::structure::{ModeCount, ReducedModel, ReducedStrip};
 
 use super::equations::time_of;
 use super::{BenchError, least_time};
@@ -49,16 +49,17 @@ pub struct Scaling {
 impl Scaling {
     /// Measures about the trim of the standard flight.
     pub fn measure(aircraft: &Aircraft, model: &Arc<ReducedModel>) -> Result<Self, BenchError> {
-        let most = Arc::new(ReducedModel::new(aircraft, 40)?);
+        let most = Arc::new(ReducedModel::new(aircraft, ModeCount::Usual(40))?);
         let standard = Settings::default();
-        let progress =
-            Progress::new(MODES.len() + PARTS.len() + INFLOW_STATES.len() + Fidelity::ALL.len(), "aircraft");
+        let counts: Vec<usize> = MODES.into_iter().filter(|&count| count <= most.modes.len()).collect();
+        let points = counts.len() + PARTS.len() + INFLOW_STATES.len() + Fidelity::ALL.len();
+        let progress = Progress::new(points, "aircraft");
         let point = |model: &Arc<ReducedModel>, settings: &Settings, label: String, size: usize| {
             let measured = point(model, settings, label, size);
             progress.advance();
             measured
         };
-        let modes = MODES.map(|mode_count| {
+        let modes = counts.into_iter().map(|mode_count| {
             let settings = Settings { mode_count, ..standard.clone() };
             point(&most, &settings, format!("{mode_count} modes"), mode_count)
         });
@@ -75,7 +76,7 @@ impl Scaling {
             point(model, &settings, format!("{fidelity:?}"), fidelity as usize)
         });
         Ok(Scaling {
-            modes: modes.into_iter().collect::<Result<_, _>>()?,
+            modes: modes.collect::<Result<_, _>>()?,
             strips: strips.into_iter().collect::<Result<_, _>>()?,
             inflow_states: inflow_states.into_iter().collect::<Result<_, _>>()?,
             fidelity: fidelity.into_iter().collect::<Result<_, _>>()?,

@@ -7,7 +7,7 @@ use flexible_aircraft::aerodynamics::Air;
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 use flexible_aircraft::simulation::{Fidelity, ModeSelection, Settings, SimulationError};
 use flexible_aircraft::stability::Sweep;
-use flexible_aircraft::structure::{ReducedModel, StructureError};
+use flexible_aircraft::structure::{ModeCount, ModeFamily, ModeKind, ReducedModel, StructureError};
 use flexible_aircraft_packaging::FileError;
 
 use crate::{diagnostics, files, terminal, workspace};
@@ -173,21 +173,13 @@ fn airspeeds(options: &FlutterOptions) -> Result<Vec<f64>, Error> {
 
 /// The model with enough modes of the family, and how many of them take part.
 fn reduce(aircraft: &Aircraft, options: &FlutterOptions) -> Result<(ReducedModel, usize), Error> {
-    let wanted = options.modes.unwrap_or(USUAL_MODES);
-    // Of the lowest modes of both families about half are symmetric.
-    let needed = match options.mode_family {
-        Modes::All => wanted,
-        Modes::Symmetric => 2 * wanted + 2,
+    let count = ModeCount::asked_or_usual(options.modes, USUAL_MODES);
+    let (kind, takes_part): (_, fn(ModeFamily) -> bool) = match options.mode_family {
+        Modes::All => (ModeKind::All, |_| true),
+        Modes::Symmetric => (ModeKind::Symmetric, |family| family == ModeFamily::Symmetric),
     };
-    let model = match ReducedModel::new(aircraft, needed) {
-        Err(StructureError::TooFewModes { available, .. })
-            if options.modes.is_none() || options.mode_family == Modes::Symmetric =>
-        {
-            ReducedModel::new(aircraft, available)?
-        }
-        reduced => reduced?,
-    };
-    let count = if options.modes.is_none() { wanted.min(model.modes.len()) } else { wanted };
+    let model = ReducedModel::with(aircraft, count, kind)?;
+    let count = model.modes.iter().filter(|mode| takes_part(mode.family)).count();
     Ok((model, count))
 }
 

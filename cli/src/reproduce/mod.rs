@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Support};
-use flexible_aircraft::structure::{ReducedModel, StructureError};
+use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft_packaging::FileError;
 use rayon::prelude::*;
 
@@ -70,7 +70,7 @@ pub fn run(options: &ReproduceOptions) -> Result<(), Error> {
     if aircraft.support == Support::Clamped {
         return Err(Error::Clamped(aircraft.name));
     }
-    let model = Arc::new(ReducedModel::new(&aircraft, ReducedModel::USUAL_MODES)?);
+    let model = Arc::new(ReducedModel::new(&aircraft, ModeCount::Usual(ReducedModel::USUAL_MODES))?);
     let histories = fly(&model, &Flight::all())?;
     let reproduction = Reproduction::new(aircraft.name, &histories);
     write_all(options, &reproduction, &histories)?;

@@ -73,6 +73,8 @@ impl<'s> Flight<'s> {
             let values = self.slots.iter().map(|slot| slot.get(outputs, &trim));
             table.row(std::iter::once(time).chain(values))?;
             if let Some(row) = row {
+                // Where a row sets the rate of the wind alone, the wind goes on from what it is.
+                self.simulation.write_inputs(&mut self.inputs);
                 self.schedule.write(row, &mut self.inputs, &mut self.rates);
                 self.simulation.set_inputs(&self.inputs, &self.rates);
             }
@@ -146,5 +148,25 @@ mod tests {
         let (lines, flown) = lines("time,wind_north\n0,0\n0.01,400\n0.02,0\n", None);
         assert!(matches!(flown, Err(Interruption::Flight(SimulationError::ReverseFlow { .. }))), "{flown:?}");
         assert_eq!(lines.len(), 3);
+    }
+
+    #[test]
+    fn a_gust_by_wind_rate_is_one_by_its_derivative_and_goes_on_where_only_its_rate_is_given() {
+        let [by_rate, by_derivative] = ["wind_rate_down", "der(wind_down)"].map(|rate| {
+            let (lines, flown) =
+                lines(&format!("time,wind_down,{rate}\n0,0,-5\n0.1,-0.5,2\n0.2,-0.3,0\n"), None);
+            flown.unwrap();
+            lines
+        });
+        assert!(by_rate == by_derivative);
+        let (rate_alone, flown) = lines("time,wind_rate_down\n0,-5\n0.1,2\n0.2,0\n", None);
+        flown.unwrap();
+        for row in 0..3 {
+            let [alone, with] =
+                [&rate_alone, &by_rate].map(|lines| value(lines, "deflection.wing_tip_right.up", row));
+            assert!((alone - with).abs() < 1e-12 * with, "{row}: {alone} {with}");
+        }
+        let rise = |lines: &[String]| value(lines, "air.alpha", 1) - value(lines, "air.alpha", 0);
+        assert!(rise(&rate_alone) > 0.5 / 127.0 / 2.0, "{}", rise(&rate_alone));
     }
 }

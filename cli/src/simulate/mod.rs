@@ -9,7 +9,7 @@ use std::sync::Arc;
 use clap::Args;
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 use flexible_aircraft::simulation::SimulationError;
-use flexible_aircraft::structure::{ReducedModel, StructureError};
+use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft::variables::{VariableTable, start_settings};
 use flexible_aircraft_packaging::FileError;
 
@@ -44,9 +44,10 @@ pub struct SimulateOptions {
     #[arg(long, value_name = "FILE", default_value_os_t = workspace::aircraft())]
     aircraft: PathBuf,
 
-    /// How many natural modes to reduce the aircraft to, as in `flexair package`
-    #[arg(long, value_name = "N", default_value_t = ReducedModel::USUAL_MODES)]
-    modes: usize,
+    /// How many natural modes to reduce the aircraft to, as in `flexair package` [default: 26, or all where there are
+    /// fewer]
+    #[arg(long, value_name = "N")]
+    modes: Option<usize>,
 
     /// A parameter of the FMU, as in `model=rigid`. May be repeated
     #[arg(long, value_name = "NAME=VALUE")]
@@ -110,7 +111,8 @@ pub fn run(options: &SimulateOptions) -> Result<(), Error> {
     let unfinished = unfinished(output);
     let outputs = if output == Path::new(STANDARD) { vec![&**output] } else { vec![&**output, &unfinished] };
     refuse_overwriting(&outputs, [inputs.as_path(), &options.aircraft])?;
-    let model = Arc::new(ReducedModel::new(&Aircraft::read(&options.aircraft)?, options.modes)?);
+    let count = ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES);
+    let model = Arc::new(ReducedModel::new(&Aircraft::read(&options.aircraft)?, count)?);
     let variables = VariableTable::new(&model);
     let mut settings = start_settings(&model);
     parameter::set_all(&options.set, &variables, &mut settings)?;

@@ -86,20 +86,6 @@ fn instances_in_threads_fly_like_a_lone_one() {
 }
 
 #[test]
-fn an_input_with_a_derivative_ramps_over_the_step() {
-    let fmu = Fmu::flying();
-    // SAFETY: the component is alive, the arrays have one element.
-    let status = unsafe { fmi2SetRealInputDerivatives(fmu.component, &reference("elevator"), 1, &1, &0.5) };
-    assert_eq!(status, Status::Ok);
-    fly(&fmu, 2, 0.1);
-    assert!((fmu.get("elevator") - 0.1).abs() < 1e-12);
-    assert!((fmu.get("surface.elevator") - fmu.get("trim.elevator") - 0.1).abs() < 1e-12);
-    assert_eq!(fmu.set(&[("elevator", 0.0)]), Status::Ok);
-    assert_eq!(fmu.step(0.2, 0.1), Status::Ok);
-    assert_eq!(fmu.get("elevator"), 0.0);
-}
-
-#[test]
 fn an_input_that_would_ramp_beyond_all_numbers_is_refused() {
     let model = typical_section();
     let fmu = wing(&Unpacked::of(&model.to_bytes(), "wing"), &guid(&model));

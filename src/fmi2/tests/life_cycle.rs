@@ -15,12 +15,11 @@ fn an_experiment_out_of_reason_is_refused() {
         (Some(f64::NAN), 0.0, None, "tolerance"),
         (Some(1.0), 0.0, None, "tolerance: found 1, allowed is a number between 0 and 1, exclusive"),
         (None, f64::INFINITY, None, "start time"),
-        (None, -1.1e7, None, "start time: found -11000000, allowed is -1e7 to 1e7 s"),
-        (None, 1.1e7, None, "grid of time"),
-        (None, 0.0, Some(1.1e7), "stop time: found 11000000, allowed is the start time 0 to 1e7 s"),
-        (None, 1.0, Some(0.5), "stop time: found 0.5"),
+        (None, -1.1e12, None, "start time: found -1100000000000, allowed is -1e12 to 1e12 s"),
+        (None, 1.1e12, None, "grid of 10 ms"),
+        (None, 1.0, Some(0.5), "stop time: found 0.5, allowed is the start time 1 s or later"),
         (None, 0.0, Some(f64::NAN), "stop time"),
-        (None, 0.0, Some(f64::INFINITY), "stop time"),
+        (None, 0.0, Some(f64::NEG_INFINITY), "stop time"),
     ] {
         assert_eq!(fmu.set_up(tolerance, start, stop), Status::Error, "{part}");
         fmu.assert_refused(&[part]);
@@ -41,10 +40,27 @@ fn a_flight_may_begin_before_time_zero() {
 }
 
 #[test]
-fn a_step_beyond_the_grid_of_time_is_refused() {
+fn any_stop_time_after_the_start_will_do() {
+    for start in [0.0, 1.7e9] {
+        for stop in [start, 1.7e9 + 3e7, 1e13, f64::MAX, f64::INFINITY] {
+            let fmu = Fmu::new();
+            assert_eq!(fmu.set_up(None, start, Some(stop)), Status::Ok, "{start} {stop}");
+            assert_eq!((fmu.enter(), fmu.exit()), (Status::Ok, Status::Ok));
+            assert_eq!(fmu.step(start, 0.01) == Status::Ok, stop > start, "{start} {stop}: {:?}", fmu.log);
+        }
+    }
+}
+
+/// Where it is flown from and by how much does not matter, but a day is the most at once.
+#[test]
+fn a_step_beyond_time_or_longer_than_a_day_is_refused_at_once() {
     let fmu = Fmu::flying();
     assert_eq!(fmu.step(0.0, 1e300), Status::Error);
-    fmu.assert_refused(&["passes 1e7 s", "grid of time"]);
+    fmu.assert_refused(&["passes 1e12 s", "grid of 10 ms"]);
+    for size in [1e7, 1.7e9, 86_401.0] {
+        assert_eq!(fmu.step(0.0, size), Status::Error);
+        fmu.assert_refused(&["from t = 0 s", &format!("found {size} s"), "86400 s, a day, at once"]);
+    }
     assert_eq!(fmu.step(0.0, 0.01), Status::Ok);
 }
 

@@ -6,11 +6,13 @@ mod endurance;
 mod flight;
 mod identity;
 mod importers;
+mod input_rates;
 mod instantiation;
 mod life_cycle;
 mod mutated;
 mod random;
 mod state;
+mod time;
 mod variables;
 
 use std::cell::RefCell;
@@ -208,6 +210,18 @@ impl Fmu {
         let references: Vec<u32> = pairs.iter().map(|(name, _)| reference(name)).collect();
         let values: Vec<f64> = pairs.iter().map(|(_, value)| *value).collect();
         self.set_references(&references, &values)
+    }
+
+    /// `fmi2SetRealInputDerivatives`: names, orders and values.
+    fn set_rates(&self, rates: &[(&str, c_int, f64)]) -> Status {
+        let references: Vec<u32> = rates.iter().map(|(name, ..)| reference(name)).collect();
+        let orders: Vec<c_int> = rates.iter().map(|(_, order, _)| *order).collect();
+        let values: Vec<f64> = rates.iter().map(|(.., value)| *value).collect();
+        let (references, count) = (references.as_ptr(), references.len());
+        // SAFETY: the component is alive, the arrays are equally long.
+        unsafe {
+            fmi2SetRealInputDerivatives(self.component, references, count, orders.as_ptr(), values.as_ptr())
+        }
     }
 
     fn set_integer(&self, name: &str, value: c_int) -> Status {

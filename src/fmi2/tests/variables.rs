@@ -61,17 +61,17 @@ fn null_arrays_are_refused_unless_empty() {
 }
 
 #[test]
-fn only_inputs_have_derivatives_and_only_first_ones() {
+fn only_inputs_have_derivatives_and_only_finite_ones_from_the_first_on() {
     let fmu = Fmu::initialising();
-    let set = |name: &str, order: c_int, value: f64| {
-        // SAFETY: the component is alive, the arrays have one element.
-        unsafe { fmi2SetRealInputDerivatives(fmu.component, &reference(name), 1, &order, &value) }
-    };
-    assert_eq!(set("elevator", 1, 0.5), Status::Ok);
-    for (name, order, value) in [("elevator", 2, 0.5), ("airspeed", 1, 0.5), ("elevator", 1, f64::NAN)] {
-        assert_eq!(set(name, order, value), Status::Error);
+    assert_eq!(fmu.set_rates(&[("elevator", 1, 0.5)]), Status::Ok);
+    for (name, order, value) in
+        [("elevator", 0, 0.5), ("elevator", -1, 0.5), ("airspeed", 1, 0.5), ("elevator", 2, f64::NAN)]
+    {
+        assert_eq!(fmu.set_rates(&[("rudder", 1, 0.1), (name, order, value)]), Status::Error);
         fmu.assert_refused(&[name]);
     }
+    assert_eq!((fmu.exit(), fmu.step(0.0, 0.1)), (Status::Ok, Status::Ok));
+    assert_eq!((fmu.get("elevator"), fmu.get("rudder")), (0.05, 0.0));
 }
 
 #[test]

@@ -85,7 +85,7 @@ fn real() -> impl Strategy<Value = f64> {
 
 pub fn call() -> impl Strategy<Value = Call> {
     // Inputs, parameters, outputs, and what does not exist.
-    let reference = prop_oneof![8 => 0_u32..8, 5 => 8_u32..20, 9 => 20_u32..90, 1 => any::<u32>()];
+    let reference = prop_oneof![8 => 0_u32..12, 5 => 12_u32..23, 9 => 23_u32..93, 1 => any::<u32>()];
     let integer = prop_oneof![10 => 0..8, 1 => any::<c_int>()];
     let pointers = prop_oneof![
         24 => Just(Pointers::Whole),
@@ -211,9 +211,11 @@ pub fn do_step(call: &Call, c: Component) -> Status {
 
 pub fn differentiate(call: &Call, function: Function, c: Component) -> Status {
     let (references, count) = call.array(&call.references);
-    let (reals, orders) =
-        (call.array(&call.reals).0, vec![c_int::from(!call.flag(0)); call.references.len() + 1]);
-    let inputs: Vec<u32> = call.references.iter().map(|reference| reference % 8).collect();
+    let (reals, orders) = (
+        call.array(&call.reals).0,
+        vec![[1, 1, 2, 0][usize::from(call.choice % 4)]; call.references.len() + 1],
+    );
+    let inputs: Vec<u32> = call.references.iter().map(|reference| reference % 12).collect();
     let mut results = vec![0.0; call.references.len() + 1];
     let places = call.array_to_fill(&mut results).0;
     // SAFETY: arrays are at least as long as said or are refused for their length, alignment or being NULL.

@@ -1,0 +1,201 @@
+//! The loads of strips as physics.md §4 writes them, one strip after the other, from the state alone: nothing of the
+//! program's load summation is used. Steady inflow (N = 0): λ₀ = 0.
+
+use std::f64::consts::PI;
+
+use flexible_aircraft::aerodynamics::Air;
+use flexible_aircraft::dynamics::{Attitude, Controls, EquationsOfMotion};
+use flexible_aircraft::structure::{ModeShapes, ReducedStrip};
+use nalgebra::{DVectorView, Matrix3xX, Rotation3, Vector3};
+
+/// A state of the aircraft, and what acts on it.
+pub struct Instant<'a> {
+    /// The state's layout.
+    pub equations: &'a EquationsOfMotion,
+    /// Surfaces and the motion of the air.
+    pub controls: &'a Controls,
+    /// The whole state.
+    pub state: &'a [f64],
+    /// Its rates: the accelerations of the loads are taken from them.
+    pub rates: &'a [f64],
+}
+
+/// A point of the structure.
+pub struct Point {
+    /// How its section is turned.
+    pub turn: Rotation3<f64>,
+    /// R.
+    pub place: Vector3<f64>,
+    /// Body axes, m/s.
+    pub velocity: Vector3<f64>,
+    /// ω + Ψᵠq̇, rad/s.
+    pub spin: Vector3<f64>,
+    /// Ψᵠq and Ψᵠq̇.
+    rotation: [Vector3<f64>; 2],
+}
+
+/// A point of an aircraft in a state.
+pub fn point(
+    equations: &EquationsOfMotion,
+    state: &[f64],
+    position: &Vector3<f64>,
+    shapes: &ModeShapes,
+) -> Point {
+    let layout = equations.layout();
+    let [psi_u, psi_phi] =
+        [&shapes.translation, &shapes.rotation].map(|rows| Matrix3xX::from_row_slice(rows));
+    let part = |range: std::ops::Range<usize>| DVectorView::from_slice(&state[range], layout.modes());
+    let (q, q_dot) = (part(layout.coordinates()), part(layout.coordinate_rates()));
+    let motion = equations.motion(state);
+    let place = position + &psi_u * q;
+    let rotation = [&psi_phi * q, &psi_phi * q_dot];
+    Point {
+        turn: Rotation3::new(rotation[0]),
+        place,
+        velocity: motion.velocity + motion.rate.cross(&place) + &psi_u * q_dot,
+        spin: motion.rate + rotation[1],
+        rotation,
+    }
+}
+
+/// f, s, n of a strip, V and what follows.
+pub struct Flow {
+    forward: Vector3<f64>,
+    span: Vector3<f64>,
+    normal: Vector3<f64>,
+    /// V.
+    velocity: Vector3<f64>,
+    /// U.
+    chordwise: f64,
+    /// n·V.
+    across: f64,
+    /// w.
+    pub upwash: f64,
+    /// Ω.
+    pub pitch_rate: f64,
+    at: Point,
+}
+
+/// What acts on a strip at its elastic axis.
+pub struct StripLoad {
+    /// Body axes, N.
+    pub force: Vector3<f64>,
+    /// About s, N·m.
+    pub moment: f64,
+    /// s.
+    pub span: Vector3<f64>,
+}
+
+impl Instant<'_> {
+    /// The flow at a strip in a state and a wind.
+    fn flow_in(&self, strip: &ReducedStrip, state: &[f64], wind: &Vector3<f64>) -> Flow {
+        let at = point(self.equations, state, &strip.position, &strip.shapes);
+        let attitude = Attitude::from_quaternion(&state[self.equations.layout().attitude()]);
+        let velocity = at.velocity - attitude.body_from_inertial * wind;
+        let (forward, span) = (at.turn * strip.forward, at.turn * strip.span);
+        let normal = forward.cross(&span);
+        let (chordwise, across) = (forward.dot(&velocity), normal.dot(&velocity));
+        let upwash = across + chordwise * strip.zero_lift_offset;
+        let pitch_rate = span.dot(&at.spin);
+        Flow { forward, span, normal, velocity, chordwise, across, upwash, pitch_rate, at }
+    }
+
+    /// The flow at a strip some time later, on the tangent to the motion.
+    pub fn flow_after(&self, strip: &ReducedStrip, time: f64) -> Flow {
+        let state: Vec<f64> =
+            self.state.iter().zip(self.rates).map(|(state, rate)| state + time * rate).collect();
+        self.flow_in(strip, &state, &(self.controls.wind + self.controls.wind_rate * time))
+    }
+
+    /// ẇ and Ω̇ as physics.md §4 writes them.
+    pub fn flow_rates(&self, strip: &ReducedStrip, flow: &Flow) -> [f64; 2] {
+        let Flow { forward, span, normal, velocity, at, .. } = flow;
+        let layout = self.equations.layout();
+        let part =
+            |numbers: &[f64], range: std::ops::Range<usize>| Vector3::from_column_slice(&numbers[range]);
+        let (omega, omega_dot) = (part(self.state, layout.rate()), part(self.rates, layout.rate()));
+        let [psi_u, psi_phi] =
+            [&strip.shapes.translation, &strip.shapes.rotation].map(|rows| Matrix3xX::from_row_slice(rows));
+        let q_dot = DVectorView::from_slice(&self.state[layout.coordinate_rates()], layout.modes());
+        let q_dot_dot = DVectorView::from_slice(&self.rates[layout.coordinate_rates()], layout.modes());
+
+        let [phi, phi_dot] = at.rotation;
+        let angle = phi.norm();
+        let (once, twice) = (phi.cross(&phi_dot), phi.cross(&phi.cross(&phi_dot)));
+        let sigma = if angle == 0.0 {
+            phi_dot
+        } else {
+            let (sin, cos) = libm::sincos(angle);
+            phi_dot + once * ((1.0 - cos) / angle.powi(2)) + twice * ((1.0 - sin / angle) / angle.powi(2))
+        };
+        let attitude = Attitude::from_quaternion(&self.state[layout.attitude()]).body_from_inertial;
+        let (wind, wind_rate) = (attitude * self.controls.wind, attitude * self.controls.wind_rate);
+        let velocity_change = part(self.rates, layout.velocity())
+            + omega_dot.cross(&at.place)
+            + &psi_u * q_dot_dot
+            + omega.cross(&(&psi_u * q_dot))
+            + omega.cross(&wind)
+            - wind_rate;
+        let m = normal + forward * strip.zero_lift_offset;
+        [
+            m.dot(&velocity_change) + sigma.cross(&m).dot(velocity),
+            span.dot(&(omega_dot + &psi_phi * q_dot_dot)) + sigma.cross(span).dot(&at.spin),
+        ]
+    }
+
+    /// What acts on a strip, with the apparent mass of the accelerations among the rates.
+    pub fn load(&self, strip: &ReducedStrip) -> StripLoad {
+        let flow = self.flow_in(strip, self.state, &self.controls.wind);
+        let [w_dot, omega_dot] = self.flow_rates(strip, &flow);
+        let Flow {
+            forward, span, normal, velocity, chordwise: u, across, upwash: w, pitch_rate: omega, ..
+        } = flow;
+        let (b, d) = (strip.semichord, strip.elastic_axis_aft_of_midchord);
+        let rho = Air::at(self.equations.altitude(self.state)).density;
+        let FlapLift { lift: c1_delta, moment: c4_delta } = self.flap_lift(strip);
+
+        let circulatory = strip.lift_slope * rho * u * b * (w + (0.5 * b - d) * omega);
+        let flap_lift = rho * b * u * u * c1_delta;
+        let lift = PI * rho * b * b * (w_dot - d * omega_dot) + circulatory + flap_lift;
+        let moment = (0.5 * b + d) * (circulatory + flap_lift)
+            + PI * rho * b * b * (d * w_dot - 0.5 * b * u * omega - (d * d + b * b / 8.0) * omega_dot)
+            + rho * b * b * u * u * (c4_delta + 2.0 * strip.zero_lift_moment);
+        let w_s = across - d * omega;
+        let n1 = strip.lift_slope * (w_s + u * strip.zero_lift_offset) + c1_delta * u;
+        let lost = if strip.lift_slope == 0.0 {
+            0.0
+        } else {
+            (1.0 - strip.leading_edge_suction) * n1 * n1 / strip.lift_slope
+        };
+        let suction = rho * b * (w_s * n1 - lost);
+        let section_velocity = forward * forward.dot(&velocity) + normal * normal.dot(&velocity);
+        let drag = section_velocity * (strip.profile_drag * rho * b * section_velocity.norm());
+        StripLoad {
+            force: (forward * suction - normal * lift - drag) * strip.width,
+            moment: moment * strip.width,
+            span,
+        }
+    }
+
+    /// CLδ c1 δ and CLδ c4 δ of a strip.
+    fn flap_lift(&self, strip: &ReducedStrip) -> FlapLift {
+        let Some(flap) = &strip.flap else { return FlapLift { lift: 0.0, moment: 0.0 } };
+        let (gains, controls) = (&flap.gains, self.controls);
+        let angle = gains.elevator * controls.elevator
+            + gains.aileron * controls.aileron
+            + gains.aileron_symmetric * controls.aileron_symmetric
+            + gains.rudder * controls.rudder;
+        let hinge = libm::acos(2.0 * flap.hinge - 1.0);
+        let (sin, cos) = libm::sincos(hinge);
+        FlapLift {
+            lift: flap.lift_slope * angle * (hinge + sin) / PI,
+            moment: -flap.lift_slope * angle * sin * (1.0 + cos) / (2.0 * PI),
+        }
+    }
+}
+
+/// CLδ c1 δ and CLδ c4 δ.
+struct FlapLift {
+    lift: f64,
+    moment: f64,
+}

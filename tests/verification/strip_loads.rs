@@ -1,0 +1,160 @@
+//! The loads of all strips are those of the formulas, summed plainly, and ẇ and Ω̇ in them are the true rates of w and Ω
+//! [4.1; physics.md §4].
+
+use flexible_aircraft::dynamics::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
+use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
+use nalgebra::Vector3;
+
+use super::record::Record;
+use crate::support::plain_loads::{Instant, point};
+use crate::support::{derivative, jet, random};
+
+/// The jet with twelve modes; `altered` gives its strips camber, moments at zero lift, suction, and flaps that all
+/// controls turn.
+fn aircraft(altered: bool) -> ReducedModel {
+    let mut model = jet().select(&(0..12).collect::<Vec<_>>());
+    if altered {
+        let mut next = random(7);
+        for strip in &mut model.strips {
+            strip.zero_lift_offset = 0.05 * next();
+            strip.zero_lift_moment = 0.1 * next();
+            strip.leading_edge_suction = 0.5 + 0.5 * next();
+            if let Some(flap) = &mut strip.flap {
+                let gains = &mut flap.gains;
+                (gains.elevator, gains.aileron, gains.rudder) = (next(), next(), next());
+            }
+        }
+    }
+    model
+}
+
+/// The equations of a model in steady inflow at one-tenth stiffness.
+fn equations(model: &ReducedModel, fidelity: Fidelity) -> EquationsOfMotion {
+    let configuration = Configuration {
+        fidelity,
+        stiffness_scale: 0.1,
+        structural_damping: 0.0,
+        inflow_states: 0,
+        tunnel_flow: Vector3::zeros(),
+    };
+    EquationsOfMotion::new(model, &configuration)
+}
+
+/// A flight with sections turned by up to about 1 rad, and controls and wind that act everywhere.
+fn disturbed(equations: &EquationsOfMotion, seed: u64) -> (Vec<f64>, Controls) {
+    let layout = equations.layout();
+    let mut next = random(seed);
+    let mut state: Vec<f64> = (0..layout.len()).map(|_| next()).collect();
+    state[layout.position().end - 1] = -7620.0;
+    state[layout.velocity().start] = 127.0;
+    state[layout.coordinates()].iter_mut().for_each(|q| *q *= 40.0);
+    state[layout.coordinate_rates()].iter_mut().for_each(|rate| *rate *= 60.0);
+    let attitude = &mut state[layout.attitude()];
+    let norm = attitude.iter().map(|x| x * x).sum::<f64>().sqrt();
+    attitude.iter_mut().for_each(|x| *x /= norm);
+    let mut controls = Controls::neutral(2);
+    (controls.elevator, controls.aileron, controls.rudder) = (0.3 * next(), 0.3 * next(), 0.3 * next());
+    controls.aileron_symmetric = 0.3 * next();
+    controls.wind = Vector3::new(next(), next(), next()) * 10.0;
+    controls.wind_rate = Vector3::new(next(), next(), next()) * 20.0;
+    (state, controls)
+}
+
+/// All rates at a state, and the generalised forces there.
+fn evaluate(equations: &EquationsOfMotion, state: &[f64], controls: &Controls) -> (Vec<f64>, Vec<f64>) {
+    let (mut rates, mut workspace) = (vec![0.0; state.len()], Workspace::new(equations));
+    equations.rates(state, controls, &mut rates, &mut workspace);
+    (rates, workspace.forces().to_vec())
+}
+
+/// Largest difference of the strips' generalised forces without accelerations to the plain sum, over the largest force.
+fn difference(model: &ReducedModel, fidelity: Fidelity, seed: u64) -> f64 {
+    let with_strips = equations(model, fidelity);
+    let without = equations(&ReducedModel { strips: Vec::new(), ..model.clone() }, fidelity);
+    let (state, controls) = disturbed(&with_strips, seed);
+    let (mut rates, forces) = evaluate(&with_strips, &state, &controls);
+    let (_, others) = evaluate(&without, &state, &controls);
+    let layout = *with_strips.layout();
+    for accelerations in [layout.velocity(), layout.rate(), layout.coordinate_rates()] {
+        rates[accelerations].fill(0.0);
+    }
+    let instant = Instant { equations: &with_strips, controls: &controls, state: &state, rates: &rates };
+    let mut plain = vec![0.0; forces.len()];
+    for strip in &model.strips {
+        add(&mut plain, &instant, strip, fidelity);
+    }
+    let found = forces.iter().zip(&others).map(|(all, others)| all - others);
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, |max, x| max.max(x.abs()));
+    let size = largest(&mut plain.iter().copied());
+    largest(&mut found.zip(&plain).map(|(found, plain)| found - plain)) / size
+}
+
+/// Adds what a strip's loads do on every component of ν.
+fn add(forces: &mut [f64], instant: &Instant, strip: &ReducedStrip, fidelity: Fidelity) {
+    let load = instant.load(strip);
+    let place = point(instant.equations, instant.state, &strip.position, &strip.shapes).place;
+    // RL distributes forces where the undeformed strip is.
+    let arm = if fidelity == Fidelity::RuthlesslyLinearised { strip.position } else { place };
+    let couple = load.span * load.moment;
+    let moment = arm.cross(&load.force) + couple;
+    for axis in 0..3 {
+        forces[axis] += load.force[axis];
+        forces[3 + axis] += moment[axis];
+    }
+    let modes = forces.len() - 6;
+    for mode in 0..modes {
+        let shape = |rows: &[f64]| Vector3::from_fn(|axis, _| rows[axis * modes + mode]);
+        forces[6 + mode] +=
+            shape(&strip.shapes.translation).dot(&load.force) + shape(&strip.shapes.rotation).dot(&couple);
+    }
+}
+
+#[test]
+fn the_loads_of_all_strips_are_the_plain_sum_of_the_formulas_at_every_level() {
+    let mut record = Record::new(
+        "strip-loads",
+        "Generalised forces of all strips at ten random states, sections turned by up to 1 rad, in a changing wind: largest difference to the plain sum, over the largest force",
+        "physics.md §4, summed strip by strip in `support/plain_loads.rs`; the altered jet has camber, moments at zero lift, suction, and flaps that all controls turn",
+    );
+    for (name, model) in [("jet", aircraft(false)), ("altered jet", aircraft(true))] {
+        for fidelity in Fidelity::ALL.into_iter().filter(|fidelity| *fidelity != Fidelity::Rigid) {
+            let largest = (0..10).map(|seed| difference(&model, fidelity, seed)).fold(0.0, f64::max);
+            record.rounding(&format!("{name}, {fidelity:?}"), 1e-12, largest);
+        }
+    }
+    record.finish();
+}
+
+#[test]
+fn the_rates_of_the_flow_at_a_strip_are_the_true_ones() {
+    let mut record = Record::new(
+        "flow-rates",
+        "ẇ (m/s²) and Ω̇ (rad/s²) of all strips at ten random states, sections turned by up to 1 rad, in a changing wind: largest difference to differences of w and Ω along the motion, over the largest rate",
+        "five-point differences of w and Ω, whose own error is below 1e-9",
+    );
+    for (name, model) in [("jet", aircraft(false)), ("altered jet", aircraft(true))] {
+        let equations = equations(&model, Fidelity::Exact);
+        let (mut largest, mut differences) = ([0.0_f64; 2], [0.0_f64; 2]);
+        for seed in 0..10 {
+            let (state, controls) = disturbed(&equations, seed);
+            let (rates, _) = evaluate(&equations, &state, &controls);
+            let instant =
+                Instant { equations: &equations, controls: &controls, state: &state, rates: &rates };
+            for strip in &model.strips {
+                let found = instant.flow_rates(strip, &instant.flow_after(strip, 0.0));
+                let expected = [
+                    derivative(1e-4, |time| instant.flow_after(strip, time).upwash),
+                    derivative(1e-4, |time| instant.flow_after(strip, time).pitch_rate),
+                ];
+                for i in 0..2 {
+                    largest[i] = largest[i].max(expected[i].abs());
+                    differences[i] = differences[i].max((found[i] - expected[i]).abs());
+                }
+            }
+        }
+        for (i, rate) in ["ẇ", "Ω̇"].into_iter().enumerate() {
+            record.rounding(&format!("{name}: {rate}"), 1e-9, differences[i] / largest[i]);
+        }
+    }
+    record.finish();
+}

@@ -1,0 +1,170 @@
+//! Leading-edge suction: in steady flow neither camber nor flap propels, and ailerons yaw adversely where suction is lost
+//! [4.1; physics.md §4].
+
+use flexible_aircraft::aerodynamics::Air;
+use flexible_aircraft::dynamics::{Configuration, EquationsOfMotion, Fidelity, Workspace};
+use flexible_aircraft::simulation::{Inputs, Settings, Simulation};
+use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
+use nalgebra::Vector3;
+
+use super::record::Record;
+use crate::support::strip::{PrescribedStrip, SEMICHORD, SPEED};
+use crate::support::{eight_symmetric, jet};
+
+/// A strip in steady flow.
+struct Steady {
+    suction: f64,
+    camber: f64,
+    /// Angles of two controls that turn the flap by 1 and by −0.4.
+    controls: [f64; 2],
+    /// n·V/U.
+    incidence: f64,
+}
+
+/// Force along f and along −n, N/m.
+fn chord_forces(Steady { suction, camber, controls, incidence }: &Steady) -> [f64; 2] {
+    let mut strip = PrescribedStrip::altered(0, -0.3, *suction, 0.75, |strip| {
+        strip.zero_lift_offset = *camber;
+        if let Some(flap) = &mut strip.flap {
+            flap.gains.rudder = -0.4;
+        }
+    });
+    [strip.controls.elevator, strip.controls.rudder] = *controls;
+    strip.move_with(SPEED * incidence, 0.0);
+    let ([x, z, _], _) = strip.evaluate();
+    [x, -z]
+}
+
+/// All combinations of suction, camber, flap and incidence.
+fn steady_flows() -> impl Iterator<Item = Steady> {
+    let suctions = [-0.5, 0.0, 0.5, 0.9, 1.0];
+    suctions.into_iter().flat_map(|suction| {
+        [-0.05, 0.0, 0.05].into_iter().flat_map(move |camber| {
+            [[0.0, 0.0], [0.3, 0.0], [-0.2, 0.3], [0.2, 0.5]].into_iter().flat_map(move |controls| {
+                let incidences = [-0.1, 0.0, 0.02, 0.15].into_iter();
+                incidences.map(move |incidence| Steady { suction, camber, controls, incidence })
+            })
+        })
+    })
+}
+
+#[test]
+fn neither_camber_nor_flap_propels_in_steady_flow() {
+    let mut record = Record::new(
+        "steady-drag",
+        "Drag of a strip (N/m) in steady flow: 5 suctions η ≤ 1, 3 cambers, 4 positions of two controls on its flap, 4 incidences",
+        "physics.md §4: without profile drag its power is (1 − η) L²/(CLα ρ b U)",
+    );
+    let (mut largest, mut difference, mut thrust) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for flow in steady_flows() {
+        let [forward, lift] = chord_forces(&flow);
+        let speed = SPEED * (1.0 + flow.incidence * flow.incidence).sqrt();
+        let drag = (lift * SPEED * flow.incidence - forward * SPEED) / speed;
+        let power = (1.0 - flow.suction) * lift * lift
+            / (std::f64::consts::TAU * Air::at(0.0).density * SEMICHORD * SPEED);
+        largest = largest.max(lift.abs());
+        difference = difference.max((drag - power / speed).abs());
+        thrust = thrust.max(-drag);
+    }
+    record.at_least("largest lift", 100.0, largest);
+    record.rounding("difference to the formula, over the largest lift", 1e-14, difference / largest);
+    record.rounding("thrust, over the largest lift", 1e-14, thrust / largest);
+    record.finish();
+}
+
+/// The jet with another suction, and its wing with camber, turned about its span so that the zero-lift line stays.
+fn with_camber(suction: f64, camber: f64) -> ReducedModel {
+    let mut model = (*jet()).clone();
+    for strip in &mut model.strips {
+        strip.leading_edge_suction = suction;
+        if strip.component.starts_with("wing") {
+            let ReducedStrip { forward, span, .. } = strip;
+            let (sin, cos) = libm::sincos(camber);
+            *forward = *forward * cos + forward.cross(span) * sin;
+            strip.zero_lift_offset = camber;
+        }
+    }
+    model
+}
+
+#[test]
+fn with_the_same_zero_lift_line_any_camber_trims_at_the_same_thrust() {
+    let mut record = Record::new(
+        "camber-thrust",
+        "Thrust of the trimmed jet with full suction (N per engine), its wing cambered about the same zero-lift line",
+        "the jet without camber; w is linear in the camber, the turned chord is not: α0²/2 remains",
+    );
+    let thrust = |camber: f64| {
+        let flight = Simulation::new(with_camber(1.0, camber).into(), &eight_symmetric(), 0.0).unwrap();
+        flight.trim().thrust
+    };
+    let flat = thrust(0.0);
+    for camber in [-0.05, 0.02, 0.05, 0.1] {
+        let case = format!("α0 = {camber}");
+        record.relative(&case, flat, 5e-5, thrust(camber));
+    }
+    record.finish();
+}
+
+#[test]
+fn a_cambered_aircraft_without_thrust_loses_energy() {
+    let model = with_camber(1.0, 3.0_f64.to_radians());
+    let mut flight = Simulation::new(model.into(), &Settings::default(), 0.0).unwrap();
+    let mut inputs = Inputs::zero(2);
+    inputs.thrust.fill(-flight.trim().thrust);
+    flight.set_inputs(&inputs, &Inputs::zero(2));
+    // h + V²/2g, m.
+    let height = |flight: &mut Simulation| {
+        let outputs = flight.outputs();
+        outputs.velocity.norm_squared() / (2.0 * 9.806) - outputs.position.z
+    };
+    let mut before = height(&mut flight);
+    for second in 1..=20 {
+        flight.advance_to(f64::from(second)).unwrap();
+        let now = height(&mut flight);
+        assert!(now < before, "{second} s: {before} m to {now} m");
+        before = now;
+    }
+}
+
+/// The moment about the axis across the flight path, downwards, that 0.1 rad of aileron adds to the trimmed rigid jet,
+/// N·m.
+fn yaw_of_ailerons(suction: f64) -> f64 {
+    let configuration = Configuration {
+        fidelity: Fidelity::Rigid,
+        stiffness_scale: 1.0,
+        structural_damping: 0.0,
+        inflow_states: 0,
+        tunnel_flow: Vector3::zeros(),
+    };
+    // The same state for every suction.
+    let trimmed = EquationsOfMotion::new(&jet(), &configuration);
+    let trim = trimmed.trim(&Settings::default().trim_condition()).unwrap();
+    let equations = EquationsOfMotion::new(&with_camber(suction, 0.0), &configuration);
+    let (sin, cos) = libm::sincos(trim.pitch);
+    let mut controls = trim.controls(2);
+    let mut yaw = |aileron: f64| {
+        controls.aileron = aileron;
+        let (mut rates, mut workspace) = (vec![0.0; trim.state.len()], Workspace::new(&equations));
+        equations.rates(&trim.state, &controls, &mut rates, &mut workspace);
+        workspace.forces()[5] * cos - workspace.forces()[3] * sin
+    };
+    yaw(0.1) - yaw(0.0)
+}
+
+#[test]
+fn ailerons_yaw_adversely_where_suction_is_lost() {
+    let mut record = Record::new(
+        "adverse-yaw",
+        "Yaw moment of the rigid jet (N·m) about the axis across its flight path, 0.1 rad of aileron to the right",
+        "physics.md §4: drag (1 − η) L²/(CLα ρ b U²) is linear in η, and more on the left, where lift grows",
+    );
+    let full = yaw_of_ailerons(1.0);
+    let none = yaw_of_ailerons(0.0);
+    record.at_most("no suction, over full suction", -4e4, none - full);
+    for suction in [0.3, 0.9] {
+        let case = format!("η = {suction}, over full suction");
+        record.relative(&case, (1.0 - suction) * (none - full), 1e-10, yaw_of_ailerons(suction) - full);
+    }
+    record.finish();
+}
