@@ -1,9 +1,13 @@
 //! Mistakes in an aircraft file, shown with the lines they are in and carets under them.
 
-use std::io::{IsTerminal, Write};
+use std::io::IsTerminal;
+use std::path::Path;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use flexible_aircraft::aircraft::AircraftFileError;
+use flexible_aircraft_packaging::looked_for;
+
+use crate::terminal;
 
 /// The report for people: one block per mistake, coloured on a terminal.
 pub fn render(error: &AircraftFileError) -> String {
@@ -11,14 +15,16 @@ pub fn render(error: &AircraftFileError) -> String {
     render_with(error, &if coloured { Renderer::styled() } else { Renderer::plain() })
 }
 
-/// Warns on standard error; where that is closed nobody wants to know.
+/// Warns on standard error.
 pub fn warn(text: &str) {
-    let _ = writeln!(std::io::stderr(), "warning: {text}");
+    terminal::note(&format!("warning: {text}"));
 }
 
 fn render_with(error: &AircraftFileError, renderer: &Renderer) -> String {
     match error {
-        AircraftFileError::Unreadable { .. } => format!("error: {error}"),
+        AircraftFileError::Unreadable { file_name, source } => {
+            format!("error: {error}{}", looked_for(Path::new(file_name), source))
+        }
         AircraftFileError::Rejected { file_name, text, diagnostics } => {
             let blocks = diagnostics.iter().map(|diagnostic| {
                 let title = format!("{}: {}", diagnostic.field, diagnostic.found);
@@ -46,9 +52,11 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_file_is_named() {
-        let error = Aircraft::read(std::path::Path::new("no/such.toml")).unwrap_err();
+    fn a_missing_file_is_named_with_the_place_where_it_was_looked_for() {
+        let error = Aircraft::read(Path::new("no/such.toml")).unwrap_err();
         let report = render_with(&error, &Renderer::plain());
         assert!(report.starts_with("error: no/such.toml: cannot read the aircraft file: "), "{report}");
+        let looked = std::env::current_dir().unwrap().join("no/such.toml");
+        assert!(report.ends_with(&format!("; looked for {}", looked.display())), "{report}");
     }
 }

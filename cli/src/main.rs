@@ -5,21 +5,27 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Args, Parser, Subcommand};
-use flexible_aircraft_packaging::Platform;
+use clap::{Arg, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
+use flexible_aircraft_packaging::{Platform, remove_temporary_files};
 
 mod bench;
 mod chart;
 mod check;
+mod completions;
 mod diagnostics;
+mod files;
 mod flutter;
 mod manoeuvre;
 mod mark_labels;
 mod merge;
+mod numbers;
 mod package;
+mod progress;
 mod reproduce;
 mod simulate;
 mod ssp;
+mod terminal;
+mod workspace;
 
 /// Nonlinear flight dynamics of flexible aircraft, packaged for simulation tools (FMI 2.0 co-simulation)
 #[derive(Parser)]
@@ -49,18 +55,21 @@ enum Command {
 
     /// Join the aircraft's FMU and others, such as control laws, to a system that masters run (SSP, OSP)
     Ssp(ssp::SspOptions),
+
+    /// Print a script with which a shell completes commands and options
+    Completions(completions::CompletionsOptions),
 }
 
 /// Options of `flexair package`.
 #[derive(Args)]
 struct PackageOptions {
-    /// The aircraft file (TOML) [default: aircraft/generic-business-jet.toml of flexible-aircraft's own folder]
-    #[arg(long, value_name = "FILE")]
-    aircraft: Option<PathBuf>,
+    /// The aircraft file (TOML)
+    #[arg(long, value_name = "FILE", default_value_os_t = workspace::aircraft())]
+    aircraft: PathBuf,
 
-    /// The FMU to write [default: target/fmu/FlexibleAircraft.fmu in flexible-aircraft's own folder]
-    #[arg(long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    /// The FMU to write
+    #[arg(long, value_name = "FILE", default_value_os_t = workspace::fmu())]
+    output: PathBuf,
 
     /// How many natural modes to put into the FMU, lowest frequencies first; its parameter `mode_count`
     /// chooses among them [default: 26, or all where there are fewer]
@@ -81,7 +90,7 @@ struct PackageOptions {
 #[derive(Args)]
 struct ReproduceOptions {
     /// The aircraft file (TOML)
-    #[arg(long, value_name = "FILE", default_value = "aircraft/generic-business-jet.toml")]
+    #[arg(long, value_name = "FILE", default_value_os_t = workspace::aircraft())]
     aircraft: PathBuf,
 
     /// The folder to write index.html, the figures and the histories to
@@ -94,8 +103,41 @@ fn platform_and_file(option: &str) -> Result<(Platform, PathBuf), String> {
     Ok((platform.parse().map_err(|error| format!("{error}"))?, PathBuf::from(file)))
 }
 
+/// The command line as it is parsed: every option takes negative numbers as values, so that `-1` is a bad number and not
+/// an unknown option; a count says what it allows; names of choices count in any case.
+fn command_line() -> clap::Command {
+    let option = |option: Arg| {
+        if !option.get_action().takes_values() || option.is_positional() {
+            return option;
+        }
+        let is_count = option.get_value_names().is_some_and(|names| *names == ["N"]);
+        let option = option.allow_negative_numbers(true).ignore_case(true);
+        if is_count { option.value_parser(count) } else { option }
+    };
+    CommandLine::command().mut_subcommands(|command| command.mut_args(option))
+}
+
+fn count(text: &str) -> Result<usize, String> {
+    text.parse().map_err(|_| "allowed is a whole number, 0 or more".to_owned())
+}
+
+/// Ctrl-C, and a request to terminate, end the program at once, and what is half written goes.
+fn stop_when_asked() {
+    // Where somebody arranged otherwise before, as `nohup` does, it stays so.
+    let _ = ctrlc::try_set_handler(|| {
+        remove_temporary_files();
+        std::process::exit(INTERRUPTED);
+    });
+}
+
+/// What shells return for a program that Ctrl-C ended.
+const INTERRUPTED: i32 = 130;
+
 fn main() -> ExitCode {
-    let outcome = match CommandLine::parse().command {
+    stop_when_asked();
+    let matches = command_line().get_matches();
+    let command = CommandLine::from_arg_matches(&matches).unwrap_or_else(|error| error.exit()).command;
+    let outcome = match command {
         Command::Package(options) => package::run(options).map_err(|error| error.report()),
         Command::Merge(options) => merge::run(&options).map_err(|error| format!("error: {error}")),
         Command::Reproduce(options) => reproduce::run(&options).map_err(|error| error.report()),
@@ -103,11 +145,14 @@ fn main() -> ExitCode {
         Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
         Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
         Command::Ssp(options) => ssp::run(&options).map_err(|error| format!("error: {error}")),
+        Command::Completions(options) => {
+            completions::run(&options, command_line()).map_err(|error| format!("error: {error}"))
+        }
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(report) => {
-            eprintln!("{report}");
+            terminal::note(&report);
             ExitCode::FAILURE
         }
     }
@@ -115,13 +160,35 @@ fn main() -> ExitCode {
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory;
-
     use super::*;
 
     #[test]
     fn the_options_do_not_contradict_each_other() {
-        CommandLine::command().debug_assert();
+        command_line().debug_assert();
+    }
+
+    #[test]
+    fn a_negative_count_is_a_bad_value_and_choices_count_in_any_case() {
+        let parse = |line: &str| command_line().try_get_matches_from(line.split(' '));
+        for line in ["simulate i.csv --modes -1", "package --modes -1", "flutter --from 1 --to 2 --modes -1"]
+        {
+            let error = parse(&format!("flexair {line}")).unwrap_err().to_string();
+            assert!(
+                error.contains("invalid value '-1' for '--modes <N>': allowed is a whole number"),
+                "{error}"
+            );
+        }
+        parse("flexair flutter --from 1 --to 2 --model RIGID").unwrap();
+    }
+
+    #[test]
+    fn all_commands_share_one_default_aircraft() {
+        let lines = ["simulate i.csv", "package", "flutter --from 1 --to 2", "bench", "reproduce"];
+        for line in lines.map(|line| format!("flexair {line}")) {
+            let matches = command_line().get_matches_from(line.split(' '));
+            let (name, matches) = matches.subcommand().unwrap();
+            assert_eq!(matches.get_one::<PathBuf>("aircraft"), Some(&workspace::aircraft()), "{name}");
+        }
     }
 
     #[test]

@@ -3,7 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use flexible_aircraft_packaging::{Draft, MergeError, PackageError, merge};
+use flexible_aircraft_packaging::{Draft, FileError, MergeError, merge};
+
+use crate::files::{Overwriting, refuse_overwriting};
+use crate::terminal;
 
 /// Options of `flexair merge`.
 #[derive(Args)]
@@ -23,15 +26,17 @@ pub enum Error {
     #[error(transparent)]
     Merge(#[from] MergeError),
     #[error(transparent)]
-    Write(#[from] PackageError),
+    Overwriting(#[from] Overwriting),
+    #[error(transparent)]
+    File(#[from] FileError),
 }
 
 /// Reads all, and writes what they are together.
 pub fn run(options: &MergeOptions) -> Result<(), Error> {
+    refuse_overwriting(&[&options.output], options.fmus.iter().map(PathBuf::as_path))?;
     let bytes = merge(&options.fmus)?;
     let draft = Draft::write(&bytes, &options.output)?;
     let size = draft.size();
     draft.keep()?;
-    println!("{}: {:.1} MB", options.output.display(), size as f64 / 1e6);
-    Ok(())
+    Ok(terminal::print(&format!("{}: {:.1} MB\n", options.output.display(), size as f64 / 1e6))?)
 }

@@ -1,20 +1,17 @@
 //! `flexair package`: from the aircraft file to an FMU that has flown.
 
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 use flexible_aircraft::structure::{ModeCount, ReducedModel};
 use flexible_aircraft_packaging::c_abi::Fmu;
-use flexible_aircraft_packaging::{FmuError, Package, PackageError, Platform};
+use flexible_aircraft_packaging::{FileError, FmuError, Package, PackageError, Platform};
 
 use crate::check::CheckFlight;
-use crate::{PackageOptions, diagnostics};
-
-/// What is packaged, and where it is written, when nothing else is asked for; in the workspace.
-const JET: &str = "aircraft/generic-business-jet.toml";
-const OUTPUT: &str = "target/fmu/FlexibleAircraft.fmu";
+use crate::files::{Overwriting, refuse_overwriting};
+use crate::{PackageOptions, diagnostics, terminal, workspace};
 
 /// Why `flexair package` did not succeed.
 #[derive(Debug, thiserror::Error)]
@@ -23,6 +20,10 @@ pub enum Error {
     Aircraft(#[from] AircraftFileError),
     #[error(transparent)]
     Package(#[from] PackageError),
+    #[error(transparent)]
+    Overwriting(#[from] Overwriting),
+    #[error(transparent)]
+    File(#[from] FileError),
     #[error("FMI 2.0 has no name for this platform: give the library of another one with --binary")]
     NoPlatform,
     #[error("cannot build the shared library: {0}")]
@@ -44,8 +45,9 @@ impl Error {
 /// Builds, packages, and flies what came out.
 pub fn run(options: PackageOptions) -> Result<(), Error> {
     // Before the library is built: mistakes in the aircraft file should show at once.
-    let aircraft_file = options.aircraft.unwrap_or_else(|| workspace().join(JET));
-    let output = options.output.unwrap_or_else(|| workspace().join(OUTPUT));
+    let PackageOptions { aircraft: aircraft_file, output, .. } = options;
+    let libraries = options.binary.iter().map(|(_, library)| library.as_path());
+    refuse_overwriting(&[&output], libraries.chain([aircraft_file.as_path()]))?;
     let aircraft = Aircraft::read(&aircraft_file)?;
 
     let mut binaries = options.binary;
@@ -58,42 +60,37 @@ pub fn run(options: PackageOptions) -> Result<(), Error> {
         }
     }
 
-    eprintln!("Packaging {} ({})", aircraft.name, aircraft_file.display());
+    let file = aircraft_file.display();
+    terminal::note(&format!("Packaging {} ({file})", aircraft.name));
     let package = Package {
         aircraft: aircraft_file,
         mode_count: ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES),
         binaries,
-        workspace: workspace().into(),
+        workspace: workspace::root().into(),
     };
     // A good FMU is replaced only by one that flies.
     let draft = package.draft(&output)?;
     let flight = if options.no_check {
         None
     } else {
-        eprintln!("Flying it for {} s", CheckFlight::DURATION);
+        terminal::note(&format!("Flying it for {} s", CheckFlight::DURATION));
         Some(CheckFlight::fly(&Fmu::open(draft.path())?, aircraft.support)?)
     };
     let size = draft.size();
     draft.keep()?;
-    println!("{}: {:.1} MB", output.display(), size as f64 / 1e6);
+    terminal::print(&format!("{}: {:.1} MB\n", output.display(), size as f64 / 1e6))?;
     if let Some(flight) = flight {
-        println!("{flight}");
+        terminal::print(&format!("{flight}\n"))?;
     }
     Ok(())
 }
 
-/// The folder of the workspace that this program was built in.
-fn workspace() -> &'static Path {
-    let cli = Path::new(env!("CARGO_MANIFEST_DIR"));
-    cli.parent().unwrap_or(cli)
-}
-
 /// Has cargo build the shared library for this machine, and returns the file.
 fn build_library() -> Result<PathBuf, Error> {
-    eprintln!("Building the shared library");
+    terminal::note("Building the shared library");
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
     let output = Command::new(cargo)
-        .current_dir(workspace())
+        .current_dir(workspace::root())
         // Not `--package`: with the default members, what `cargo run --release` built is used again.
         .args(["build", "--release", "--lib", "--message-format", "json-render-diagnostics"])
         .stderr(Stdio::inherit())

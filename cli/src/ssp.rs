@@ -1,10 +1,13 @@
 //! `flexair ssp`: joins the aircraft's FMU and others to a system that masters run.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use flexible_aircraft_packaging::PackageError;
 use flexible_aircraft_packaging::system::{Component, Endpoint, Experiment, System, SystemError};
+use flexible_aircraft_packaging::{FileError, PackageError};
+
+use crate::files::{Overwriting, refuse_overwriting};
+use crate::terminal;
 
 /// Name of the aircraft in the system.
 const AIRCRAFT: &str = "aircraft";
@@ -55,7 +58,11 @@ pub enum Error {
     #[error(transparent)]
     System(#[from] SystemError),
     #[error(transparent)]
+    Overwriting(#[from] Overwriting),
+    #[error(transparent)]
     Write(#[from] PackageError),
+    #[error(transparent)]
+    Print(#[from] FileError),
 }
 
 /// Checks the connections and writes the system.
@@ -66,19 +73,41 @@ pub fn run(options: &SspOptions) -> Result<(), Error> {
     }
     let experiment = Experiment { step: options.step, stop_time: options.stop_time };
     let system = System::new(components, &options.connect, &options.set, experiment)?;
+    refuse_to_overwrite_components(options, &system)?;
+    if options.osp.is_some() {
+        system.check_for_osp()?;
+    }
     for end in system.units_taken_on_trust() {
-        eprintln!("note: the unit of {end} is not declared; it is taken to be that of the other end");
+        terminal::note(&format!(
+            "note: the unit of {end} is not declared; it is taken to be that of the other end"
+        ));
+    }
+    for end in system.enumerations_set() {
+        terminal::note(&format!(
+            "note: {end} is an enumeration: libcosim does not load a system that sets one, OMSimulator leaves it at its start"
+        ));
     }
     let (components, connections) = system.size();
+    let report = |path: &Path| {
+        terminal::print(&format!("{}: {components} components, {connections} connections\n", path.display()))
+    };
     if let Some(output) = &options.output {
         system.write_ssp(output)?;
-        println!("{}: {components} components, {connections} connections", output.display());
+        report(output)?;
     }
     if let Some(folder) = &options.osp {
         system.write_osp(folder)?;
-        println!("{}: {components} components, {connections} connections", folder.display());
+        report(folder)?;
     }
     Ok(())
+}
+
+fn refuse_to_overwrite_components(options: &SspOptions, system: &System) -> Result<(), Overwriting> {
+    let mut outputs = options.osp.as_ref().map_or(Vec::new(), |folder| system.osp_files(folder));
+    outputs.extend(options.output.clone());
+    let outputs: Vec<&Path> = outputs.iter().map(PathBuf::as_path).collect();
+    let others = options.component.iter().map(|(_, fmu)| fmu.as_path());
+    refuse_overwriting(&outputs, others.chain([options.aircraft.as_path()]))
 }
 
 fn name_and_file(option: &str) -> Result<(String, PathBuf), String> {

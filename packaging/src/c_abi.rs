@@ -12,14 +12,14 @@ use std::ptr::NonNull;
 use std::rc::Rc;
 
 use libloading::Library;
-use tempfile::TempDir;
 
 pub use instance::Instance;
 use interface::flexible_aircraft_importer_logger;
 use interface::{CO_SIMULATION, Callbacks, FALSE, Functions, Log, TRUE, calloc, drain, free};
 
 use crate::model_description::ModelDescription;
-use crate::{FmuError, Platform};
+use crate::temporary::TemporaryFolder;
+use crate::{FileError, FmuError, Platform};
 
 /// A value reference: the address of a variable.
 pub type ValueReference = u32;
@@ -31,7 +31,7 @@ pub struct Fmu {
     /// Keeps the functions callable.
     _library: Library,
     /// Deleted last.
-    directory: TempDir,
+    directory: TemporaryFolder,
 }
 
 impl Fmu {
@@ -41,8 +41,12 @@ impl Fmu {
     /// When the archive is damaged or has no library that loads here.
     pub fn open(path: &Path) -> Result<Self, FmuError> {
         let failed = |reason: String| FmuError::Archive { path: path.to_owned(), reason };
-        let archive = std::fs::File::open(path).map_err(|error| failed(error.to_string()))?;
-        let directory = tempfile::tempdir().map_err(|error| failed(error.to_string()))?;
+        let archive = std::fs::File::open(path).map_err(|source| FileError {
+            action: "read",
+            path: path.to_owned(),
+            source,
+        })?;
+        let directory = TemporaryFolder::new().map_err(|error| failed(error.to_string()))?;
         let mut archive = zip::ZipArchive::new(archive).map_err(|error| failed(error.to_string()))?;
         archive.extract(directory.path()).map_err(|error| failed(error.to_string()))?;
         let xml = std::fs::read_to_string(directory.path().join("modelDescription.xml"))

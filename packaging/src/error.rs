@@ -1,26 +1,42 @@
 //! Why an FMU could not be written, or not be used.
 
 use std::ffi::NulError;
-use std::path::PathBuf;
+use std::io;
+use std::path::{Path, PathBuf};
 
 use flexible_aircraft::aircraft::AircraftFileError;
 use flexible_aircraft::structure::StructureError;
 
 use crate::{LibraryFault, Platform};
 
+/// A file or folder that could not be read or written.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot {action} {}: {source}{}", path.display(), looked_for(path, source))]
+pub struct FileError {
+    /// What was tried, as a verb.
+    pub action: &'static str,
+    /// The file or folder.
+    pub path: PathBuf,
+    /// What the operating system says.
+    pub source: io::Error,
+}
+
+/// Where a file that is not found was looked for, to be put behind a message; empty where the path says it.
+pub fn looked_for(path: &Path, error: &io::Error) -> String {
+    match std::path::absolute(path) {
+        Ok(absolute) if error.kind() == io::ErrorKind::NotFound && absolute != path => {
+            format!("; looked for {}", absolute.display())
+        }
+        _ => String::new(),
+    }
+}
+
 /// Why an FMU could not be written.
 #[derive(Debug, thiserror::Error)]
 pub enum PackageError {
     /// A file or folder could not be read or written.
-    #[error("cannot {action} {}: {source}", path.display())]
-    File {
-        /// What was tried, as a verb.
-        action: &'static str,
-        /// The file or folder.
-        path: PathBuf,
-        /// What the operating system says.
-        source: std::io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] FileError),
     /// The aircraft file is not right. Boxed: it carries the text for the diagnostics.
     #[error(transparent)]
     Aircraft(Box<AircraftFileError>),
@@ -63,6 +79,9 @@ pub enum PackageError {
 /// Why an FMU could not be loaded or refused a call.
 #[derive(Debug, thiserror::Error)]
 pub enum FmuError {
+    /// The file cannot be read.
+    #[error(transparent)]
+    File(#[from] FileError),
     /// The archive cannot be unpacked.
     #[error("cannot unpack {}: {reason}", path.display())]
     Archive {

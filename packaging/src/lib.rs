@@ -21,15 +21,19 @@ mod library;
 mod licences;
 mod merge;
 mod model_description;
+mod nearest;
 mod plan_view;
 mod platform;
 pub mod system;
+mod temporary;
 
-pub use draft::Draft;
-pub use error::{FmuError, PackageError};
+pub use draft::{Draft, is_stream, open_stream};
+pub use error::{FileError, FmuError, PackageError, looked_for};
 pub use library::{BuildMark, LibraryFault};
 pub use merge::{MergeError, merge};
+pub use nearest::probably_meant;
 pub use platform::{Platform, UnknownPlatform};
+pub use temporary::remove_all as remove_temporary_files;
 
 use archive::Entry;
 use model_description::ModelDescription;
@@ -79,7 +83,7 @@ impl Package {
     /// # Errors
     /// As [`to_bytes`](Self::to_bytes), or when the file cannot be written.
     pub fn draft(&self, output: &Path) -> Result<Draft, PackageError> {
-        Draft::write(&self.to_bytes()?, output)
+        Ok(Draft::write(&self.to_bytes()?, output)?)
     }
 
     /// Writes the `.fmu`, and the folders above it where they do not exist.
@@ -87,7 +91,7 @@ impl Package {
     /// # Errors
     /// As [`draft`](Self::draft).
     pub fn write(&self, output: &Path) -> Result<(), PackageError> {
-        self.draft(output)?.keep()
+        Ok(self.draft(output)?.keep()?)
     }
 
     /// One library per platform, each of them of this version and these sources.
@@ -115,6 +119,6 @@ impl Package {
     }
 }
 
-fn read(path: &Path) -> Result<Vec<u8>, PackageError> {
-    std::fs::read(path).map_err(|source| PackageError::File { action: "read", path: path.to_owned(), source })
+fn read(path: &Path) -> Result<Vec<u8>, FileError> {
+    std::fs::read(path).map_err(|source| FileError { action: "read", path: path.to_owned(), source })
 }

@@ -12,7 +12,7 @@ use std::process::Command;
 use serde::Deserialize;
 
 use crate::archive::Entry;
-use crate::{PackageError, Platform, read};
+use crate::{FileError, PackageError, Platform, read};
 
 /// What `cargo metadata` prints, as far as it matters here.
 #[derive(Deserialize)]
@@ -99,7 +99,7 @@ fn cargo(workspace: &Path, arguments: &[&str]) -> Result<Vec<u8>, PackageError> 
 /// The files beside the manifest that are named like a licence, in alphabetical order.
 fn licence_files(package: &LibraryPackage) -> Result<Vec<PathBuf>, PackageError> {
     let folder = package.manifest_path.parent().unwrap_or(Path::new("."));
-    let unreadable = |source| PackageError::File { action: "list", path: folder.to_owned(), source };
+    let unreadable = |source| FileError { action: "list", path: folder.to_owned(), source };
     let mut files = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();

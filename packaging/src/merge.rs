@@ -8,7 +8,7 @@ use zip::result::ZipError;
 use crate::archive::{self, Entry};
 use crate::library;
 use crate::model_description::ModelDescription;
-use crate::{BuildMark, LibraryFault, Platform};
+use crate::{BuildMark, FileError, LibraryFault, Platform, read};
 
 /// Why FMUs cannot be joined.
 #[derive(Debug, thiserror::Error)]
@@ -17,13 +17,8 @@ pub enum MergeError {
     #[error("found no FMU to merge")]
     Nothing,
     /// A file cannot be read.
-    #[error("cannot read {}: {source}", fmu.display())]
-    File {
-        /// The FMU.
-        fmu: PathBuf,
-        /// What the operating system says.
-        source: std::io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] FileError),
     /// A file is not an FMU as flexible-aircraft writes them.
     #[error("{} is no FMU of flexible-aircraft: {reason}", fmu.display())]
     NotOurs {
@@ -112,7 +107,7 @@ struct Contents {
 impl Contents {
     fn read(fmu: &Path) -> Result<Self, MergeError> {
         let not_ours = |reason: String| MergeError::NotOurs { fmu: fmu.to_owned(), reason };
-        let bytes = std::fs::read(fmu).map_err(|source| MergeError::File { fmu: fmu.to_owned(), source })?;
+        let bytes = read(fmu)?;
         let entries = archive::from_bytes(&bytes).map_err(|error| not_ours(error.to_string()))?;
         let files = entries.into_iter().map(|entry| (entry.path, entry.bytes));
         let (binaries, others): (BTreeMap<_, _>, BTreeMap<_, _>) =

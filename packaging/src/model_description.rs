@@ -53,6 +53,22 @@ pub(crate) struct Variable {
     pub kind: VariableType,
     pub unit: String,
     pub start: String,
+    /// Smallest value.
+    pub min: String,
+    /// Largest value.
+    pub max: String,
+    /// Of an enumeration: names and values, in the order of the file.
+    pub items: Vec<(String, String)>,
+}
+
+/// A type that variables are declared with; texts are empty where the file says nothing.
+#[derive(Clone, Debug, Default)]
+struct DeclaredType {
+    name: String,
+    unit: String,
+    min: String,
+    max: String,
+    items: Vec<(String, String)>,
 }
 
 impl ModelDescription {
@@ -62,8 +78,7 @@ impl ModelDescription {
         let (mut guid, mut version, mut description) = (None, String::new(), String::new());
         let mut model_identifier = None;
         let mut units: Vec<(String, Option<BaseUnit>)> = Vec::new();
-        // Name and unit.
-        let mut types: Vec<(String, String)> = Vec::new();
+        let mut types: Vec<DeclaredType> = Vec::new();
         let mut variables: Vec<Variable> = Vec::new();
         loop {
             match reader.read_event().map_err(|error| error.to_string())? {
@@ -84,7 +99,16 @@ impl ModelDescription {
                             *base = Some(base_unit(&element)?);
                         }
                     }
-                    "SimpleType" => types.push((required(&element, "name")?, String::new())),
+                    "SimpleType" => {
+                        types.push(DeclaredType {
+                            name: required(&element, "name")?,
+                            ..DeclaredType::default()
+                        });
+                    }
+                    "Item" => {
+                        let item = (required(&element, "name")?, required(&element, "value")?);
+                        types.last_mut().ok_or("an Item outside of a type")?.items.push(item);
+                    }
                     "ScalarVariable" => variables.push(scalar_variable(&element)?),
                     name => {
                         if let Some(kind) = VariableType::of_element(name) {
@@ -92,8 +116,10 @@ impl ModelDescription {
                             match variables.last_mut() {
                                 Some(variable) => complete(variable, kind, &element, &types)?,
                                 None => {
-                                    if let Some((_, unit)) = types.last_mut() {
-                                        *unit = optional(&element, "unit")?.unwrap_or_default();
+                                    if let Some(declared) = types.last_mut() {
+                                        declared.unit = optional(&element, "unit")?.unwrap_or_default();
+                                        declared.min = optional(&element, "min")?.unwrap_or_default();
+                                        declared.max = optional(&element, "max")?.unwrap_or_default();
                                     }
                                 }
                             }
@@ -144,20 +170,21 @@ impl fmt::Display for VariableType {
     }
 }
 
-/// Reads a variable's value element; the unit may come from its declared type.
+/// Reads a variable's value element; unit and limits may come from its declared type.
 fn complete(
     variable: &mut Variable,
     kind: VariableType,
     element: &BytesStart<'_>,
-    types: &[(String, String)],
+    types: &[DeclaredType],
 ) -> Result<(), String> {
     let declared = optional(element, "declaredType")?;
-    let declared = declared.and_then(|name| types.iter().find(|(known, _)| *known == name));
+    let declared = declared.and_then(|name| types.iter().find(|known| known.name == name)).cloned();
+    let DeclaredType { unit, min, max, items, .. } = declared.unwrap_or_default();
     variable.kind = kind;
-    variable.unit = match optional(element, "unit")? {
-        Some(unit) => unit,
-        None => declared.map(|(_, unit)| unit.clone()).unwrap_or_default(),
-    };
+    variable.unit = optional(element, "unit")?.unwrap_or(unit);
+    variable.min = optional(element, "min")?.unwrap_or(min);
+    variable.max = optional(element, "max")?.unwrap_or(max);
+    variable.items = items;
     variable.start = optional(element, "start")?.unwrap_or_default();
     Ok(())
 }
@@ -238,9 +265,27 @@ mod tests {
         let description = ModelDescription::parse(xml).unwrap();
         assert_eq!(description.variable("a").unwrap().unit, "rad");
         assert_eq!(description.variable("b").unwrap().kind, VariableType::Boolean);
+        assert_eq!(description.variable("b").unwrap().items, []);
         assert_eq!(description.base_unit("rad"), description.base_unit("Radiant"));
         assert_ne!(description.base_unit("rad"), description.base_unit("deg"));
         assert_eq!((description.base_unit("odd"), description.base_unit("none")), (None, None));
+    }
+
+    #[test]
+    fn limits_and_items_are_those_of_the_variable_or_its_type() {
+        let xml = r#"<fmiModelDescription fmiVersion="2.0" guid="g"><CoSimulation modelIdentifier="M"/>
+            <TypeDefinitions><SimpleType name="Speed"><Real unit="m/s" min="1" max="9"/></SimpleType>
+            <SimpleType name="Level"><Enumeration><Item name="low" value="1"/><Item name="high" value="3"/>
+            </Enumeration></SimpleType></TypeDefinitions>
+            <ModelVariables><ScalarVariable name="a" valueReference="1"><Real declaredType="Speed" max="7"/></ScalarVariable>
+            <ScalarVariable name="b" valueReference="2"><Enumeration declaredType="Level"/></ScalarVariable>
+            </ModelVariables></fmiModelDescription>"#;
+        let description = ModelDescription::parse(xml).unwrap();
+        let speed = description.variable("a").unwrap();
+        assert_eq!((speed.unit.as_str(), speed.min.as_str(), speed.max.as_str()), ("m/s", "1", "7"));
+        let level = description.variable("b").unwrap();
+        let items: Vec<(&str, &str)> = level.items.iter().map(|(name, value)| (&**name, &**value)).collect();
+        assert_eq!(items, [("low", "1"), ("high", "3")]);
     }
 
     #[test]

@@ -1,12 +1,11 @@
 //! Several FMUs and the connections between them, checked, and written as masters read them: an SSP archive
 //! (System Structure and Parameterization 1.0) or a folder for libcosim (OSP system structure 0.1).
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 mod check;
 mod endpoint;
 mod error;
-mod nearest;
 mod osp;
 mod setting;
 mod ssp;
@@ -17,9 +16,12 @@ mod xml;
 pub use endpoint::Endpoint;
 pub use error::{ConnectionError, Misfit, SystemError};
 
-use crate::model_description::ModelDescription;
-use crate::{Draft, PackageError};
+use crate::model_description::{ModelDescription, VariableType};
+use crate::{Draft, PackageError, read};
 use setting::Setting;
+
+/// Name of libcosim's own description of a system.
+const OSP_STRUCTURE: &str = "OspSystemStructure.xml";
 
 /// FMUs that fit together, and how long they are to be run.
 #[derive(Clone, Debug)]
@@ -67,7 +69,7 @@ impl Component {
             return Err(SystemError::ComponentName(name.to_owned()));
         }
         let failed = |reason: String| SystemError::Fmu { path: path.to_owned(), reason };
-        let fmu = std::fs::read(path).map_err(|error| failed(error.to_string()))?;
+        let fmu = read(path)?;
         let xml = model_description_of(&fmu).map_err(failed)?;
         let description = ModelDescription::parse(&xml)
             .map_err(|reason| failed(format!("modelDescription.xml: {reason}")))?;
@@ -119,6 +121,13 @@ impl System {
         self.settings.iter().filter(|setting| setting.at.component == component.name).collect()
     }
 
+    /// The enumerations that are set. SSP has a place for them; libcosim does not load a system that does so, and
+    /// OMSimulator leaves them at their start values.
+    pub fn enumerations_set(&self) -> impl Iterator<Item = &Endpoint> {
+        let settings = self.settings.iter().filter(|setting| setting.kind == VariableType::Enumeration);
+        settings.map(|setting| &setting.at)
+    }
+
     /// How many components and connections there are.
     pub fn size(&self) -> (usize, usize) {
         (self.components.len(), self.connections.len())
@@ -129,17 +138,39 @@ impl System {
     /// # Errors
     /// When the file cannot be written.
     pub fn write_ssp(&self, output: &Path) -> Result<(), PackageError> {
-        Draft::write(&ssp::to_bytes(self)?, output)?.keep()
+        Ok(Draft::write(&ssp::to_bytes(self)?, output)?.keep()?)
+    }
+
+    /// Whether libcosim's own system structure can say all that is set.
+    ///
+    /// # Errors
+    /// When an enumeration is set.
+    pub fn check_for_osp(&self) -> Result<(), SystemError> {
+        let mut enumerations = self.settings.iter().filter(|one| one.kind == VariableType::Enumeration);
+        enumerations.next().map_or(Ok(()), |Setting { at, value, .. }| {
+            Err(SystemError::EnumerationForOsp { given: format!("{at}={value}") })
+        })
+    }
+
+    /// The files that [`write_osp`](Self::write_osp) writes.
+    pub fn osp_files(&self, folder: &Path) -> Vec<PathBuf> {
+        let fmus = self.components.iter().map(|component| format!("{}.fmu", component.name));
+        fmus.chain([OSP_STRUCTURE.to_owned()]).map(|name| folder.join(name)).collect()
     }
 
     /// Writes `OspSystemStructure.xml` and the FMUs into a folder, which is made where it does not exist.
     ///
     /// # Errors
-    /// When a file cannot be written.
-    pub fn write_osp(&self, folder: &Path) -> Result<(), PackageError> {
-        for component in &self.components {
-            Draft::write(&component.fmu, &folder.join(format!("{}.fmu", component.name)))?.keep()?;
-        }
-        Draft::write(&osp::structure(self), &folder.join("OspSystemStructure.xml"))?.keep()
+    /// When an enumeration is set, or a file cannot be written.
+    pub fn write_osp(&self, folder: &Path) -> Result<(), SystemError> {
+        self.check_for_osp()?;
+        let structure = osp::structure(self);
+        let contents = self.components.iter().map(|component| component.fmu.as_slice());
+        let drafts: Vec<Draft> = contents
+            .chain([structure.as_slice()])
+            .zip(self.osp_files(folder))
+            .map(|(content, path)| Draft::write(content, &path))
+            .collect::<Result<_, _>>()?;
+        Ok(drafts.into_iter().try_for_each(Draft::keep)?)
     }
 }

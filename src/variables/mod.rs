@@ -76,17 +76,22 @@ impl Variable {
             && self.max.is_none_or(|max| number <= max)
     }
 
-    /// What [`allows`](Self::allows) accepts, for people.
+    /// What [`allows`](Self::allows) accepts, for people, with its unit.
     pub fn allowed(&self) -> String {
         if let Type::Enumeration(enumeration) = self.kind {
             let items = enumeration.items().iter().enumerate();
             return items.map(|(i, (item, _))| format!("{} ({item})", i + 1)).collect::<Vec<_>>().join(", ");
         }
+        let unit = match self.unit {
+            None | Some(Unit::One) => String::new(),
+            Some(unit) => format!(" {}", unit.name()),
+        };
         match (self.min, self.max) {
-            (Some(min), Some(max)) => format!("{min} to {max}"),
-            (Some(min), None) => format!("{min} and above"),
-            (None, Some(max)) => format!("{max} and below"),
-            (None, None) => "any finite number".to_owned(),
+            (Some(min), Some(max)) => format!("{min} to {max}{unit}"),
+            (Some(min), None) => format!("{min}{unit} and above"),
+            (None, Some(max)) => format!("{max}{unit} and below"),
+            (None, None) if unit.is_empty() => "any finite number".to_owned(),
+            (None, None) => format!("any finite number, in{unit}"),
         }
     }
 }

@@ -124,6 +124,16 @@ fn nothing_in_the_library_panics_on_purpose() {
     assert_none(&places(sources.iter(), &words), "errors are values");
 }
 
+/// `println!` panics when nobody reads; `File::create` and `fs::write` leave half a file where a good one was.
+#[test]
+fn the_command_line_prints_and_writes_through_what_cannot_lose_anything() {
+    let sources = sources(&["packaging/src", "cli/src"]);
+    let words = ["println!", "print!", "eprintln!", "eprint!"];
+    assert_none(&places(sources.iter(), &words), "cli/src/terminal.rs prints");
+    let words = ["File::create", "fs::write", "create_dir_all"];
+    assert_none(&places(sources.iter(), &words), "packaging/src/draft.rs writes");
+}
+
 /// A comment `PROOF:` in the three lines above has to say why it cannot happen.
 #[test]
 fn every_unwrap_is_proved_by_a_comment() {

@@ -8,17 +8,18 @@ mod report;
 mod scaling;
 mod standard_flight;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::Args;
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::simulation::SimulationError;
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
-use flexible_aircraft_packaging::FmuError;
 use flexible_aircraft_packaging::c_abi::Fmu;
+use flexible_aircraft_packaging::{FileError, FmuError};
 
-use crate::diagnostics;
+use crate::files::{Overwriting, refuse_overwriting};
+use crate::{diagnostics, files, terminal, workspace};
 use equations::EquationCosts;
 use report::Report;
 use scaling::Scaling;
@@ -28,11 +29,11 @@ use standard_flight::StandardFlight;
 #[derive(Args)]
 pub struct BenchOptions {
     /// The FMU to fly, as `flexair package` writes it
-    #[arg(long, value_name = "FILE", default_value = "target/fmu/FlexibleAircraft.fmu")]
+    #[arg(long, value_name = "FILE", default_value_os_t = workspace::fmu())]
     fmu: PathBuf,
 
     /// The aircraft file (TOML) that the FMU was made of
-    #[arg(long, value_name = "FILE", default_value = "aircraft/generic-business-jet.toml")]
+    #[arg(long, value_name = "FILE", default_value_os_t = workspace::aircraft())]
     aircraft: PathBuf,
 
     /// Where to write the figures (Markdown)
@@ -62,14 +63,12 @@ pub enum BenchError {
     /// The aircraft is not its own mirror image.
     #[error("the standard flight is symmetric, and the aircraft has no mirror plane y = 0")]
     NoMirrorPlane,
+    /// An output that is an input.
+    #[error(transparent)]
+    Overwriting(#[from] Overwriting),
     /// The results.
-    #[error("{}: {source}", path.display())]
-    Write {
-        /// Which file.
-        path: PathBuf,
-        /// What the system says.
-        source: std::io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] FileError),
 }
 
 impl BenchError {
@@ -87,25 +86,20 @@ impl BenchError {
 /// # Errors
 /// When the aircraft or the FMU cannot be read or flown, or the results cannot be written.
 pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
+    let inputs = [options.fmu.as_path(), &options.aircraft];
+    refuse_overwriting(&[&options.output, &options.plot], inputs)?;
     let aircraft = Aircraft::read(&options.aircraft)?;
     let model = Arc::new(ReducedModel::new(&aircraft, ModeCount::Usual(ReducedModel::USUAL_MODES))?);
-    eprintln!("the standard flight through the C interface …");
+    terminal::note("the standard flight through the C interface …");
     let flight = StandardFlight::measure(&Fmu::open(&options.fmu)?)?;
-    eprintln!("the right-hand side and the plain method …");
+    terminal::note("the right-hand side and the plain method …");
     let equations = EquationCosts::measure(&model)?;
-    eprintln!("larger and smaller aircraft …");
+    terminal::note("larger and smaller aircraft …");
     let scaling = Scaling::measure(&aircraft, &model)?;
     let report = Report { model: &model, flight, equations, scaling };
-    println!("{}", report.summary());
-    write(&options.plot, &report.chart().to_svg())?;
-    write(&options.output, &report.markdown())
-}
-
-fn write(path: &Path, text: &str) -> Result<(), BenchError> {
-    let folder = path.parent().map_or(Ok(()), std::fs::create_dir_all);
-    folder
-        .and_then(|()| std::fs::write(path, text))
-        .map_err(|source| BenchError::Write { path: path.to_owned(), source })
+    files::write(&options.plot, report.chart().to_svg().as_bytes())?;
+    files::write(&options.output, report.markdown().as_bytes())?;
+    Ok(terminal::print(&format!("{}\n", report.summary()))?)
 }
 
 /// The least time, s, that `work` takes of a few times; the rest is what else the machine does.

@@ -8,9 +8,15 @@ use flexible_aircraft::structure::{ModeCount, ReducedModel, ReducedStrip};
 
 use super::equations::time_of;
 use super::{BenchError, least_time};
+use crate::progress::Progress;
 
 /// Seconds flown for each point.
 const SECONDS: f64 = 2.0;
+
+/// Numbers of modes, parts that strips are cut into, and inflow states.
+const MODES: [usize; 7] = [0, 4, 8, 12, 20, 30, 40];
+const PARTS: [usize; 3] = [1, 2, 4];
+const INFLOW_STATES: [usize; 9] = [0, 1, 2, 3, 4, 5, 6, 7, 8];
 
 /// One aircraft.
 pub struct Point {
@@ -45,16 +51,23 @@ impl Scaling {
     pub fn measure(aircraft: &Aircraft, model: &Arc<ReducedModel>) -> Result<Self, BenchError> {
         let most = Arc::new(ReducedModel::new(aircraft, ModeCount::Usual(40))?);
         let standard = Settings::of(model);
-        let counts = [0, 4, 8, 12, 20, 30, 40].into_iter().filter(|&count| count <= most.modes.len());
-        let modes = counts.map(|mode_count| {
+        let counts: Vec<usize> = MODES.into_iter().filter(|&count| count <= most.modes.len()).collect();
+        let points = counts.len() + PARTS.len() + INFLOW_STATES.len() + Fidelity::ALL.len();
+        let progress = Progress::new(points, "aircraft");
+        let point = |model: &Arc<ReducedModel>, settings: &Settings, label: String, size: usize| {
+            let measured = point(model, settings, label, size);
+            progress.advance();
+            measured
+        };
+        let modes = counts.into_iter().map(|mode_count| {
             let settings = Settings { mode_count, ..standard.clone() };
             point(&most, &settings, format!("{mode_count} modes"), mode_count)
         });
-        let strips = [1, 2, 4].map(|parts| {
+        let strips = PARTS.map(|parts| {
             let model = Arc::new(with_strips_in_parts(model, parts));
             point(&model, &standard, format!("{} strips", model.strips.len()), model.strips.len())
         });
-        let inflow_states = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|inflow_states| {
+        let inflow_states = INFLOW_STATES.map(|inflow_states| {
             let settings = Settings { inflow_states, ..standard.clone() };
             point(model, &settings, format!("{inflow_states} inflow states"), inflow_states)
         });

@@ -9,12 +9,16 @@ use flexible_aircraft_packaging::c_abi::Fmu;
 
 use super::{BenchError, least_time};
 use crate::manoeuvre::Manoeuvre;
+use crate::progress::Progress;
 
 /// s.
 pub const DURATION: f64 = 15.0;
 
 /// Of the flight that counts as exact: its steps are hundreds of times shorter.
 const REFERENCE_TOLERANCE: f64 = 1e-12;
+
+/// Those whose accuracy is measured.
+const TOLERANCES: [f64; 4] = [1e-4, 1e-5, 1e-6, 1e-7];
 
 /// The FMU's own.
 const USUAL_TOLERANCE: f64 = 1e-5;
@@ -79,16 +83,23 @@ pub struct StandardFlight {
 impl StandardFlight {
     /// Flies.
     pub fn measure(fmu: &Fmu) -> Result<Self, BenchError> {
+        // The reference, two latencies and the bits.
+        let progress = Progress::new(TOLERANCES.len() + 4, "measurements");
         let exact = fly(fmu, REFERENCE_TOLERANCE, 1, |_| {})?;
+        progress.advance();
         let mut accuracies = Vec::new();
-        for tolerance in [1e-4, 1e-5, 1e-6, 1e-7] {
+        for tolerance in TOLERANCES {
             let flights = (0..5).map(|_| fly(fmu, tolerance, 1, |_| {})).collect::<Result<Vec<_>, _>>()?;
             let time = flights.iter().fold(f64::INFINITY, |least, flight| least.min(flight.time));
             let errors = errors(&flights[0].history, &exact.history);
             accuracies.push(Accuracy { tolerance, time_per_second: time / DURATION, errors });
+            progress.advance();
         }
-        let latencies =
-            [1, 10].map(|parts| Latency::measure(fmu, parts)).into_iter().collect::<Result<_, _>>()?;
+        let latency = |parts| {
+            progress.advance();
+            Latency::measure(fmu, parts)
+        };
+        let latencies = [1, 10].map(latency).into_iter().collect::<Result<_, _>>()?;
         let bits =
             |flight: Flight| flight.history.into_iter().map(|row| row.map(f64::to_bits)).collect::<Vec<_>>();
         let same_bits =

@@ -1,7 +1,6 @@
 //! `flexair flutter`: at which airspeeds an aircraft flutters or diverges, in words, plots and numbers.
 
-use std::io::{ErrorKind, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use flexible_aircraft::aerodynamics::Air;
@@ -9,9 +8,11 @@ use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Support};
 use flexible_aircraft::simulation::{Fidelity, ModeSelection, Settings, SimulationError};
 use flexible_aircraft::stability::Sweep;
 use flexible_aircraft::structure::{ModeCount, ModeFamily, ModeKind, ReducedModel, StructureError};
-use indicatif::{ProgressBar, ProgressStyle};
+use flexible_aircraft_packaging::FileError;
 
-use crate::diagnostics;
+use crate::files::{Overwriting, refuse_overwriting};
+use crate::progress::Progress;
+use crate::{diagnostics, files, terminal, workspace};
 
 mod motion;
 mod plots;
@@ -21,6 +22,9 @@ mod roots;
 /// Modes that take part unless the user says otherwise, if the aircraft has so many.
 const USUAL_MODES: usize = 12;
 
+/// How the names of the files end that are written: V–g and V–f plots, growth of aperiodic roots, numbers.
+const OUTPUTS: [&str; 4] = ["v-g.svg", "v-f.svg", "v-aperiodic.svg", "roots.csv"];
+
 /// More airspeeds than this are a slip of the pen: the jet would take hours.
 const MOST_POINTS: usize = 100_000;
 
@@ -28,7 +32,7 @@ const MOST_POINTS: usize = 100_000;
 #[derive(Args)]
 pub struct FlutterOptions {
     /// The aircraft file (TOML), free or clamped
-    #[arg(value_name = "AIRCRAFT")]
+    #[arg(value_name = "AIRCRAFT", default_value_os_t = workspace::aircraft())]
     aircraft: PathBuf,
 
     /// Lowest airspeed, m/s
@@ -109,8 +113,10 @@ pub enum Error {
     Range { from: f64, to: f64, points: usize },
     #[error("{option}: nothing would move, for the aircraft is clamped; allowed is {allowed}")]
     Motionless { option: &'static str, allowed: &'static str },
-    #[error("{}: cannot write: {source}", path.display())]
-    Write { path: PathBuf, source: std::io::Error },
+    #[error(transparent)]
+    File(#[from] FileError),
+    #[error(transparent)]
+    Overwriting(#[from] Overwriting),
 }
 
 impl Error {
@@ -136,34 +142,26 @@ struct Analysis {
 
 /// Analyses, prints, draws, and writes the roots.
 pub fn run(options: &FlutterOptions) -> Result<(), Error> {
+    let name = options.aircraft.file_stem().unwrap_or_default().to_string_lossy();
+    let outputs = OUTPUTS.map(|ending| options.output.join(format!("{name}-{ending}")));
+    refuse_overwriting(&outputs.each_ref().map(PathBuf::as_path), [options.aircraft.as_path()])?;
     let analysis = analyse(options)?;
     for warning in report::warnings(&analysis) {
         diagnostics::warn(&warning);
     }
-    let mut text = report::text(&analysis);
-    let name = options.aircraft.file_stem().unwrap_or_default().to_string_lossy();
-    let write_error = |path: &Path| {
-        let path = path.to_owned();
-        |source| Error::Write { path, source }
-    };
-    std::fs::create_dir_all(&options.output).map_err(write_error(&options.output))?;
-    let charts = [
-        ("v-g", Some(plots::dampings(&analysis))),
-        ("v-f", Some(plots::frequencies(&analysis))),
-        ("v-aperiodic", plots::aperiodic_growth(&analysis)),
+    terminal::print(&report::text(&analysis))?;
+    let contents = [
+        Some(plots::dampings(&analysis).to_svg()),
+        Some(plots::frequencies(&analysis).to_svg()),
+        plots::aperiodic_growth(&analysis).map(|chart| chart.to_svg()),
+        Some(roots::table(&analysis)),
     ];
-    let drawings =
-        charts.into_iter().filter_map(|(kind, chart)| Some((format!("{kind}.svg"), chart?.to_svg())));
-    for (ending, content) in drawings.chain([("roots.csv".to_owned(), roots::table(&analysis))]) {
-        let path = options.output.join(format!("{name}-{ending}"));
-        std::fs::write(&path, content).map_err(write_error(&path))?;
-        text += &format!("{}\n", path.display());
+    for (path, content) in outputs.iter().zip(contents) {
+        let Some(content) = content else { continue };
+        files::write(path, content.as_bytes())?;
+        terminal::print(&format!("{}\n", path.display()))?;
     }
-    match std::io::stdout().write_all(text.as_bytes()) {
-        // Whoever reads has seen enough.
-        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        written => written.map_err(write_error(Path::new("standard output"))),
-    }
+    Ok(())
 }
 
 fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
@@ -181,19 +179,13 @@ fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
         inflow_states: options.inflow_states.unwrap_or(aircraft.inflow_states),
         ..Settings::of(&model)
     };
-    let progress = progress(airspeeds.len());
-    let sweep = Sweep::watched(&model, &settings, &airspeeds, &|| progress.inc(1))?;
-    progress.finish_and_clear();
+    let progress = Progress::new(airspeeds.len(), "airspeeds");
+    let sweep = Sweep::watched(&model, &settings, &airspeeds, &|| progress.advance())?;
+    drop(progress);
     let model = model.select(&settings.choose_modes(&model)?);
     let level =
         options.model.to_possible_value().map_or(String::new(), |value| value.get_name().replace('_', " "));
     Ok(Analysis { model, level, settings, range: [options.from, options.to], sweep })
-}
-
-/// On a terminal: how many airspeeds have been analysed.
-fn progress(airspeeds: usize) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} airspeeds, {eta} left");
-    ProgressBar::new(airspeeds as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 /// A clamped aircraft moves in its modes alone.

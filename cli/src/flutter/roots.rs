@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::numbers::Plain;
+
 use super::Analysis;
 use super::motion::{damping, frequency, leading_motion, oscillates};
 
@@ -17,9 +19,9 @@ pub fn table(analysis: &Analysis) -> String {
     for (index, airspeed) in sweep.airspeeds.iter().enumerate() {
         for (number, branch) in sweep.branches.iter().enumerate() {
             let Some(root) = &branch.roots[index] else { continue };
-            let (real, imaginary) = (plain(root.eigenvalue.re), plain(root.eigenvalue.im.abs()));
+            let (real, imaginary) = (Plain(root.eigenvalue.re), Plain(root.eigenvalue.im.abs()));
             let [frequency, damping] = if oscillates(root) {
-                [frequency(root), damping(root)].map(plain)
+                [frequency(root), damping(root)].map(|number| Plain(number).to_string())
             } else {
                 ["0".to_owned(), String::new()]
             };
@@ -29,20 +31,10 @@ pub fn table(analysis: &Analysis) -> String {
                 writeln!(text, "{airspeed},{},{real},{imaginary},{frequency},{damping},{mode}", number + 1);
         }
         while let Some((_, eigenvalue)) = unreached.next_if(|(speed, _)| speed == airspeed) {
-            let (real, imaginary) = (plain(eigenvalue.re), plain(eigenvalue.im));
-            let frequency = plain(eigenvalue.im / std::f64::consts::TAU);
+            let (real, imaginary) = (Plain(eigenvalue.re), Plain(eigenvalue.im));
+            let frequency = Plain(eigenvalue.im / std::f64::consts::TAU);
             let _ = writeln!(text, "{airspeed},,{real},{imaginary},{frequency},,");
         }
     }
     text
-}
-
-/// The shortest digits that give the same number again, with an exponent only where there would be many zeros.
-fn plain(number: f64) -> String {
-    let magnitude = number.abs();
-    if magnitude == 0.0 || (1e-5..1e16).contains(&magnitude) {
-        format!("{number}")
-    } else {
-        format!("{number:e}")
-    }
 }

@@ -1,5 +1,7 @@
 //! The command from its options to its words, plots and numbers.
 
+use std::path::Path;
+
 use clap::Parser;
 use flexible_aircraft::stability::Branch;
 

@@ -14,10 +14,12 @@ use std::sync::Arc;
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Support};
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
-use indicatif::{ProgressBar, ProgressStyle};
+use flexible_aircraft_packaging::FileError;
 use rayon::prelude::*;
 
-use crate::{ReproduceOptions, diagnostics};
+use crate::files::{Overwriting, refuse_overwriting};
+use crate::progress::Progress;
+use crate::{ReproduceOptions, diagnostics, files, terminal};
 use cases::{Case, Flight, Surface};
 use figures::{GROUPS, Group};
 use history::{DURATION, History, Tips};
@@ -35,8 +37,10 @@ pub enum Error {
     Clamped(String),
     #[error("station {station} is missing, whose deflection Table 5.1 lists; the aircraft has: {found}")]
     NoStation { station: &'static str, found: String },
-    #[error("cannot write {file}: {error}")]
-    Write { file: PathBuf, error: std::io::Error },
+    #[error(transparent)]
+    Overwriting(#[from] Overwriting),
+    #[error(transparent)]
+    File(#[from] FileError),
 }
 
 impl Error {
@@ -78,28 +82,21 @@ pub fn run(options: &ReproduceOptions) -> Result<(), Error> {
     let model = Arc::new(ReducedModel::new(&aircraft, ModeCount::Usual(ReducedModel::USUAL_MODES))?);
     let histories = fly(&model, &Flight::all())?;
     let reproduction = Reproduction::new(&aircraft, &histories);
-    write_all(&options.output, &reproduction, &histories)?;
-    print!("{}", reproduction.table.markdown());
-    println!("{}", reproduction.summary());
-    println!("{}", options.output.join("index.html").display());
-    Ok(())
+    write_all(options, &reproduction, &histories)?;
+    let (table, page) = (reproduction.table.markdown(), options.output.join("index.html"));
+    Ok(terminal::print(&format!("{table}{}\n{}\n", reproduction.summary(), page.display()))?)
 }
 
 /// All flights, as many at once as there are cores, in their order.
 fn fly(model: &Arc<ReducedModel>, flights: &[Flight]) -> Result<Vec<History>, Error> {
     let tips = Tips::of(model)?;
-    let progress = ProgressBar::new(flights.len() as u64).with_message("flights");
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}, {elapsed}") {
-        progress.set_style(style);
-    }
+    let progress = Progress::new(flights.len(), "flights");
     let fly = |&flight: &Flight| {
         let history = History::fly(model, tips, flight, DURATION);
-        progress.inc(1);
+        progress.advance();
         history
     };
-    let histories = flights.par_iter().map(fly).collect();
-    progress.finish_and_clear();
-    Ok(histories)
+    Ok(flights.par_iter().map(fly).collect())
 }
 
 impl Reproduction {
@@ -145,26 +142,31 @@ fn is_shipped(aircraft: &Aircraft) -> bool {
     Aircraft::parse(file, "generic-business-jet.toml").is_ok_and(|shipped| shipped == *aircraft)
 }
 
-fn write_all(output: &Path, reproduction: &Reproduction, histories: &[History]) -> Result<(), Error> {
-    let (figures, flights) = (output.join("figures"), output.join("flights"));
-    for folder in [&figures, &flights] {
-        std::fs::create_dir_all(folder).map_err(|error| Error::Write { file: folder.clone(), error })?;
-    }
-    write(output.join("index.html"), &page::html(reproduction))?;
-    write(output.join("overview.svg"), &reproduction.overview())?;
-    write(output.join("table-5.1.md"), &reproduction.table.markdown())?;
-    for (number, svg) in &reproduction.inputs {
-        write(figures.join(format!("figure-5.{number:02}-input.svg")), svg)?;
-    }
-    for plot in reproduction.plots() {
-        write(figures.join(plot.figure.file_name()), &plot.svg)?;
-    }
-    for history in histories {
-        write(flights.join(format!("{}.csv", history.flight.slug())), &history.to_csv())?;
-    }
+/// All files of the page, with their names in the folder.
+fn write_all(
+    options: &ReproduceOptions,
+    reproduction: &Reproduction,
+    histories: &[History],
+) -> Result<(), Error> {
+    let mut contents = vec![
+        ("index.html".to_owned(), page::html(reproduction)),
+        ("overview.svg".to_owned(), reproduction.overview()),
+        ("table-5.1.md".to_owned(), reproduction.table.markdown()),
+    ];
+    let inputs = reproduction.inputs.iter();
+    contents.extend(inputs.map(|(n, svg)| (format!("figures/figure-5.{n:02}-input.svg"), svg.clone())));
+    contents.extend(
+        reproduction.plots().map(|plot| (format!("figures/{}", plot.figure.file_name()), plot.svg.clone())),
+    );
+    let flights = histories.iter();
+    contents
+        .extend(flights.map(|history| (format!("flights/{}.csv", history.flight.slug()), history.to_csv())));
+    let paths: Vec<PathBuf> = contents.iter().map(|(name, _)| options.output.join(name)).collect();
+    let outputs: Vec<&Path> = paths.iter().map(PathBuf::as_path).collect();
+    refuse_overwriting(&outputs, [options.aircraft.as_path()])?;
+    outputs
+        .into_iter()
+        .zip(&contents)
+        .try_for_each(|(path, (_, content))| files::write(path, content.as_bytes()))?;
     Ok(())
-}
-
-fn write(file: PathBuf, content: &str) -> Result<(), Error> {
-    std::fs::write(&file, content).map_err(|error| Error::Write { file, error })
 }

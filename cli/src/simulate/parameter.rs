@@ -1,49 +1,100 @@
 //! Parameters of the FMU, given as text.
 
 use flexible_aircraft::simulation::Settings;
-use flexible_aircraft::variables::{Slot, Type, Value, Variable, VariableTable};
+use flexible_aircraft::variables::{ParameterSlot, Slot, Type, Value, Variable, VariableTable};
+use flexible_aircraft_packaging::probably_meant;
 
 /// What is wrong with an assignment.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{assignment}: found `{found}`, allowed is {allowed}")]
-pub struct Mistake {
-    assignment: String,
-    found: String,
-    allowed: String,
+pub enum Mistake {
+    #[error("{0}: allowed is NAME=VALUE")]
+    Form(String),
+    #[error("{assignment}: there is no parameter `{name}`{}; there are {known}", did_you_mean(.meant))]
+    Unknown { assignment: String, name: String, meant: Option<String>, known: String },
+    #[error("{assignment}: `{name}` is an input: put it into the file, as a column of that name")]
+    Input { assignment: String, name: String },
+    #[error("{assignment}: `{name}` is an output: it is computed, not set")]
+    Output { assignment: String, name: String },
+    #[error("{assignment}: found `{found}`, allowed is {allowed}")]
+    Value { assignment: String, found: String, allowed: String },
+    #[error("{second}: `{name}` was set before, by {first}")]
+    Twice { name: String, first: String, second: String },
 }
 
-/// Carries out an assignment like `stiffness_scale=0.1` or `model=rigid`.
+/// The name that was probably meant, as a question to be put behind a message.
+pub fn did_you_mean(name: &Option<String>) -> String {
+    name.as_ref().map_or(String::new(), |name| format!(", did you mean `{name}`?"))
+}
+
+/// Carries out assignments like `stiffness_scale=0.1` or `model=rigid`, each parameter once.
 ///
 /// # Errors
-/// When there is no such parameter, or its values are others.
-pub fn set(assignment: &str, variables: &VariableTable, settings: &mut Settings) -> Result<(), Mistake> {
-    let mistake = |found: &str, allowed: String| {
-        let (assignment, found) = (assignment.to_owned(), found.to_owned());
-        Mistake { assignment, found, allowed }
-    };
-    let (name, text) =
-        assignment.split_once('=').ok_or_else(|| mistake(assignment, "NAME=VALUE".to_owned()))?;
-    let parameters = variables.iter().filter_map(|(_, variable)| match variable.slot {
-        Slot::Parameter(slot) => Some((variable, slot)),
-        _ => None,
-    });
-    let parameters: Vec<_> = parameters.collect();
-    let Some((variable, slot)) = parameters.iter().find(|(variable, _)| variable.name == name) else {
-        let names: Vec<&str> = parameters.iter().map(|(variable, _)| variable.name.as_str()).collect();
-        return Err(mistake(name, names.join(", ")));
-    };
-    let value = value(variable, text).filter(|value| variable.allows(*value));
-    slot.set(settings, value.ok_or_else(|| mistake(text, variable.allowed()))?);
+/// At the first one that names no parameter, or a value that it cannot have.
+pub fn set_all(
+    assignments: &[String],
+    variables: &VariableTable,
+    settings: &mut Settings,
+) -> Result<(), Mistake> {
+    let name = |assignment: &'_ str| assignment.split('=').next().map(str::to_owned);
+    for (index, second) in assignments.iter().enumerate() {
+        set(second, variables, settings)?;
+        if let Some(first) = assignments[..index].iter().find(|first| name(first) == name(second)) {
+            let (first, second) = (first.clone(), second.clone());
+            return Err(Mistake::Twice { name: name(&second).unwrap_or_default(), first, second });
+        }
+    }
     Ok(())
 }
 
-/// A number, or the name of an enumeration's item.
+fn set(assignment: &str, variables: &VariableTable, settings: &mut Settings) -> Result<(), Mistake> {
+    let Some((name, text)) = assignment.split_once('=') else {
+        return Err(Mistake::Form(assignment.to_owned()));
+    };
+    let (variable, slot) = parameter(assignment, name, variables)?;
+    let value = value(variable, text).filter(|value| variable.allows(*value));
+    let value = value.ok_or_else(|| Mistake::Value {
+        assignment: assignment.to_owned(),
+        found: text.to_owned(),
+        allowed: variable.allowed(),
+    })?;
+    slot.set(settings, value);
+    Ok(())
+}
+
+/// The parameter of a name.
+fn parameter<'v>(
+    assignment: &str,
+    name: &str,
+    variables: &'v VariableTable,
+) -> Result<(&'v Variable, ParameterSlot), Mistake> {
+    let assignment = assignment.to_owned();
+    let found = variables.iter().find(|(_, variable)| variable.name == name);
+    match found.map(|(_, variable)| (variable, variable.slot)) {
+        Some((variable, Slot::Parameter(slot))) => Ok((variable, slot)),
+        Some((_, Slot::Input(_))) => Err(Mistake::Input { assignment, name: name.to_owned() }),
+        Some((_, Slot::Output(_))) => Err(Mistake::Output { assignment, name: name.to_owned() }),
+        None => {
+            let parameters =
+                variables.iter().filter(|(_, variable)| matches!(variable.slot, Slot::Parameter(_)));
+            let known: Vec<&str> = parameters.map(|(_, variable)| variable.name.as_str()).collect();
+            Err(Mistake::Unknown {
+                assignment,
+                name: name.to_owned(),
+                meant: probably_meant(name, known.iter().copied()).map(str::to_owned),
+                known: known.join(", "),
+            })
+        }
+    }
+}
+
+/// A number, or the name of an enumeration's item, in any case.
 fn value(variable: &Variable, text: &str) -> Option<Value> {
     match variable.kind {
         Type::Real => text.parse().ok().map(Value::Real),
         Type::Integer => text.parse().ok().map(Value::Integer),
         Type::Enumeration(enumeration) => {
-            let item = (1..).zip(enumeration.items()).find(|(_, (item, _))| *item == text);
+            let mut items = (1..).zip(enumeration.items());
+            let item = items.find(|(_, (item, _))| item.eq_ignore_ascii_case(text));
             item.map(|(number, _)| number).or(text.parse().ok()).map(Value::Integer)
         }
     }
@@ -59,39 +110,56 @@ mod tests {
 
     use super::*;
 
-    fn variables() -> (VariableTable, Settings) {
+    fn set(assignments: &[&str]) -> Result<Settings, String> {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/small-aircraft.toml");
         let model = ReducedModel::new(&Aircraft::read(&path).unwrap(), 2).unwrap();
-        (VariableTable::new(&model), Settings::of(&model))
+        let variables = VariableTable::new(&model);
+        let assignments: Vec<String> = assignments.iter().map(ToString::to_string).collect();
+        let mut settings = Settings::of(&model);
+        set_all(&assignments, &variables, &mut settings).map_err(|mistake| mistake.to_string())?;
+        Ok(settings)
     }
 
     #[test]
-    fn numbers_and_items_become_settings() {
-        let (variables, mut settings) = variables();
-        for assignment in ["model=rigid", "stiffness_scale=0.1", "mode_count=2", "mode_family=2"] {
-            set(assignment, &variables, &mut settings).unwrap();
-        }
+    fn numbers_and_items_in_any_case_become_settings() {
+        let settings = set(&["model=Rigid", "stiffness_scale=0.1", "mode_count=2", "mode_family=2"]).unwrap();
         assert_eq!((settings.fidelity, settings.stiffness_scale), (Fidelity::Rigid, 0.1));
         assert_eq!(settings.mode_count, 2);
     }
 
     #[test]
-    fn a_wrong_assignment_is_told_what_is_allowed() {
-        let (variables, mut settings) = variables();
+    fn a_wrong_assignment_is_told_what_is_allowed_with_its_unit() {
         let cases = [
-            ("model", "model: found `model`, allowed is NAME=VALUE"),
-            ("elevator=1", "elevator=1: found `elevator`, allowed is "),
+            ("model", "model: allowed is NAME=VALUE"),
+            (
+                "elevator=1",
+                "elevator=1: `elevator` is an input: put it into the file, as a column of that name",
+            ),
+            ("trim.pitch=1", "trim.pitch=1: `trim.pitch` is an output"),
+            (
+                "stifness_scale=1",
+                "stifness_scale=1: there is no parameter `stifness_scale`, did you mean `stiffness_scale`?; there are ",
+            ),
+            ("flap=1", "flap=1: there is no parameter `flap`; there are input_reference, model, airspeed, "),
             (
                 "model=stiff",
                 "model=stiff: found `stiff`, allowed is 1 (exact), 2 (consistently_linearised), ",
             ),
             ("model=6", "model=6: found `6`, allowed is 1 (exact), "),
-            ("airspeed=fast", "airspeed=fast: found `fast`, allowed is 1 to 400"),
-            ("airspeed=NaN", "airspeed=NaN: found `NaN`, allowed is 1 to 400"),
+            ("airspeed=fast", "airspeed=fast: found `fast`, allowed is 1 to 400 m/s"),
+            ("airspeed=NaN", "airspeed=NaN: found `NaN`, allowed is 1 to 400 m/s"),
+            ("altitude=25000", "altitude=25000: found `25000`, allowed is -1000 to 20000 m"),
+            ("heading=north", "heading=north: found `north`, allowed is any finite number, in rad"),
         ];
         for (assignment, expected) in cases {
-            let mistake = set(assignment, &variables, &mut settings).unwrap_err().to_string();
+            let mistake = set(&[assignment]).unwrap_err();
             assert!(mistake.starts_with(expected), "{mistake}");
         }
+    }
+
+    #[test]
+    fn a_parameter_is_set_once() {
+        let mistake = set(&["airspeed=100", "model=rigid", "airspeed=120"]).unwrap_err();
+        assert_eq!(mistake, "airspeed=120: `airspeed` was set before, by airspeed=100");
     }
 }

@@ -1,38 +1,45 @@
 //! What the inputs do over time: a table of comma-separated values, a communication step from each row to the next.
 
+use csv::{ReaderBuilder, StringRecord, Trim};
 use flexible_aircraft::simulation::Inputs;
-use flexible_aircraft::variables::{InputSlot, Slot, VariableTable};
+use flexible_aircraft::variables::VariableTable;
+
+use super::header::{Column, Meaning, columns, other_separator};
+
+/// The largest surface angle that is taken for one in rad.
+const LARGEST_SURFACE_ANGLE: f64 = 1.6;
 
 /// Inputs over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
     columns: Vec<Column>,
-    rows: Vec<Row>,
+    /// A number per column each, the first of which is the time, s.
+    rows: Vec<Vec<f64>>,
 }
 
-/// What the numbers of a column are.
+/// A communication point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Column {
-    Value(InputSlot),
-    Rate(InputSlot),
-}
-
-#[derive(Clone, Debug, PartialEq)]
-struct Row {
+pub struct Point {
     /// s.
-    time: f64,
-    /// One per column.
-    numbers: Vec<f64>,
+    pub time: f64,
+    /// The row whose inputs act from here on; none where those that act go on.
+    pub row: Option<usize>,
 }
 
 /// What is wrong with a table, and where.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("line {line}, {column}: found {found}, allowed is {allowed}")]
+#[error("line {line}, {place}: found {found}, allowed is {allowed}")]
 pub struct Mistake {
     line: usize,
-    column: String,
+    place: String,
     found: String,
     allowed: String,
+}
+
+impl Mistake {
+    pub fn new(line: usize, place: &str, found: impl Into<String>, allowed: impl Into<String>) -> Self {
+        Mistake { line, place: place.to_owned(), found: found.into(), allowed: allowed.into() }
+    }
 }
 
 impl Schedule {
@@ -40,151 +47,152 @@ impl Schedule {
     ///
     /// # Errors
     /// At the first thing that is not as it must be.
-    pub fn parse(text: &str, variables: &VariableTable) -> Result<Self, Mistake> {
-        let text = text.trim_start_matches('\u{feff}');
-        let mut lines = (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty());
-        let (line, header) = lines.next().unwrap_or((1, ""));
-        let names: Vec<&str> = header.split(',').map(str::trim).collect();
-        let columns = columns(&names, line, variables)?;
-        let mut rows: Vec<Row> = Vec::new();
-        for (line, text) in lines {
-            let mut row = row(text, line, &names)?;
-            let time = row.remove(0);
-            if let Some(last) = rows.last().filter(|last| time <= last.time) {
-                let allowed = format!("a time after that of the row before, {}", last.time);
-                return Err(Mistake { line, column: "time".to_owned(), found: time.to_string(), allowed });
+    pub fn parse(bytes: &[u8], variables: &VariableTable) -> Result<Self, Mistake> {
+        let text = text(bytes)?;
+        let mut reader = ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .trim(Trim::All)
+            .from_reader(text.as_bytes());
+        let mut records = reader.records().filter(|record| !record.as_ref().is_ok_and(is_blank));
+        let mut next = || match records.next() {
+            // PROOF by the settings above: lengths may differ, and the text is UTF-8 in memory. It is told all the same.
+            Some(Err(error)) => {
+                Err(Mistake::new(0, "all of it", error.to_string(), "comma-separated values"))
             }
-            rows.push(Row { time, numbers: row });
+            Some(Ok(record)) => Ok(Some((line(&record, text), record))),
+            None => Ok(None),
+        };
+        let (head, names) = next()?.unwrap_or_default();
+        let head = head.max(1);
+        let names: Vec<&str> = if names.is_empty() { vec![""] } else { names.iter().collect() };
+        let columns = columns(&names, head, variables)?;
+        let mut rows: Vec<Vec<f64>> = Vec::new();
+        while let Some((line, record)) = next()? {
+            let row = row(&record, line, &columns)?;
+            if let Some(last) = rows.last().filter(|last| row[0] <= last[0]) {
+                let allowed = format!("a time after that of the row before, {} s", last[0]);
+                return Err(Mistake::new(line, "time", format!("{} s", row[0]), allowed));
+            }
+            rows.push(row);
         }
         if rows.is_empty() {
-            let [column, found, allowed] =
-                ["time", "no numbers", "a line of numbers for each step"].map(String::from);
-            return Err(Mistake { line, column, found, allowed });
+            return Err(Mistake::new(head, "time", "no numbers", "a line of numbers for each step"));
         }
         Ok(Schedule { columns, rows })
     }
 
     /// The first communication point, s.
     pub fn start(&self) -> f64 {
-        self.rows[0].time
+        self.rows[0][0]
     }
 
-    /// Communication points, s, ascending; there is at least one.
-    pub fn times(&self) -> impl Iterator<Item = f64> {
-        self.rows.iter().map(|row| row.time)
+    /// How many rows there are: at least one.
+    pub fn len(&self) -> usize {
+        self.rows.len()
     }
 
-    /// Writes the inputs that act from the communication point with this index on, and their rates.
-    pub fn write(&self, point: usize, inputs: &mut Inputs, rates: &mut Inputs) {
-        for (column, number) in self.columns.iter().zip(&self.rows[point].numbers) {
-            match column {
-                Column::Value(slot) => *slot.of(inputs) = *number,
-                Column::Rate(slot) => *slot.of(rates) = *number,
+    /// About how many communication points [`points`](Self::points) gives.
+    pub fn point_count(&self, step: Option<f64>) -> f64 {
+        let duration = self.rows[self.rows.len() - 1][0] - self.start();
+        self.rows.len() as f64 + step.map_or(0.0, |step| duration / step)
+    }
+
+    /// Communication points, ascending: the rows, and between them the multiples of the step, s, from the start on.
+    pub fn points(&self, step: Option<f64>) -> impl Iterator<Item = Point> {
+        let start = self.start();
+        (0..self.rows.len()).flat_map(move |row| {
+            let (time, end) = (self.rows[row][0], self.rows.get(row + 1).map(|next| next[0]));
+            let between = step.zip(end).into_iter().flat_map(move |(step, end)| {
+                multiples(step, time - start, end - start)
+                    .map(move |past| Point { time: start + past, row: None })
+            });
+            std::iter::once(Point { time, row: Some(row) }).chain(between)
+        })
+    }
+
+    /// Writes the inputs that act from the communication point with this row on, and their rates.
+    pub fn write(&self, row: usize, inputs: &mut Inputs, rates: &mut Inputs) {
+        for (column, number) in self.columns.iter().zip(&self.rows[row]) {
+            match column.meaning {
+                Meaning::Time => {}
+                Meaning::Value { slot, .. } => *slot.of(inputs) = *number,
+                Meaning::Rate(slot) => *slot.of(rates) = *number,
             }
         }
     }
 }
 
-/// What the columns after the first, the time, are.
-fn columns(names: &[&str], line: usize, variables: &VariableTable) -> Result<Vec<Column>, Mistake> {
-    let mistake = |column: usize, allowed: String| {
-        let found = format!("`{}`", names[column]);
-        Mistake { line, column: format!("column {}", column + 1), found, allowed }
-    };
-    if names[0] != "time" {
-        return Err(mistake(0, "`time`".to_owned()));
-    }
-    let inputs: Vec<(&str, InputSlot)> = variables
-        .iter()
-        .filter_map(|(_, variable)| match variable.slot {
-            Slot::Input(slot) => Some((variable.name.as_str(), slot)),
-            _ => None,
-        })
-        .collect();
-    let mut columns = Vec::new();
-    for (index, name) in names.iter().enumerate().skip(1) {
-        let rate_of = name.strip_prefix("der(").and_then(|rest| rest.strip_suffix(')'));
-        let Some((_, slot)) = inputs.iter().find(|(input, _)| *input == rate_of.unwrap_or(name)) else {
-            let inputs: Vec<&str> = inputs.iter().map(|(input, _)| *input).collect();
-            return Err(mistake(index, format!("an input, {}, or der(…) of one", inputs.join(", "))));
-        };
-        if names[..index].contains(name) {
-            return Err(mistake(index, "each name once".to_owned()));
-        }
-        if let Some(input) = rate_of.filter(|input| !names.contains(input)) {
-            return Err(mistake(index, format!("a derivative beside the column of its input, `{input}`")));
-        }
-        columns.push(if rate_of.is_some() { Column::Rate(*slot) } else { Column::Value(*slot) });
-    }
-    Ok(columns)
+/// The multiples of a step between two times, neither of which is repeated because of rounding.
+fn multiples(step: f64, from: f64, to: f64) -> impl Iterator<Item = f64> {
+    // In parts of a step.
+    const ROUNDING: f64 = 1e-6;
+    let first = (from / step + ROUNDING).floor() + 1.0;
+    let last = (to / step - ROUNDING).ceil() - 1.0;
+    // Of 0.01, the 57th is 57/100: its digits are as few as people expect, other than those of 57 · 0.01.
+    let per_second = (1.0 / step).round();
+    let is_a_part = (per_second * step - 1.0).abs() < 1e-12;
+    let multiple = move |n: f64| if is_a_part { n / per_second } else { n * step };
+    (first as u64..=last as u64).map(move |n| multiple(n as f64))
 }
 
-/// The finite numbers of a line, one per name.
-fn row(text: &str, line: usize, names: &[&str]) -> Result<Vec<f64>, Mistake> {
-    let cells: Vec<&str> = text.split(',').map(str::trim).collect();
-    if cells.len() != names.len() {
-        let found = format!("{} columns", cells.len());
-        let allowed = format!("{}, as in the line of names", names.len());
-        return Err(Mistake { line, column: "all of it".to_owned(), found, allowed });
+/// The text without the mark that some programs begin it with.
+fn text(bytes: &[u8]) -> Result<&str, Mistake> {
+    let wide = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
+    let found = if wide { "a text in UTF-16" } else { "bytes that are no text in UTF-8" };
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let line = 1 + bytes[..error.valid_up_to()].iter().filter(|byte| **byte == b'\n').count();
+        Mistake::new(line, "all of it", found, "a text in UTF-8")
+    })?;
+    Ok(text.trim_start_matches('\u{feff}'))
+}
+
+/// Whether a line holds nothing but blanks.
+fn is_blank(record: &StringRecord) -> bool {
+    record.len() == 1 && record[0].is_empty()
+}
+
+/// The line of a record, which its reader places before the empty lines above it.
+fn line(record: &StringRecord, text: &str) -> usize {
+    let Some(position) = record.position() else { return 1 };
+    let bytes = text.as_bytes().iter().skip(position.byte() as usize);
+    let empty = bytes.take_while(|byte| matches!(byte, b'\n' | b'\r')).filter(|byte| **byte == b'\n').count();
+    position.line() as usize + empty
+}
+
+/// The finite numbers of a line, one per column.
+fn row(record: &StringRecord, line: usize, columns: &[Column]) -> Result<Vec<f64>, Mistake> {
+    if record.iter().any(|cell| cell.contains('\n')) {
+        let (found, allowed) = ("a quoted text over several lines", "quotes that are closed in their line");
+        return Err(Mistake::new(line, "all of it", found, allowed));
     }
-    let numbers = cells.iter().zip(names).map(|(cell, name)| {
-        let number: Option<f64> = cell.parse().ok().filter(|number: &f64| number.is_finite());
-        number.ok_or_else(|| Mistake {
-            line,
-            column: (*name).to_owned(),
-            found: format!("`{cell}`"),
-            allowed: "a finite number".to_owned(),
-        })
-    });
-    numbers.collect()
+    if record[0].starts_with('#') {
+        return Err(Mistake::new(line, "all of it", "`#`", "numbers: there are no comments"));
+    }
+    if record.len() != columns.len() {
+        let found = match other_separator(&record[0]).filter(|_| record.len() == 1) {
+            Some(separator) => format!("{separator} between the numbers"),
+            None if record.len() == 1 => "1 column".to_owned(),
+            None => format!("{} columns", record.len()),
+        };
+        let allowed = format!("{}, as in the line of names, with commas between them", columns.len());
+        return Err(Mistake::new(line, "all of it", found, allowed));
+    }
+    record.iter().zip(columns).map(|(cell, column)| number(cell, line, column)).collect()
+}
+
+fn number(cell: &str, line: usize, column: &Column) -> Result<f64, Mistake> {
+    let number: Option<f64> = cell.parse().ok().filter(|number: &f64| number.is_finite());
+    let number =
+        number.ok_or_else(|| Mistake::new(line, &column.name, format!("`{cell}`"), "a finite number"))?;
+    let is_surface = matches!(column.meaning, Meaning::Value { is_surface: true, .. });
+    if is_surface && number.abs() > LARGEST_SURFACE_ANGLE {
+        let limit = LARGEST_SURFACE_ANGLE;
+        let allowed = format!("-{limit} to {limit} rad: inputs are rad; {number} looks like degrees");
+        return Err(Mistake::new(line, &column.name, number.to_string(), allowed));
+    }
+    Ok(number)
 }
 
 #[cfg(test)]
-mod tests {
-    use std::path::Path;
-
-    use flexible_aircraft::aircraft::Aircraft;
-    use flexible_aircraft::structure::ReducedModel;
-
-    use super::*;
-
-    fn variables() -> VariableTable {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/small-aircraft.toml");
-        let aircraft = Aircraft::read(&path).unwrap();
-        VariableTable::new(&ReducedModel::new(&aircraft, 0).unwrap())
-    }
-
-    #[test]
-    fn values_and_rates_reach_the_inputs_that_the_columns_name() {
-        let text = "\u{feff}time, der(elevator) ,wind_down,elevator\r\n0,1,2,3\r\n\r\n0.5,4,5,6\r\n";
-        let schedule = Schedule::parse(text, &variables()).unwrap();
-        assert_eq!(schedule.times().collect::<Vec<_>>(), [0.0, 0.5]);
-        let (mut inputs, mut rates) = (Inputs::zero(0), Inputs::zero(0));
-        schedule.write(1, &mut inputs, &mut rates);
-        assert_eq!((inputs.elevator, inputs.wind.z, rates.elevator), (6.0, 5.0, 4.0));
-    }
-
-    #[test]
-    fn a_mistake_is_told_with_its_place_and_what_is_allowed() {
-        let variables = variables();
-        let cases = [
-            ("", "line 1, column 1: found ``, allowed is `time`"),
-            ("elevator\n", "line 1, column 1: found `elevator`, allowed is `time`"),
-            ("time,flap\n", "line 1, column 2: found `flap`, allowed is an input, elevator, aileron, "),
-            ("time,elevator,elevator\n", "line 1, column 3: found `elevator`, allowed is each name once"),
-            ("time,der(rudder)\n", "allowed is a derivative beside the column of its input, `rudder`"),
-            ("time\n", "line 1, time: found no numbers, allowed is a line of numbers for each step"),
-            (
-                "time,rudder\n0,1\n1\n",
-                "line 3, all of it: found 1 columns, allowed is 2, as in the line of names",
-            ),
-            ("time,rudder\n0,left\n", "line 2, rudder: found `left`, allowed is a finite number"),
-            ("time\ninf\n", "line 2, time: found `inf`, allowed is a finite number"),
-            ("time\n1\n\n1\n", "line 4, time: found 1, allowed is a time after that of the row before, 1"),
-        ];
-        for (text, expected) in cases {
-            let mistake = Schedule::parse(text, &variables).unwrap_err().to_string();
-            assert!(mistake.contains(expected), "{text:?}: {mistake}");
-        }
-    }
-}
+mod tests;

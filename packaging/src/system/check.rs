@@ -1,9 +1,9 @@
 //! Whether connections fit the model descriptions of their components.
 
 use super::error::Misfit;
-use super::nearest::nearest;
 use super::{Component, Connection, ConnectionError, Endpoint, SystemError};
 use crate::model_description::Variable;
+use crate::nearest::nearest;
 
 /// The connections, each with its output first.
 pub(super) fn connections(

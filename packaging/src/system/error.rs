@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::Experiment;
+use crate::FileError;
 use crate::model_description::VariableType;
 
 /// Why FMUs do not make a system.
@@ -21,6 +22,17 @@ pub enum SystemError {
         path: PathBuf,
         /// What is wrong with it.
         reason: String,
+    },
+    /// A file that cannot be read.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A setting that libcosim cannot take.
+    #[error(
+        "{given}: libcosim has no enumerations, so that its own system structure cannot set one; an SSP archive can"
+    )]
+    EnumerationForOsp {
+        /// As it was given.
+        given: String,
     },
     /// Step or end that cannot be.
     #[error(
@@ -109,7 +121,7 @@ pub enum ConnectionError {
         /// What was given.
         found: String,
         /// What can be.
-        allowed: &'static str,
+        allowed: String,
     },
 }
 

@@ -3,14 +3,14 @@
 use super::check::{described, feeder, variable};
 use super::error::Misfit;
 use super::{Component, Connection, ConnectionError, Endpoint, SystemError};
-use crate::model_description::VariableType;
+use crate::model_description::{Variable, VariableType};
 
 /// A start value, checked.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Setting {
     pub at: Endpoint,
     pub kind: VariableType,
-    /// As XML Schema writes it.
+    /// As XML Schema writes it; of an enumeration the name of the item.
     pub value: String,
 }
 
@@ -42,18 +42,56 @@ fn setting(
         let state = if is_taken { ", which is connected or set already" } else { "" };
         return Err(ConnectionError::NotSettable { found: described(at, variable) + state });
     }
-    let number = value.parse::<f64>().is_ok_and(f64::is_finite);
-    let (fits, allowed) = match variable.kind {
-        VariableType::Real => (number, "a finite number is allowed"),
-        VariableType::Integer => (value.parse::<i32>().is_ok(), "an integer of 32 bits is allowed"),
-        VariableType::Boolean => (matches!(value, "true" | "false"), "`true` and `false` are allowed"),
-        VariableType::String => (true, "any text is allowed"),
+    let value = checked(variable, value)
+        .ok_or_else(|| ConnectionError::Value { found: value.to_owned(), allowed: allowed(variable) })?;
+    Ok(Setting { at: at.clone(), kind: variable.kind, value })
+}
+
+/// The value as XML Schema writes it, if the variable can have it.
+fn checked(variable: &Variable, value: &str) -> Option<String> {
+    let fits = match variable.kind {
+        VariableType::Real => value.parse().is_ok_and(|number| is_within(variable, number)),
+        VariableType::Integer => value.parse::<i32>().is_ok_and(|number| is_within(variable, number.into())),
+        VariableType::Boolean => matches!(value, "true" | "false"),
+        VariableType::String => true,
         VariableType::Enumeration => {
-            (false, "enumerations cannot be set here: libcosim does not load systems that do")
+            let is_meant =
+                |(name, number): &&(String, String)| name.eq_ignore_ascii_case(value) || number == value;
+            return variable.items.iter().find(is_meant).map(|(name, _)| name.clone());
         }
     };
-    if !fits {
-        return Err(ConnectionError::Value { found: value.to_owned(), allowed });
+    fits.then(|| value.to_owned())
+}
+
+/// Whether a number is finite and within the limits that the variable has.
+fn is_within(variable: &Variable, number: f64) -> bool {
+    let limit = |text: &str| text.trim().parse::<f64>().ok();
+    number.is_finite()
+        && limit(&variable.min).is_none_or(|min| number >= min)
+        && limit(&variable.max).is_none_or(|max| number <= max)
+}
+
+/// What [`checked`] accepts, for people.
+fn allowed(variable: &Variable) -> String {
+    let of = match variable.kind {
+        VariableType::Real => "a finite number",
+        VariableType::Integer => "an integer of 32 bits",
+        VariableType::Boolean => return "`true` and `false` are allowed".to_owned(),
+        VariableType::String => return "any text is allowed".to_owned(),
+        VariableType::Enumeration => {
+            let items: Vec<String> =
+                variable.items.iter().map(|(name, number)| format!("{number} ({name})")).collect();
+            return format!("allowed is {}", items.join(", "));
+        }
+    };
+    let (unit, in_unit) = match variable.unit.as_str() {
+        "" | "1" => (String::new(), String::new()),
+        unit => (format!(" {unit}"), format!(" in {unit}")),
+    };
+    match (variable.min.as_str(), variable.max.as_str()) {
+        ("", "") => format!("{of}{in_unit} is allowed"),
+        (min, "") => format!("allowed is {min}{unit} and above"),
+        ("", max) => format!("allowed is {max}{unit} and below"),
+        (min, max) => format!("allowed is {min} to {max}{unit}"),
     }
-    Ok(Setting { at: at.clone(), kind: variable.kind, value: value.to_owned() })
 }

@@ -3,7 +3,8 @@
 //! Every component shows its connected variables, and all its outputs of a type that every master takes, so that
 //! a master records them. Inputs that nobody feeds are left out: FMPy would set them to 0 instead of their start.
 //! libcosim finds its step in an annotation of its own. It wants the prefixes `ssd:`, `ssc:`, `ssv:`, `osp:` just so,
-//! and no attribute at `osp:Algorithm`: all namespaces are declared at the root.
+//! and no attribute at `osp:Algorithm`: all namespaces are declared at the root. OMSimulator's command line aborts where
+//! the system does not end with an annotation of its own; the tolerances in it are OMSimulator's own defaults.
 
 use std::io;
 
@@ -25,6 +26,9 @@ const ROOT: [(&str, &str); 6] = [
 const VERSION: (&str, &str) = ("version", "1.0");
 const NAME: (&str, &str) = ("name", "System");
 
+const OMSIMULATOR: (&str, &str) =
+    ("xmlns:oms", "https://raw.githubusercontent.com/OpenModelica/OMSimulator/master/schema/oms.xsd");
+
 /// The bytes of the `.ssp`.
 pub(super) fn to_bytes(system: &System) -> Result<Vec<u8>, PackageError> {
     let mut entries = vec![Entry::new("SystemStructure.ssd", structure(system))];
@@ -37,7 +41,10 @@ pub(super) fn to_bytes(system: &System) -> Result<Vec<u8>, PackageError> {
 pub(super) fn structure(system: &System) -> Vec<u8> {
     document(|xml| {
         element(xml, "ssd:SystemStructureDescription", &ROOT, |xml| {
-            element(xml, "ssd:System", &[NAME], |xml| elements_and_connections(xml, system))?;
+            element(xml, "ssd:System", &[NAME], |xml| {
+                elements_and_connections(xml, system)?;
+                omsimulator_settings(xml, &system.experiment.step.to_string())
+            })?;
             experiment(xml, system)
         })
     })
@@ -117,6 +124,25 @@ fn connection(xml: &mut Xml, Connection { output, input, .. }: &Connection) -> i
     let start = [("startElement", output.component.as_str()), ("startConnector", &output.variable)];
     let end = [("endElement", input.component.as_str()), ("endConnector", &input.variable)];
     leaf(xml, "ssd:Connection", &[start, end].concat())
+}
+
+/// What OMSimulator looks for in a system.
+fn omsimulator_settings(xml: &mut Xml, step: &str) -> io::Result<()> {
+    let master = [
+        ("description", "oms-ma"),
+        ("stepSize", step),
+        ("absoluteTolerance", "0.0001"),
+        ("relativeTolerance", "0.0001"),
+    ];
+    element(xml, "ssd:Annotations", &[], |xml| {
+        element(xml, "ssc:Annotation", &[("type", "org.openmodelica")], |xml| {
+            element(xml, "oms:Annotations", &[OMSIMULATOR], |xml| {
+                element(xml, "oms:SimulationInformation", &[], |xml| {
+                    leaf(xml, "oms:FixedStepMaster", &master)
+                })
+            })
+        })
+    })
 }
 
 fn experiment(xml: &mut Xml, system: &System) -> io::Result<()> {

@@ -3,12 +3,18 @@
 use super::*;
 
 const PLANT: &str = r#"<fmiModelDescription fmiVersion="2.0" guid="p"><CoSimulation modelIdentifier="P"/>
-    <UnitDefinitions><Unit name="rad"><BaseUnit rad="1"/></Unit></UnitDefinitions><ModelVariables>
+    <UnitDefinitions><Unit name="rad"><BaseUnit rad="1"/></Unit></UnitDefinitions><TypeDefinitions>
+    <SimpleType name="Model"><Enumeration><Item name="exact" value="1"/><Item name="rigid" value="5"/></Enumeration>
+    </SimpleType></TypeDefinitions><ModelVariables>
     <ScalarVariable name="surface" valueReference="0" causality="input"><Real unit="rad" start="0"/></ScalarVariable>
     <ScalarVariable name="attitude.pitch" valueReference="1" causality="output"><Real unit="rad"/></ScalarVariable>
     <ScalarVariable name="name" valueReference="2" causality="output"><String/></ScalarVariable>
     <ScalarVariable name="inner" valueReference="3"><Real/></ScalarVariable>
     <ScalarVariable name="count" valueReference="4" causality="parameter"><Integer start="3"/></ScalarVariable>
+    <ScalarVariable name="altitude" valueReference="5" causality="parameter"><Real unit="m" min="-1000" max="20000"/>
+    </ScalarVariable>
+    <ScalarVariable name="model" valueReference="6" causality="parameter"><Enumeration declaredType="Model"/>
+    </ScalarVariable>
     </ModelVariables></fmiModelDescription>"#;
 
 const LAW: &str = r#"<fmiModelDescription fmiVersion="2.0" guid="l"><CoSimulation modelIdentifier="L"/>
@@ -87,7 +93,48 @@ fn what_does_not_fit_is_refused() {
     );
     check_refusal(&["law.command=plant.surface"], &["plant.surface=1"], "connected or set already");
     check_refusal(&[], &["plant.count=2.5"], "an integer of 32 bits is allowed");
-    check_refusal(&[], &["plant.surface=NaN"], "a finite number is allowed");
+    check_refusal(&[], &["plant.surface=NaN"], "a finite number in rad is allowed");
+}
+
+#[test]
+fn settings_keep_to_the_limits_of_the_variable() {
+    let setting = |text: &str| system(&[], &[text]).map(|system| system.settings[0].value.clone());
+    for value in ["-1000", "7620", "20000"] {
+        assert_eq!(setting(&format!("plant.altitude={value}")).unwrap(), value);
+    }
+    check_refusal(&[], &["plant.altitude=25000"], "found the value `25000`; allowed is -1000 to 20000 m");
+    check_refusal(&[], &["plant.altitude=-1001"], "allowed is -1000 to 20000 m");
+    check_refusal(&[], &["plant.model=2"], "found the value `2`; allowed is 1 (exact), 5 (rigid)");
+    check_refusal(&[], &["plant.altitude=1", "plant.altitude=2"], "connected or set already");
+}
+
+#[test]
+fn an_ssp_sets_enumerations_and_only_libcosims_own_structure_cannot() {
+    for value in ["5", "rigid", "Rigid"] {
+        let system = system(&[], &[&format!("plant.model={value}")]).unwrap();
+        let ssp = String::from_utf8(ssp::structure(&system)).unwrap();
+        assert!(ssp.contains(r#"<ssv:Enumeration value="rigid"/>"#), "{ssp}");
+        let folder = tempfile::tempdir().unwrap();
+        let refused = system.write_osp(&folder.path().join("osp")).unwrap_err().to_string();
+        assert!(refused.starts_with("plant.model=rigid: libcosim has no enumerations"), "{refused}");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+        assert_eq!(system.enumerations_set().map(ToString::to_string).collect::<Vec<_>>(), ["plant.model"]);
+    }
+}
+
+/// The annotation without which OMSimulator's command line aborts: the last element of the system.
+#[test]
+fn the_system_ends_with_the_annotation_of_omsimulator() {
+    let ssp = String::from_utf8(ssp::structure(&system(&[], &[]).unwrap())).unwrap();
+    let (system, _) = ssp.split_once("</ssd:System>").unwrap();
+    let (_, annotations) = system.split_once("<ssd:Annotations>").unwrap();
+    assert!(system.trim_end().ends_with("</ssd:Annotations>"), "{ssp}");
+    for part in [
+        r#"<ssc:Annotation type="org.openmodelica">"#,
+        r#"<oms:FixedStepMaster description="oms-ma" stepSize="0.01" absoluteTolerance="0.0001" relativeTolerance="0.0001"/>"#,
+    ] {
+        assert!(annotations.contains(part), "{annotations}");
+    }
 }
 
 #[test]

@@ -1,0 +1,162 @@
+//! Files that commands write: whole or not at all, and never over what was read.
+
+use std::fs::File;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use flexible_aircraft_packaging::{Draft, FileError, is_stream, open_stream};
+use same_file::Handle;
+
+/// The path that stands for standard input or standard output.
+pub const STANDARD: &str = "-";
+
+/// A path for people.
+pub fn named(path: &Path, standard: &str) -> String {
+    if path == Path::new(STANDARD) { standard.to_owned() } else { path.display().to_string() }
+}
+
+/// An output that would destroy something.
+#[derive(Debug, thiserror::Error)]
+pub enum Overwriting {
+    #[error(
+        "the output {} is the same file as the input {}, which would be lost: name another file",
+        named(output, "standard output"),
+        named(input, "standard input")
+    )]
+    Input { output: PathBuf, input: PathBuf },
+    #[error("found {} twice among the outputs, each needs a file of its own", .0.display())]
+    Output(PathBuf),
+}
+
+/// Makes sure that no output is an input or another output, by whatever path. What is no file, such as a device, may be
+/// any number of them.
+///
+/// # Errors
+/// At the first one that is.
+pub fn refuse_overwriting<'p>(
+    outputs: &[&Path],
+    inputs: impl IntoIterator<Item = &'p Path>,
+) -> Result<(), Overwriting> {
+    let opened: Vec<Option<Handle>> = outputs.iter().map(|output| file(output, Handle::stdout)).collect();
+    for input in inputs {
+        let Some(read) = file(input, Handle::stdin) else { continue };
+        let mut written = outputs.iter().zip(&opened);
+        if let Some((output, _)) = written.find(|(_, written)| written.as_ref() == Some(&read)) {
+            let [output, input] = [output, &input].map(|path| path.to_path_buf());
+            return Err(Overwriting::Input { output, input });
+        }
+    }
+    for (index, output) in outputs.iter().enumerate() {
+        let is_same = |other: usize| {
+            let [one, two] = [outputs[other], output].map(|path| std::path::absolute(path).ok());
+            (one == two && !is_stream(output)) || opened[other].is_some() && opened[other] == opened[index]
+        };
+        if (0..index).any(is_same) {
+            return Err(Overwriting::Output(output.to_path_buf()));
+        }
+    }
+    Ok(())
+}
+
+/// The file with this path, or behind standard input or output; none where there is no file or something else.
+fn file(path: &Path, standard: fn() -> io::Result<Handle>) -> Option<Handle> {
+    if path == Path::new(STANDARD) {
+        let handle = standard().ok()?;
+        return handle.as_file().metadata().ok()?.is_file().then_some(handle);
+    }
+    // Asked first: to open a named pipe is to wait for its other end.
+    std::fs::metadata(path).ok()?.is_file().then(|| Handle::from_path(path).ok())?
+}
+
+/// Writes a file, and the folders above it where they do not exist.
+///
+/// # Errors
+/// When it cannot be written; what was there then stays.
+pub fn write(path: &Path, content: &[u8]) -> Result<(), FileError> {
+    Draft::write(content, path)?.keep()
+}
+
+/// Where rows go while they are computed.
+pub enum Sink {
+    /// Into a file, once it is whole.
+    File(Draft),
+    /// To whoever reads, at once.
+    Stream(Box<dyn Write>),
+}
+
+impl Sink {
+    /// # Errors
+    /// When it cannot be opened.
+    pub fn open(output: &Path) -> Result<Self, FileError> {
+        if output == Path::new(STANDARD) {
+            return Ok(Sink::Stream(Box::new(io::stdout().lock())));
+        }
+        if is_stream(output) {
+            let failed = |source| FileError { action: "write to", path: output.to_owned(), source };
+            return open_stream(output).map(|file: File| Sink::Stream(Box::new(file))).map_err(failed);
+        }
+        Draft::new(output).map(Sink::File)
+    }
+}
+
+impl Write for Sink {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Sink::File(draft) => Write::write(draft, bytes),
+            Sink::Stream(stream) => stream.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Sink::File(draft) => draft.flush(),
+            Sink::Stream(stream) => stream.flush(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_output_that_is_an_input_is_refused_by_any_path() {
+        let folder = tempfile::tempdir().unwrap();
+        let input = folder.path().join("inputs.csv");
+        std::fs::write(&input, "time\n0\n").unwrap();
+        let roundabout = folder.path().join("new/../inputs.csv");
+        std::fs::create_dir(folder.path().join("new")).unwrap();
+        let hard = folder.path().join("hard.csv");
+        std::fs::hard_link(&input, &hard).unwrap();
+        let mut paths = vec![input.clone(), roundabout, hard];
+        #[cfg(unix)]
+        {
+            let soft = folder.path().join("soft.csv");
+            std::os::unix::fs::symlink("inputs.csv", &soft).unwrap();
+            paths.push(soft);
+        }
+        for output in paths {
+            let refused = refuse_overwriting(&[&output], [input.as_path()]).unwrap_err().to_string();
+            assert!(refused.contains("which would be lost"), "{refused}");
+        }
+        let other = folder.path().join("other.csv");
+        refuse_overwriting(&[&other], [input.as_path()]).unwrap();
+        std::fs::write(&other, "time\n0\n").unwrap();
+        refuse_overwriting(&[&other], [input.as_path(), Path::new("missing")]).unwrap();
+    }
+
+    #[test]
+    fn two_outputs_are_two_files() {
+        let [one, two] = ["one.csv", "two.csv"].map(Path::new);
+        refuse_overwriting(&[one, two], []).unwrap();
+        let refused = refuse_overwriting(&[one, two, one], []).unwrap_err().to_string();
+        assert!(refused.starts_with("found one.csv twice"), "{refused}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_device_may_be_input_and_output() {
+        let null = Path::new("/dev/null");
+        refuse_overwriting(&[null, null], [null]).unwrap();
+    }
+}

@@ -1,0 +1,10 @@
+//! The command line from outside: the program is run as people run it.
+
+#[cfg(test)]
+mod closed_output;
+#[cfg(test)]
+mod files;
+#[cfg(test)]
+mod simulate;
+#[cfg(test)]
+mod support;
