@@ -230,6 +230,11 @@ impl<'r, 't> Table<'r, 't> {
         Some(Value::new(value, join(&self.place.field, field), self.report))
     }
 
+    /// The number of a field that the table may leave out.
+    pub(super) fn number_or(&self, field: &str, allowed: &Allowed, default: f64) -> f64 {
+        self.optional(field).and_then(|value| value.number(allowed)).unwrap_or(default)
+    }
+
     pub(super) fn required(&self, field: &str) -> Option<Value<'r, 't>> {
         let value = self.optional(field);
         if value.is_none() {

@@ -7,6 +7,7 @@ use super::error::{Place, Problem, Report};
 use super::law::Point;
 use super::model::Attachment;
 use super::schema::{Along, ComponentSpec};
+use super::stretch::{Piece, Stretch};
 
 /// Lengths below this count as 0, m.
 const SHORTEST: f64 = 1e-6;
@@ -56,42 +57,6 @@ pub(super) struct Line {
     pub(super) points: Vec<Vector3<f64>>,
     /// Distance of each node from the first along the axis, m.
     pub(super) distances: Vec<f64>,
-}
-
-/// A stretch of a component between two fractions of its length.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Stretch {
-    pub(super) from: f64,
-    pub(super) to: f64,
-}
-
-impl Stretch {
-    /// Whether a piece that no end of the stretch cuts is part of it.
-    pub(super) fn holds(&self, piece: &Piece) -> bool {
-        self.from < piece.middle && piece.middle < self.to
-    }
-}
-
-/// An element, or the part of one between two cuts.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
-    pub(super) element: usize,
-    /// Where it begins and ends, as fractions of the element's length.
-    ends: [f64; 2],
-    /// Its middle as a fraction of the component's length.
-    middle: f64,
-}
-
-impl Piece {
-    /// The part of the element that it is: 1 for a whole one.
-    pub(super) fn share(&self) -> f64 {
-        self.ends[1] - self.ends[0]
-    }
-
-    /// The place at a fraction of its own length.
-    pub(super) fn at(&self, fraction: f64) -> Attachment {
-        Attachment { beam: self.element, fraction: self.ends[0] + fraction * self.share() }
-    }
 }
 
 impl Line {

@@ -4,10 +4,11 @@ use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
 use super::document::Located;
 use super::error::{Place, Problem, Report};
-use super::geometry::{Line, Piece, SAME_PLACE};
+use super::geometry::{Line, SAME_PLACE};
 use super::law::{Law, Laws, Point};
 use super::model::{Attachment, MassBay};
 use super::schema::{DistributedMassSpec, InertiaSpec, MassPartSpec, PointMassesSpec};
+use super::stretch::Piece;
 
 /// A bay with the place of the file that it comes from; its element counted from the component's root.
 pub(super) type LocatedBay = (MassBay, Place);

@@ -6,8 +6,8 @@
 //!
 //! | module | takes | gives |
 //! | --- | --- | --- |
-//! | `document`, `read`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
-//! | `limits` | the table `limits` | what is worth a warning |
+//! | `document`, `read`, `tunnel`, `limit_tables` | TOML text | `schema`: the fields, each allowed by itself, with their places |
+//! | `limits` | a trim | what is worth a warning |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
 //! | `branches` | the tree of beams | what is the mirror image of what |
@@ -25,11 +25,13 @@ mod error;
 mod expand;
 mod geometry;
 mod law;
+mod limit_tables;
 mod limits;
 mod masses;
 mod model;
 mod read;
 mod schema;
+mod stretch;
 mod surfaces;
 mod tunnel;
 

@@ -10,14 +10,14 @@ use super::allowed::{
 };
 use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
-use super::geometry::Stretch;
 use super::law::Law;
-use super::limits::Limits;
+use super::limit_tables::read_limits;
 use super::model::{ModeBasis, Support};
 use super::schema::{
     Along, ComponentSpec, ControlSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, InertiaSpec,
     Input, MassPartSpec, ParentSpec, PointMassesSpec, STIFFNESS, StationSpec, SurfaceSpec,
 };
+use super::stretch::Stretch;
 use super::tunnel;
 
 const FILE: &[&str] = &[
@@ -105,17 +105,17 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     let engines: Vec<_> = table.tables("engine", ENGINE).iter().map(read_engine).collect();
     let stations: Vec<_> = table.tables("station", STATION).iter().map(read_station).collect();
     Some(FileSpec {
-        gravity: number_or(&table, "gravity_m_s2", &GRAVITY, 9.80665),
+        gravity: table.number_or("gravity_m_s2", &GRAVITY, 9.80665),
         inflow_states: table.optional("inflow_states").and_then(|v| v.integer(0..9)).unwrap_or(5),
         airspeed: table
             .optional("airspeed_m_s")
             .and_then(|v| v.located(|v| v.number(&AIRSPEED)))
             .unwrap_or(Located { value: 127.0, place: table.place.clone() }),
-        altitude: if tunnel_air.is_some() { 0.0 } else { number_or(&table, "altitude_m", &ALTITUDE, 7620.0) },
+        altitude: if tunnel_air.is_some() { 0.0 } else { table.number_or("altitude_m", &ALTITUDE, 7620.0) },
         tunnel_air,
         mount: table.optional("mount_attitude_deg").and_then(|v| v.located(tunnel::read_mount)),
         symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
-        limits: Limits::read(&table),
+        limits: read_limits(&table),
         name: name?,
         support: support?,
         mode_basis: mode_basis?,
@@ -125,17 +125,13 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     })
 }
 
-pub(super) fn number_or(table: &Table, field: &str, allowed: &Allowed, default: f64) -> f64 {
-    table.optional(field).and_then(|v| v.number(allowed)).unwrap_or(default)
-}
-
 fn vector_or_zero(table: &Table, field: &str, allowed: &Allowed) -> Vector3<f64> {
     table.optional(field).and_then(|v| v.vector(allowed)).unwrap_or_default()
 }
 
 /// `from` and `to`, fractions of the component's length, by default all of it.
 fn read_stretch(table: &Table) -> Stretch {
-    let (from, to) = (number_or(table, "from", &FRACTION, 0.0), number_or(table, "to", &FRACTION, 1.0));
+    let (from, to) = (table.number_or("from", &FRACTION, 0.0), table.number_or("to", &FRACTION, 1.0));
     if to <= from {
         let found = format!("found from = {from} and to = {to}");
         table.report.add(Problem::OutOfRange, &table.place.within("to"), found, "to > from is allowed");
@@ -253,7 +249,7 @@ fn read_laws(value: &Value, allowed: &'static Allowed) -> Option<[Law; 3]> {
 fn read_mass_part(table: &Table) -> Option<MassPartSpec> {
     let stretch = read_stretch(table);
     let total = table.required("total_kg")?.number(&MASS)?;
-    let chord_power = number_or(table, "chord_power", &ANY, 0.0);
+    let chord_power = table.number_or("chord_power", &ANY, 0.0);
     Some(MassPartSpec { place: table.place.clone(), total, chord_power, stretch })
 }
 
@@ -286,7 +282,7 @@ fn read_masses(table: &Table) -> Option<Located<Vec<f64>>> {
     let shares = table.required("shares")?;
     let place = shares.place.clone();
     let shares = shares.numbers(&SHARE)?;
-    let whole = number_or(table, "shares_of", &SHARE, shares.iter().sum());
+    let whole = table.number_or("shares_of", &SHARE, shares.iter().sum());
     let total = total?;
     let masses: Vec<f64> = shares.iter().map(|share| total * (share / whole)).collect();
     let allowed = masses.iter().all(|mass| MASS.check(*mass, &place, table.report));
@@ -322,7 +318,7 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
     }
     Some(SurfaceSpec {
         place: table.place.clone(),
-        position: number_or(table, "position_in_element", &FRACTION, 0.5),
+        position: table.number_or("position_in_element", &FRACTION, 0.5),
         stretch,
         chord: law("chord_m", &POSITIVE_LENGTH),
         span_axis: table.optional("span_axis").and_then(|v| v.direction()),

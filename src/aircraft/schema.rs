@@ -4,10 +4,10 @@ use nalgebra::Vector3;
 
 use super::document::Located;
 use super::error::Place;
-use super::geometry::Stretch;
 use super::law::Law;
 use super::limits::Limits;
 use super::model::{ModeBasis, Support, TunnelAir};
+use super::stretch::Stretch;
 
 /// EA, GJ, EI_y, EI_z in the order in which [`ComponentSpec::stiffness`] holds them.
 pub(super) const STIFFNESS: [&str; 4] = ["EA_N", "GJ_N_m2", "EI_y_N_m2", "EI_z_N_m2"];

@@ -3,10 +3,11 @@
 use nalgebra::{Unit, UnitQuaternion, Vector3};
 
 use super::error::{Place, Problem, Report};
-use super::geometry::{Line, Piece, SAME_PLACE, Stretch};
+use super::geometry::{Line, SAME_PLACE};
 use super::law::{Law, Laws, Point};
 use super::model::{ControlGains, Flap, Strip};
 use super::schema::{ControlSpec, Input, SurfaceSpec};
+use super::stretch::{Piece, Stretch};
 
 /// The strips of a surface, their elements counted from the component's root: one for each element, or for each part of
 /// it where the surface or a control begins or ends within.

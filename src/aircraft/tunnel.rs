@@ -6,11 +6,10 @@ use super::allowed::{DENSITY, TEMPERATURE, TURN_DEG};
 use super::document::{Located, Table, Value};
 use super::error::Problem;
 use super::model::TunnelAir;
-use super::read::number_or;
 
 /// `density_kg_m3` and, with it alone, `temperature_K`.
 pub(super) fn read_air(table: &Table) -> Option<Located<TunnelAir>> {
-    let temperature = number_or(table, "temperature_K", &TEMPERATURE, 288.15);
+    let temperature = table.number_or("temperature_K", &TEMPERATURE, 288.15);
     let Some(density) = table.optional("density_kg_m3") else {
         if let Some(temperature) = table.optional("temperature_K") {
             let found = "found a temperature without density_kg_m3";

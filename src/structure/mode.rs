@@ -32,3 +32,21 @@ pub struct ModeShapes {
     /// Ψᵠ: rotation per generalised coordinate, body axes.
     pub rotation: Vec<f64>,
 }
+
+/// Which modes are counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModeKind {
+    /// Those of all families together.
+    All,
+    /// Symmetric ones.
+    Symmetric,
+}
+
+impl std::fmt::Display for ModeKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            ModeKind::All => "modes",
+            ModeKind::Symmetric => "symmetric modes",
+        })
+    }
+}

@@ -1,10 +1,6 @@
 //! How many modes an aircraft is reduced to: the one rule for everybody who asks.
 
-use super::{ModeFamily, StructureError};
-
-/// The most modes that a model can have: the quartic strain energy then has 9 million coefficients, which are 73 MB of
-/// an FMU, and a flight with all of them needs ten times as much memory.
-pub const MOST_MODES: usize = 120;
+use super::{ModeFamily, ModeKind, StructureError};
 
 /// How many modes an aircraft is to be reduced to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,15 +9,6 @@ pub enum ModeCount {
     Asked(usize),
     /// So many, or all where the structure has fewer: nobody asked for a number.
     Usual(usize),
-}
-
-/// Which modes are counted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ModeKind {
-    /// Those of all families together.
-    All,
-    /// Symmetric ones.
-    Symmetric,
 }
 
 impl From<usize> for ModeCount {
@@ -39,7 +26,7 @@ impl ModeCount {
     /// How many of the lowest modes hold so many of a kind.
     ///
     /// # Errors
-    /// When there are not so many, or no strain energy can hold them.
+    /// When there are not so many.
     pub(super) fn lowest(
         self,
         kind: ModeKind,
@@ -60,19 +47,6 @@ impl ModeCount {
             ModeCount::Asked(wanted) => wanted,
             ModeCount::Usual(usual) => usual.min(available),
         };
-        let needed = counted.take(wanted).last().map_or(0, |(place, _)| place + 1);
-        if needed > MOST_MODES {
-            return Err(StructureError::TooManyModes { wanted: needed, most: MOST_MODES });
-        }
-        Ok(needed)
-    }
-}
-
-impl std::fmt::Display for ModeKind {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            ModeKind::All => "modes",
-            ModeKind::Symmetric => "symmetric modes",
-        })
+        Ok(counted.take(wanted).last().map_or(0, |(place, _)| place + 1))
     }
 }

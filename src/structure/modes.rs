@@ -6,9 +6,9 @@ use crate::aircraft::ModeBasis;
 
 use super::assembly::Structure;
 use super::mirror::{self, Mirror};
-use super::mode_count::{ModeCount, ModeKind};
+use super::mode_count::ModeCount;
 use super::pairs::Pairs;
-use super::{Mode, ModeFamily, StructureError};
+use super::{Mode, ModeFamily, ModeKind, StructureError};
 
 /// Frequencies closer than this (relative) count as equal: symmetric before antisymmetric.
 const DEGENERATE: f64 = 1e-9;

@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use crate::aircraft::{Aircraft, Flap, Limits, Support, TunnelAir};
 
 use super::assembly::Structure;
-use super::mode_count::{MOST_MODES, ModeCount, ModeKind};
-use super::{ModalBasis, ModalIntegrals, Mode, ModeShapes, StrainEnergy, StructureError};
+use super::mode_count::ModeCount;
+use super::{ModalBasis, ModalIntegrals, Mode, ModeKind, ModeShapes, StrainEnergy, StructureError};
 
 /// An aircraft reduced to its modes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -119,8 +119,9 @@ impl ReducedModel {
     /// lowest modes twelve are symmetric, so that the FMU's `mode_count` of 12 serves either `mode_family`.
     pub const USUAL_MODES: usize = 26;
 
-    /// The most modes that a model can have.
-    pub const MOST_MODES: usize = MOST_MODES;
+    /// The most modes that a model can have: the quartic strain energy then has 9 million coefficients, which are 73 MB of
+    /// an FMU, and a flight with all of them needs ten times as much memory.
+    pub const MOST_MODES: usize = 120;
 
     /// Reduces an aircraft to its lowest modes of all families together, and to those that they make pairs with; a plain
     /// number is one that is asked for.
@@ -138,6 +139,10 @@ impl ReducedModel {
     pub fn with(aircraft: &Aircraft, count: ModeCount, kind: ModeKind) -> Result<Self, StructureError> {
         let structure = Structure::new(aircraft)?;
         let basis = ModalBasis::with(&structure, count, kind)?;
+        let (wanted, most) = (basis.modes.len(), Self::MOST_MODES);
+        if wanted > most {
+            return Err(StructureError::TooManyModes { wanted, most });
+        }
         let model = ReducedModel {
             name: aircraft.name.clone(),
             gravity: aircraft.gravity,

@@ -96,8 +96,13 @@ fn a_missing_file_and_too_many_modes_are_errors_for_people() {
     let many = report("typical-section.toml", "--from 5 --to 80 --modes 40");
     assert!(many.starts_with("error: 40 modes were asked for, the structure has "), "{many}");
     let absurd = "--from 5 --to 80 --mode-family symmetric --modes 18446744073709551615";
-    let absurd = report("typical-section.toml", absurd);
-    assert!(absurd.starts_with("error: 18446744073709551615 modes were asked for"), "{absurd}");
+    let absurd = report("generic-business-jet.toml", absurd);
+    assert!(absurd.starts_with("error: 18446744073709551615 symmetric modes were asked for"), "{absurd}");
+    let lopsided = report("goland-wing.toml", "--from 5 --to 80 --mode-family symmetric");
+    assert!(
+        lopsided.contains("symmetric modes were asked for, the structure has no mirror plane"),
+        "{lopsided}"
+    );
 }
 
 #[test]

@@ -22,9 +22,9 @@ fn a_minus_is_standard_input_and_output_and_a_step_gives_rows_in_between() {
     assert_eq!((rows.lines().count(), errors.as_str()), (7, ""));
     let times: Vec<&str> = rows.lines().skip(1).map(|row| row.split(',').next().unwrap()).collect();
     assert_eq!(times, ["0", "0.01", "0.02", "0.03", "0.04", "0.05"]);
-    // Plain numbers: the airspeed of the jet's own flight condition.
-    let column = rows.lines().next().unwrap().split(',').position(|name| name == "air.speed").unwrap();
-    assert_eq!(rows.lines().nth(1).unwrap().split(',').nth(column), Some("127"));
+    // Plain numbers: the altitude of the jet's own flight condition.
+    let column = rows.lines().next().unwrap().split(',').position(|name| name == "position.down").unwrap();
+    assert_eq!(rows.lines().nth(1).unwrap().split(',').nth(column), Some("-7620"));
 }
 
 #[test]
