@@ -53,6 +53,16 @@ pub enum Bound {
     Given(f64),
 }
 
+impl Limits {
+    /// Whether all bounds that there are are finite.
+    pub(crate) fn are_finite(&self) -> bool {
+        let Limits { angle_of_attack, mach, thrust, elevator, aileron, aileron_symmetric, rudder } = self;
+        let bounds = [angle_of_attack, mach, thrust, elevator, aileron, aileron_symmetric, rudder];
+        let mut ends = bounds.into_iter().flat_map(|bounds| [bounds.minimum, bounds.maximum]);
+        ends.all(|end| end.value().is_none_or(f64::is_finite))
+    }
+}
+
 impl Bounds {
     /// The bound that a value is beyond, if any.
     pub fn exceeded_by(&self, value: f64) -> Option<Bound> {

@@ -1,4 +1,5 @@
-//! Trim: steady straight flight without sideslip, or the static deformation in a wind tunnel [5.1; physics.md §6].
+//! Trim: steady straight flight, without sideslip where aileron and rudder can hold it, or the static deformation in a wind
+//! tunnel [5.1; physics.md §6].
 //!
 //! Pitch, elevator and thrust balance a symmetric aircraft. Where another one would go aside, bank angle, aileron and rudder are
 //! unknowns too, sideslip instead of a control that it has not. Without engines the climb angle takes the place of
@@ -105,7 +106,7 @@ impl Trim {
 }
 
 impl EquationsOfMotion {
-    /// Finds steady straight flight without sideslip and q at which all accelerations vanish, thrust equal on all
+    /// Finds steady straight flight, without sideslip where aileron and rudder can hold it, and q at which all accelerations vanish, thrust equal on all
     /// engines. A clamped aircraft keeps its attitude; only q is found.
     ///
     /// # Errors

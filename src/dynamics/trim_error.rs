@@ -7,27 +7,18 @@ use crate::aircraft::Support;
 use super::trim::TrimPoint;
 
 /// Why there is no trim.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TrimFailure {
     /// Newton's method ended elsewhere.
-    #[error("no steady level flight found")]
     NotFound,
     /// The wings do not carry the weight.
-    #[error("no steady level flight found")]
     TooSlow {
         /// Of the weight, at 15° of incidence.
         share: f64,
     },
     /// The unknowns do not move the forces independently.
-    #[error(
-        "no steady level flight: what should balance the aircraft does not act independently (is there a wing, an elevator, an engine?)"
-    )]
     NoAuthority,
     /// The plane of symmetry is in balance, the rest is not, and nothing steers it.
-    #[error(
-        "no steady level flight: the aircraft is not symmetric and has neither aileron nor rudder; a side force of \
-         {side_force:.1} N, a rolling moment of {rolling:.1} N m and a yawing moment of {yawing:.1} N m about O stay unbalanced"
-    )]
     NoLateralControl {
         /// To the right, N.
         side_force: f64,
@@ -37,7 +28,6 @@ pub enum TrimFailure {
         yawing: f64,
     },
     /// A clamped aircraft finds no shape at rest.
-    #[error("no deformation at rest found in the wind tunnel")]
     NoRest,
 }
 
@@ -80,7 +70,8 @@ impl std::error::Error for TrimError {}
 
 impl fmt::Display for TrimError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let TrimError { failure, airspeed, altitude, density, steps, modal, .. } = self;
+        let TrimError { airspeed, altitude, density, steps, modal, .. } = self;
+        let failure = self.failure_text();
         if self.support == Support::Clamped {
             return write!(
                 f,
@@ -89,8 +80,8 @@ impl fmt::Display for TrimError {
             );
         }
         write!(f, "{failure} at {airspeed} m/s and {altitude} m: ")?;
-        if let TrimFailure::TooSlow { share } = failure {
-            let enough = airspeed / libm::sqrt(*share);
+        if let TrimFailure::TooSlow { share } = self.failure {
+            let enough = airspeed / libm::sqrt(share);
             write!(
                 f,
                 "too slow: at 15° of incidence the wings carry {:.1} % of the weight, at {enough:.0} m/s all of it; ",
@@ -112,6 +103,24 @@ impl fmt::Display for TrimError {
 }
 
 impl TrimError {
+    /// Why, without where.
+    fn failure_text(&self) -> String {
+        let (flight, engine) = if self.has_engines { ("level flight", ", an engine") } else { ("glide", "") };
+        match self.failure {
+            TrimFailure::NotFound | TrimFailure::TooSlow { .. } => format!("no steady {flight} found"),
+            TrimFailure::NoAuthority => format!(
+                "no steady {flight}: what should balance the aircraft does not act independently (is there a wing, an \
+                 elevator{engine}, for one that is not symmetric a fin or a rudder?)"
+            ),
+            TrimFailure::NoLateralControl { side_force, rolling, yawing } => format!(
+                "no steady {flight}: the aircraft is not symmetric and has neither aileron nor rudder; a side force of \
+                 {side_force:.1} N, a rolling moment of {rolling:.1} N m and a yawing moment of {yawing:.1} N m about O \
+                 stay unbalanced"
+            ),
+            TrimFailure::NoRest => "no deformation at rest found in the wind tunnel".to_owned(),
+        }
+    }
+
     /// The component of the rigid motion with the largest acceleration, rotations by those of a point at 1 m.
     fn most_unbalanced(&self) -> Option<(&'static str, &'static str)> {
         let largest = (0..6).max_by(|&a, &b| self.rigid[a].abs().total_cmp(&self.rigid[b].abs()))?;

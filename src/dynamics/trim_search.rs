@@ -38,7 +38,7 @@ const STEEP: f64 = 15.0 * std::f64::consts::PI / 180.0;
 
 /// What the search may change of a [`TrimPoint`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Unknown {
+enum TrimUnknown {
     Pitch,
     Elevator,
     /// In parts of the weight.
@@ -53,8 +53,10 @@ enum Unknown {
 /// How Newton's method ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum SearchEnd {
-    /// The steps stopped shrinking, or there were too many.
+    /// The steps stopped shrinking.
     Steps(usize),
+    /// They did not in so many.
+    TooMany(usize),
     /// The Jacobian became singular.
     Singular(usize),
 }
@@ -64,7 +66,7 @@ pub(super) struct Search<'a> {
     equations: &'a EquationsOfMotion,
     condition: TrimCondition,
     /// The unknowns before q.
-    flight: Vec<Unknown>,
+    flight: Vec<TrimUnknown>,
     /// The rows of ν that they balance.
     rows: Vec<usize>,
     values: Vec<f64>,
@@ -105,17 +107,19 @@ impl<'a> Search<'a> {
 
     /// What was found, or where the search is.
     pub fn point(&self) -> TrimPoint {
-        let mut point = TrimPoint::default();
+        // Of a clamped aircraft the mount's; of a free one there is none.
+        let mount = &self.equations.mount;
+        let mut point = TrimPoint { roll: mount.x, pitch: mount.y, ..TrimPoint::default() };
         for (unknown, &value) in self.flight.iter().zip(&self.values) {
             match unknown {
-                Unknown::Pitch => point.pitch = value,
-                Unknown::Elevator => point.elevator = value,
-                Unknown::Thrust => point.thrust = value * self.weight_per_engine(),
-                Unknown::ClimbAngle => point.climb_angle = value,
-                Unknown::Roll => point.roll = value,
-                Unknown::Sideslip => point.sideslip = value,
-                Unknown::Aileron => point.aileron = value,
-                Unknown::Rudder => point.rudder = value,
+                TrimUnknown::Pitch => point.pitch = value,
+                TrimUnknown::Elevator => point.elevator = value,
+                TrimUnknown::Thrust => point.thrust = value * self.weight_per_engine(),
+                TrimUnknown::ClimbAngle => point.climb_angle = value,
+                TrimUnknown::Roll => point.roll = value,
+                TrimUnknown::Sideslip => point.sideslip = value,
+                TrimUnknown::Aileron => point.aileron = value,
+                TrimUnknown::Rudder => point.rudder = value,
             }
         }
         point
@@ -148,8 +152,8 @@ impl<'a> Search<'a> {
     /// In the plane of symmetry, all unknowns at zero.
     fn new(equations: &'a EquationsOfMotion, condition: TrimCondition) -> Self {
         let flight = match (equations.support(), equations.engine_count()) {
-            (Support::Free, 0) => vec![Unknown::Pitch, Unknown::Elevator, Unknown::ClimbAngle],
-            (Support::Free, _) => vec![Unknown::Pitch, Unknown::Elevator, Unknown::Thrust],
+            (Support::Free, 0) => vec![TrimUnknown::Pitch, TrimUnknown::Elevator, TrimUnknown::ClimbAngle],
+            (Support::Free, _) => vec![TrimUnknown::Pitch, TrimUnknown::Elevator, TrimUnknown::Thrust],
             (Support::Clamped, _) => Vec::new(),
         };
         Search {
@@ -169,11 +173,11 @@ impl<'a> Search<'a> {
     /// Takes bank angle and the controls that there are, aileron and rudder, as unknowns too; sideslip for one that is not.
     fn add_lateral(&mut self, [aileron, rudder]: [bool; 2]) {
         let place = self.flight.len();
-        let control = |there: bool, unknown| if there { unknown } else { Unknown::Sideslip };
+        let control = |there: bool, unknown| if there { unknown } else { TrimUnknown::Sideslip };
         self.flight.extend([
-            Unknown::Roll,
-            control(aileron, Unknown::Aileron),
-            control(rudder, Unknown::Rudder),
+            TrimUnknown::Roll,
+            control(aileron, TrimUnknown::Aileron),
+            control(rudder, TrimUnknown::Rudder),
         ]);
         self.rows.extend(ASIDE);
         self.values.splice(place..place, [0.0; 3]);
@@ -193,11 +197,10 @@ impl<'a> Search<'a> {
         let layout = *self.equations.layout();
         let TrimCondition { airspeed, altitude, heading } = self.condition;
         self.state[layout.position().end - 1] = 0.0 - altitude;
-        let mut angles = Vector3::new(point.roll, point.pitch, heading);
-        match self.equations.support() {
-            Support::Free => self.state[layout.velocity()].copy_from_slice(&point.velocity(airspeed)),
-            Support::Clamped => angles += self.equations.mount,
+        if self.equations.support() == Support::Free {
+            self.state[layout.velocity()].copy_from_slice(&point.velocity(airspeed));
         }
+        let angles = Vector3::new(point.roll, point.pitch, heading + self.equations.mount.z);
         self.state[layout.attitude()].copy_from_slice(&quaternion_of_euler_angles(&angles));
         self.state[layout.coordinates()].copy_from_slice(&self.values[self.flight.len()..]);
         self.equations.rates(&self.state, &self.controls, &mut self.rates, &mut self.workspace);
@@ -217,7 +220,7 @@ impl<'a> Search<'a> {
     /// Searches from the present unknowns on.
     fn run(&mut self) -> Result<(), Box<TrimError>> {
         let end = self.iterate();
-        self.converged = matches!(end, SearchEnd::Steps(steps) if steps < MAX_STEPS);
+        self.converged = matches!(end, SearchEnd::Steps(_));
         self.check_balance(end)
     }
 
@@ -232,7 +235,8 @@ impl<'a> Search<'a> {
             if !solve(&jacobian, &mut step) {
                 return SearchEnd::Singular(count);
             }
-            let angles = self.flight.iter().zip(&step).filter(|(unknown, _)| **unknown != Unknown::Thrust);
+            let angles =
+                self.flight.iter().zip(&step).filter(|(unknown, _)| **unknown != TrimUnknown::Thrust);
             let largest_turn = angles.fold(0.0_f64, |largest, (_, turn)| largest.max(turn.abs()));
             let damping = (LARGEST_TURN / largest_turn).min(1.0);
             for (value, step) in self.values.iter_mut().zip(&step) {
@@ -244,7 +248,7 @@ impl<'a> Search<'a> {
             }
             previous = size;
         }
-        SearchEnd::Steps(MAX_STEPS)
+        SearchEnd::TooMany(MAX_STEPS)
     }
 
     /// Derivatives of the residual by central differences, row-major.
@@ -293,13 +297,13 @@ impl<'a> Search<'a> {
     /// Why the search ended out of balance, and where.
     fn error(&self, end: SearchEnd, modal: f64) -> TrimError {
         let TrimCondition { airspeed, altitude, .. } = self.condition;
-        let (SearchEnd::Steps(steps) | SearchEnd::Singular(steps)) = end;
+        let (SearchEnd::Steps(steps) | SearchEnd::TooMany(steps) | SearchEnd::Singular(steps)) = end;
         let failure = match (self.equations.support(), end) {
             (Support::Clamped, _) => TrimFailure::NoRest,
             (Support::Free, end) => match (self.share_carried(), end) {
                 (Some(share), _) if share < 1.0 => TrimFailure::TooSlow { share },
                 (_, SearchEnd::Singular(_)) => TrimFailure::NoAuthority,
-                (_, SearchEnd::Steps(_)) => TrimFailure::NotFound,
+                (_, SearchEnd::Steps(_) | SearchEnd::TooMany(_)) => TrimFailure::NotFound,
             },
         };
         TrimError {
@@ -318,7 +322,8 @@ impl<'a> Search<'a> {
 
     /// What an aircraft whose plane of symmetry is in balance lacks, if it has neither aileron nor rudder.
     fn without_lateral_controls(&self, error: TrimError) -> TrimError {
-        if !self.converged {
+        let goes_aside = ASIDE.iter().any(|&row| self.rigid()[row].abs() >= BALANCED);
+        if !self.converged || !goes_aside {
             return error;
         }
         let forces = self.workspace.forces();

@@ -9,7 +9,7 @@ use super::logger::Logger;
 use super::types::Status;
 use super::{RESOURCE_FILE, guid_of, identity, resource};
 use crate::aircraft::Support;
-use crate::simulation::{Inputs, LATEST, Neighbours, Settings, Simulation, resolution};
+use crate::simulation::{Inputs, LATEST, LimitExceeded, Neighbours, Settings, Simulation, resolution};
 use crate::structure::{ReducedModel, StructureError};
 use crate::variables::{Slot, VariableTable};
 
@@ -245,14 +245,12 @@ impl Instance {
     /// `fmi2ExitInitializationMode`: trims, unless an output has been read already. Warns of a trim beyond the
     /// aircraft's limits.
     pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
-        let exceeded: Vec<String> =
-            self.flight()?.limits_exceeded().iter().map(ToString::to_string).collect();
+        let (model, settings) = (Arc::clone(&self.model), self.settings.clone());
+        let warning = LimitExceeded::warning(self.flight()?.limits_exceeded(), &model, &settings);
         self.neighbours = None;
         self.state = State::StepComplete;
-        if !exceeded.is_empty() {
-            let Settings { airspeed, altitude, .. } = self.settings;
-            let exceeded = exceeded.join("; ");
-            self.warn(format!("the trim at {airspeed} m/s and {altitude} m stands, but {exceeded}"));
+        if let Some(warning) = warning {
+            self.warn(warning);
         }
         Ok(())
     }

@@ -84,9 +84,12 @@ impl Instance {
         references: &[ValueReference],
         values: impl Iterator<Item = Value> + Clone,
     ) -> Result<(), Refusal> {
+        // As it was set, and as it reads in flight, where the experiment's tolerance may be tighter.
+        let tolerance = self.experiment.tolerance_in_use(&self.settings);
+        let held = [self.settings.clone(), Settings { tolerance, ..self.settings.clone() }];
         for (reference, value) in references.iter().zip(values.clone()) {
             let variable = self.variable(*reference, family)?;
-            if let Some(objection) = objection_to_setting(variable, value, self.state, &self.settings) {
+            if let Some(objection) = objection_to_setting(variable, value, self.state, &held) {
                 return Err(Refusal::error(objection));
             }
         }
@@ -99,7 +102,10 @@ impl Instance {
                         *slot.of(&mut self.rates) = 0.0;
                     }
                 }
-                (Slot::Parameter(slot), value) => slot.set(&mut settings, value),
+                // In flight it is a value that the parameter has.
+                (Slot::Parameter(slot), value) if self.state != State::StepComplete => {
+                    slot.set(&mut settings, value);
+                }
                 _ => {}
             }
         }
@@ -200,12 +206,14 @@ fn objection_to_setting(
     variable: &Variable,
     value: Value,
     state: State,
-    settings: &Settings,
+    held: &[Settings; 2],
 ) -> Option<String> {
     let name = &variable.name;
     match variable.slot {
         Slot::Output(_) => return Some(format!("`{name}` is an output and cannot be set")),
-        Slot::Parameter(slot) if state == State::StepComplete && slot.get(settings) != value => {
+        Slot::Parameter(slot)
+            if state == State::StepComplete && held.iter().all(|settings| slot.get(settings) != value) =>
+        {
             return Some(format!(
                 "`{name}` is a fixed parameter: it can be set only until initialisation ends"
             ));

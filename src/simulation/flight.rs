@@ -76,6 +76,7 @@ impl Simulation {
     /// When a setting or the time is out of range or no trim exists.
     pub fn new(model: Arc<ReducedModel>, settings: &Settings, start: f64) -> Result<Self, SimulationError> {
         check_time(start)?;
+        settings.check_ranges(model.support)?;
         let (airframes, trimmed) = Airframes::new(&model, &settings.along_course())?;
         let limits_exceeded = LimitExceeded::find(&model.limits, &airframes.flying().equations, &trimmed);
         let engines = model.engines.len();
@@ -314,14 +315,17 @@ impl Simulation {
         refresh(anchor, airframe, steering, controls, evaluated_in);
         *evaluated_in = None;
         let Airframe { equations, workspace, integrator, .. } = airframe;
-        let set_before = begin.since(steering.since);
+        let (width, set_before, set_before_end) =
+            (end.since(begin), begin.since(steering.since), end.since(steering.since));
         let mut rates = |time: f64, state: &[f64], rates: &mut [f64]| {
-            steering.write_after(set_before + time, controls);
+            // At the end as whoever evaluates there again counts the time, to the bit.
+            let elapsed = if time == width { set_before_end } else { set_before + time };
+            steering.write_after(elapsed, controls);
             equations.rates(state, controls, rates, workspace);
         };
         let (from, to) =
             ((&anchor.state[..], &anchor.slope[..]), (&mut present.state[..], &mut present.slope[..]));
-        let cell_end = integrator.fly_cell(end.since(begin), anchor.substeps, from, to, &mut rates);
+        let cell_end = integrator.fly_cell(width, anchor.substeps, from, to, &mut rates);
         let reversed = equations.reversed_strip(&present.state, controls, workspace);
         match cell_end {
             CellEnd::Accepted { next } => {

@@ -2,9 +2,11 @@
 
 use std::fmt;
 
-use crate::aircraft::{Bound, Limits};
+use crate::aircraft::{Bound, Limits, Support};
 use crate::dynamics::{EquationsOfMotion, Trim};
+use crate::structure::ReducedModel;
 
+use super::Settings;
 use super::outputs::air_data;
 
 /// A quantity of a trim that is beyond its limit.
@@ -42,9 +44,11 @@ impl LimitExceeded {
     pub fn find(limits: &Limits, equations: &EquationsOfMotion, trim: &Trim) -> Vec<LimitExceeded> {
         let controls = trim.controls(equations.engine_count());
         let air = air_data(equations, &trim.state, &controls);
-        let flown = [
+        let met = [
             (LimitedQuantity::AngleOfAttack, limits.angle_of_attack, air.angle_of_attack),
             (LimitedQuantity::Mach, limits.mach, air.mach),
+        ];
+        let used = [
             (LimitedQuantity::Elevator, limits.elevator, controls.elevator),
             (LimitedQuantity::Aileron, limits.aileron, controls.aileron),
             (LimitedQuantity::AileronSymmetric, limits.aileron_symmetric, controls.aileron_symmetric),
@@ -52,10 +56,24 @@ impl LimitExceeded {
         ];
         // The engines share the thrust equally: the first speaks for all.
         let thrust = controls.thrust.first().map(|&thrust| (LimitedQuantity::Thrust, limits.thrust, thrust));
-        let exceeded = flown.into_iter().chain(thrust).filter_map(|(quantity, bounds, value)| {
+        // What is clamped needs neither surfaces nor engines.
+        let is_free = equations.support() == Support::Free;
+        let used = used.into_iter().chain(thrust).filter(|_| is_free);
+        let exceeded = met.into_iter().chain(used).filter_map(|(quantity, bounds, value)| {
             bounds.exceeded_by(value).map(|limit| LimitExceeded { quantity, value, limit })
         });
         exceeded.collect()
+    }
+
+    /// A warning of everything that is beyond the limits at the beginning of a flight, if anything is.
+    pub fn warning(exceeded: &[LimitExceeded], model: &ReducedModel, settings: &Settings) -> Option<String> {
+        let Settings { airspeed, altitude, .. } = settings;
+        let condition = match model.tunnel_air {
+            Some(air) => format!("{airspeed} m/s in air of {} kg/m³", air.density),
+            None => format!("{airspeed} m/s and {altitude} m"),
+        };
+        let list: Vec<String> = exceeded.iter().map(ToString::to_string).collect();
+        (!list.is_empty()).then(|| format!("the trim at {condition} stands, but {}", list.join("; ")))
     }
 }
 

@@ -40,7 +40,7 @@ impl Moment {
             return Moment { cells: nearest, part: 0.0 };
         }
         let cells = libm::floor(elapsed / CELL);
-        Moment { cells, part: elapsed - cells * CELL }
+        Moment { cells, part: (elapsed - cells * CELL).max(0.0) }
     }
 
     /// As it stands in snapshots: whole cells, and s.

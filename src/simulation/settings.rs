@@ -157,7 +157,7 @@ impl Settings {
         }
     }
 
-    fn check_ranges(&self, support: Support) -> Result<(), SimulationError> {
+    pub(super) fn check_ranges(&self, support: Support) -> Result<(), SimulationError> {
         let within = |setting, value: f64, inside: bool, allowed: &str| {
             if value.is_finite() && inside { Ok(()) } else { refuse(setting, value, allowed) }
         };

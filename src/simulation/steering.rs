@@ -55,6 +55,7 @@ impl Steering {
         let elapsed = time.since(self.since);
         let mut values = self.inputs.values().zip(self.rates.values());
         values.all(|(value, rate)| (value + elapsed * rate).is_finite())
+            && self.winds_after(elapsed).iter().all(|wind| wind.iter().all(|number| number.is_finite()))
     }
 
     /// Whether everything acts alike on both sides, but for rounding, and will; `images` has the mirror image of each
@@ -82,6 +83,12 @@ impl Steering {
         [wind, given + input, change]
     }
 
+    /// Along the course: the wind a time (s) after it was set, m/s, and its rate, m/s².
+    fn winds_after(&self, elapsed: f64) -> [Vector3<f64>; 2] {
+        let [wind, rate, change] = self.winds();
+        [wind + (rate + change * (0.5 * elapsed)) * elapsed, rate + change * elapsed]
+    }
+
     /// To which the inputs add.
     fn reference_values(&self) -> TrimPoint {
         match self.reference {
@@ -106,8 +113,6 @@ impl Steering {
         for ((acting, input), rate) in controls.thrust.iter_mut().zip(&inputs.thrust).zip(&rates.thrust) {
             *acting = thrust + input + elapsed * rate;
         }
-        let [wind, rate, change] = self.winds();
-        controls.wind = wind + (rate + change * (0.5 * elapsed)) * elapsed;
-        controls.wind_rate = rate + change * elapsed;
+        [controls.wind, controls.wind_rate] = self.winds_after(elapsed);
     }
 }

@@ -3,8 +3,10 @@
 //! Layout, little-endian: 8 bytes of magic with the format's version, the payload's length (u64), its
 //! 128-bit XXH3 hash, the payload (postcard).
 
+use nalgebra::Vector3;
+
 use crate::aerodynamics::PetersInflow;
-use crate::aircraft::ALTITUDES;
+use crate::aircraft::{ALTITUDES, Support};
 use crate::sealed::hash;
 
 use super::{ModeShapes, ReducedModel, StructureError};
@@ -74,9 +76,13 @@ impl ReducedModel {
             && ALTITUDES.contains(&self.altitude)
             && self.tunnel_air.is_none_or(|air| positive(air.density) && positive(air.temperature))
             && self.mount.iter().all(|angle| angle.is_finite())
+            && (self.support == Support::Clamped
+                || self.tunnel_air.is_none() && self.mount == Vector3::zeros())
+            && self.limits.are_finite()
             && self.inflow_states <= PetersInflow::MAX_STATES
             && self.strips.iter().all(|strip| {
                 positive(strip.semichord)
+                    && strip.zero_lift_moment.is_finite()
                     && positive(strip.width)
                     && strip.flap.is_none_or(|flap| flap.hinge > 0.0 && flap.hinge < 1.0)
             })

@@ -46,7 +46,7 @@ fn inputs(model: &ReducedModel) -> Vec<Variable> {
     }
     for (axis, direction) in Axis::ALL.into_iter().zip(NORTH_EAST_DOWN) {
         let text = format!(
-            "Rate of wind_{direction}, which changes by it until one of the two is set; gusts need it"
+            "Rate of wind_{direction}, kept until set again and counted from the last setting of either; gusts need it"
         );
         let name = format!("wind_rate_{direction}");
         rows.push(input(&name, Unit::MetrePerSecondSquared, InputSlot::WindRate(axis), &text));

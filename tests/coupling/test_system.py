@@ -14,7 +14,8 @@ def test_the_system_structure_is_valid_ssp(system, law):
     ssp, _ = system(law)
     description = fmpy.ssp.ssd.read_ssd(str(ssp), validate=True)
     assert [component.name for component in description.system.elements] == ["aircraft", "law", "gust"]
-    assert len(description.system.connections) == len(LAWS[law][2]) + 1
+    # The wind and its rate.
+    assert len(description.system.connections) == len(LAWS[law][2]) + 2
     with zipfile.ZipFile(ssp) as archive:
         names = ["SystemStructure.ssd", "resources/aircraft.fmu", "resources/gust.fmu", "resources/law.fmu"]
         assert archive.namelist() == names

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use flexible_aircraft::aircraft::{Bound, Bounds};
-use flexible_aircraft::simulation::{LimitedQuantity, Settings, Simulation};
+use flexible_aircraft::aircraft::{Bound, Bounds, Support, TunnelAir};
+use flexible_aircraft::simulation::{LimitExceeded, LimitedQuantity, Settings, Simulation};
 
 use crate::support::{eight_symmetric, jet};
 
@@ -76,4 +76,27 @@ fn negative_thrust_is_beyond_the_usual_limits_and_any_positive_one_is_not() {
     let thrust = jet().limits.thrust;
     assert_eq!(thrust.exceeded_by(-1.0), Some(Bound::Usual(0.0)));
     assert_eq!([0.0, 1e6].map(|thrust_| thrust.exceeded_by(thrust_)), [None, None]);
+}
+
+/// What is clamped uses neither surfaces nor engines; the flow that it meets may be more than it bears.
+#[test]
+fn a_clamped_aircraft_is_warned_of_the_flow_alone() {
+    let mut clamped = (*jet()).clone();
+    (clamped.support, clamped.mount.y) = (Support::Clamped, 0.3);
+    (clamped.limits.thrust.minimum, clamped.limits.elevator.minimum) =
+        (Bound::Given(100.0), Bound::Given(0.1));
+    clamped.tunnel_air = Some(TunnelAir { density: 1.2, temperature: 288.15 });
+    let settings = Settings { airspeed: 60.0, ..Settings::of(&clamped) };
+    let flight = Simulation::new(Arc::new(clamped.clone()), &settings, 0.0).unwrap();
+    let exceeded = flight.limits_exceeded();
+    assert_eq!(
+        exceeded.iter().map(|exceeded| exceeded.quantity).collect::<Vec<_>>(),
+        [LimitedQuantity::AngleOfAttack]
+    );
+    let warning = LimitExceeded::warning(exceeded, &clamped, &settings).unwrap();
+    assert!(
+        warning.starts_with("the trim at 60 m/s in air of 1.2 kg/m³ stands, but angle of attack 0.3000 rad"),
+        "{warning}"
+    );
+    assert_eq!(LimitExceeded::warning(&[], &clamped, &settings), None);
 }

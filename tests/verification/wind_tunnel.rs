@@ -231,6 +231,7 @@ fn the_mount_turns_gravity_and_the_flow_about_the_wing() {
     // Pitched in the tunnel's flow it has that incidence, as if the file had given it to its sections.
     let pitched = wing_in("airspeed_m_s = 20\naltitude_m = 0\nmount_attitude_deg = [0, 3, 0]");
     let mut flight = Simulation::new(Arc::clone(&pitched), &linear(&pitched), 0.0).unwrap();
+    assert_eq!(flight.trim().pitch, f64::to_radians(3.0));
     let outputs = flight.outputs();
     assert!((outputs.air.angle_of_attack - f64::to_radians(3.0)).abs() < 1e-14);
     assert!((outputs.attitude.y - f64::to_radians(3.0)).abs() < 1e-14 && outputs.acceleration.norm() == 0.0);

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::sync::Arc;
 
-use flexible_aircraft::simulation::{Inputs, Settings, Simulation, SimulationError};
+use flexible_aircraft::simulation::{Inputs, LimitExceeded, Settings, Simulation, SimulationError};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::{OutputSlot, Slot, VariableTable};
 
@@ -50,10 +50,10 @@ impl<'s> Flight<'s> {
             })
             .unzip();
         let [mut inputs, mut rates] = [Inputs::zero(model.engines.len()), Inputs::zero(model.engines.len())];
+        let reduced = Arc::clone(&model);
         let mut simulation = Simulation::new(model, settings, schedule.start())?;
-        for exceeded in simulation.limits_exceeded() {
-            let Settings { airspeed, altitude, .. } = settings;
-            diagnostics::warn(&format!("the trim at {airspeed} m/s and {altitude} m stands, but {exceeded}"));
+        if let Some(warning) = LimitExceeded::warning(simulation.limits_exceeded(), &reduced, settings) {
+            diagnostics::warn(&warning);
         }
         schedule.write(0, &mut inputs, &mut rates);
         simulation.set_inputs(&inputs, &rates);

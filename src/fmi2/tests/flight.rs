@@ -119,6 +119,11 @@ fn an_input_that_would_ramp_beyond_all_numbers_is_refused() {
     assert_eq!(fmu.get_references(&[rudder]), Ok(vec![0.0]));
     assert_eq!(fmu.step(0.0, 0.5), Status::Ok);
     assert_eq!(fmu.get_references(&[rudder]), Ok(vec![0.5 * f64::MAX]));
+    // The wind by its rate too.
+    let wind_rate = VariableTable::new(&model).reference("wind_rate_down").unwrap();
+    assert_eq!(fmu.set_references(&[rudder, wind_rate], &[0.0, 1e308]), Status::Ok);
+    assert_eq!(fmu.step(0.5, 10.0), Status::Error);
+    fmu.assert_refused(&["from t = 0.5 s to 10.5 s", "no longer finite"]);
 }
 
 #[test]

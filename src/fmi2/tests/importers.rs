@@ -168,6 +168,15 @@ fn parameters_may_be_written_again_with_the_same_values_before_every_step() {
     assert_eq!(fmu.outputs(), flight(false).outputs());
     assert_eq!(fmu.set(&[("elevator", 0.0), ("airspeed", 140.1)]), Status::Error);
     fmu.assert_refused(&["`airspeed`", "fixed"]);
+    // The tolerance, as it was set and as it reads under the tighter one of the experiment.
+    let fmu = Fmu::new();
+    assert_eq!([fmu.set_up(Some(1e-7), 0.0, None), fmu.enter(), fmu.exit()], [Status::Ok; 3]);
+    assert_eq!(fmu.step(0.0, 0.01), Status::Ok);
+    for tolerance in [fmu.get("tolerance"), 1e-5] {
+        assert_eq!(fmu.set(&[("tolerance", tolerance)]), Status::Ok);
+    }
+    assert_eq!(fmu.get("tolerance"), 1e-7);
+    assert_eq!((fmu.set(&[("tolerance", 1e-6)]), fmu.step(0.01, 0.01)), (Status::Error, Status::Ok));
 }
 
 /// The same values, whether asked for once or twice, one by one or together, before or after.

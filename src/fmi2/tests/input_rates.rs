@@ -47,6 +47,36 @@ fn a_derivative_acts_whether_it_is_set_before_or_after_its_value() {
     assert_eq!(flight(true), flight(false));
 }
 
+/// At the end of every cell of time: the slope found there in flight is the one that is found there anew.
+#[test]
+fn under_a_rate_a_flight_goes_on_with_its_bits_after_a_saved_state_a_derivative_or_a_refused_step() {
+    let fmu = Fmu::flying();
+    assert_eq!(fmu.set_rates(&[("aileron", 1, 0.07)]), Status::Ok);
+    assert_eq!(fmu.set(&[("wind_rate_east", -1.3)]), Status::Ok);
+    let mut states = Vec::new();
+    for i in 0..30 {
+        states.push(Saved::of(&fmu));
+        assert_eq!(fmu.step(0.01 * f64::from(i), 0.01), Status::Ok);
+    }
+    let expected = fmu.outputs();
+    let go_on = |fmu: &Fmu, from: u32| {
+        (from..30).for_each(|i| assert_eq!(fmu.step(0.01 * f64::from(i), 0.01), Status::Ok));
+        fmu.outputs()
+    };
+    for (i, state) in (0..).zip(&states) {
+        assert_eq!(state.restore(), Status::Ok);
+        assert_eq!(go_on(&fmu, i), expected, "restored after {i} steps");
+        assert_eq!(state.restore(), Status::Ok);
+        assert_eq!(fmu.step(0.01 * f64::from(i), 4000.0), Status::Error);
+        assert_eq!(go_on(&fmu, i), expected, "refused after {i} steps");
+        assert_eq!(state.restore(), Status::Ok);
+        let [outputs, inputs] = [["load_factor.z"], ["elevator"]]
+            .map(|[name]| vec![VariableTable::new(jet()).reference(name).unwrap()]);
+        fmu.derivatives(&outputs, &inputs, &[1.0]).unwrap();
+        assert_eq!(go_on(&fmu, i), expected, "asked for a derivative after {i} steps");
+    }
+}
+
 #[test]
 fn whether_a_derivative_was_set_at_this_point_is_part_of_the_state() {
     let fmu = Fmu::flying();
