@@ -27,7 +27,7 @@ mod platform;
 pub mod system;
 mod temporary;
 
-pub use draft::{Draft, is_stream, open_stream};
+pub use draft::{Draft, is_stream, open_stream, replaced_by};
 pub use error::{FileError, FmuError, PackageError, looked_for};
 pub use library::{BuildMark, LibraryFault};
 pub use merge::{MergeError, merge};
