@@ -24,6 +24,7 @@ mod model_description;
 mod nearest;
 mod plan_view;
 mod platform;
+mod surface_angle;
 pub mod system;
 mod temporary;
 
@@ -33,6 +34,7 @@ pub use library::{BuildMark, LibraryFault};
 pub use merge::{MergeError, merge};
 pub use nearest::probably_meant;
 pub use platform::{Platform, UnknownPlatform};
+pub use surface_angle::instead_of_degrees;
 pub use temporary::remove_all as remove_temporary_files;
 
 use archive::Entry;
