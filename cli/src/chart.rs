@@ -3,6 +3,7 @@
 //! The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008), which colour-blind readers
 //! can tell apart; the dashes do the same in print without colour.
 
+mod dots;
 mod thinning;
 
 use kuva::plot::LinePlot;
@@ -12,6 +13,7 @@ use kuva::render::layout::{ComputedLayout, Layout, TickFormat};
 use kuva::render::plots::Plot;
 
 use crate::mark_labels::upright_labels;
+use dots::dots;
 use thinning::thinned;
 
 /// Size of a chart, px of its view box; it scales.
@@ -143,23 +145,8 @@ impl Chart {
         let frame = [computed.margin_top, HEIGHT - computed.margin_bottom];
         kuva::render_to_svg(plots, layout)
             + &self.upright_label()
-            + &self.dots(frame)
+            + &dots(self, frame)
             + &self.mark_labels(frame)
-    }
-
-    /// The curves of one point, which no line shows.
-    fn dots(&self, [top, bottom]: [f64; 2]) -> String {
-        let (left, right) = (MARGINS.0, WIDTH - MARGINS.1);
-        let share = |axis: &Axis, value: f64| (value - axis.window.min) / axis.window.width();
-        let dot = |(index, curve): (usize, &Curve)| {
-            let [(x, y)] = curve.points[..] else { return None };
-            let is_shown = self.x.window.contains(x) && self.y.window.contains(y);
-            let [x, y] =
-                [left + share(&self.x, x) * (right - left), bottom - share(&self.y, y) * (bottom - top)];
-            let colour = Style::of(index).colour;
-            is_shown.then(|| format!("<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"4\" fill=\"{colour}\"/>"))
-        };
-        self.curves.iter().enumerate().filter_map(dot).collect()
     }
 
     /// What the vertical marks are, written at their lines.
@@ -375,17 +362,6 @@ mod tests {
         for tick in [">−0.15<", ">−0.1<", ">0<", ">0.1<"] {
             assert!(svg.contains(tick), "{tick}");
         }
-    }
-
-    /// In the middle of the axes, and only where it is inside of them.
-    #[test]
-    fn a_curve_of_one_point_is_a_dot() {
-        let one = |x, y| Curve { label: "one".into(), points: vec![(x, y)] };
-        let svg = Chart { curves: vec![one(7.5, 0.5), one(20.0, 0.5), one(7.5, 2.0)], ..chart() }.to_svg();
-        assert_eq!(svg.matches("<circle").count(), 1, "{svg}");
-        let middle = 0.5 * (MARGINS.0 + WIDTH - MARGINS.1);
-        assert!(svg.contains(&format!("<circle cx=\"{middle:.2}\"")), "{svg}");
-        assert_eq!(chart().to_svg().matches("<circle").count(), 0);
     }
 
     #[test]

@@ -173,3 +173,28 @@ fn contents(reproduction: &Reproduction, histories: &[History]) -> Vec<String> {
         .chain(histories.iter().map(History::to_csv))
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_of_the_page_has_the_content_of_its_name() {
+        let file = include_str!("../../../aircraft/generic-business-jet.toml");
+        let aircraft = Aircraft::parse(file, "generic-business-jet.toml").unwrap();
+        let model = Arc::new(ReducedModel::new(&aircraft, 12).unwrap());
+        let tips = Tips::of(&model).unwrap();
+        let fly = |&flight: &Flight| History::fly(&model, tips, flight, 0.1);
+        let histories: Vec<History> = Flight::all().iter().map(fly).collect();
+        let reproduction = Reproduction::new(&aircraft, &histories);
+        let (names, contents) = (file_names(), contents(&reproduction, &histories));
+        assert_eq!(names.len(), contents.len());
+        let content = |name: String| &contents[names.iter().position(|found| *found == name).unwrap()];
+        for plot in reproduction.plots() {
+            assert!(*content(format!("figures/{}", plot.figure.file_name())) == plot.svg);
+        }
+        for history in &histories {
+            assert!(*content(format!("flights/{}.csv", history.flight.slug())) == history.to_csv());
+        }
+    }
+}
