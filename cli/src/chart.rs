@@ -3,6 +3,7 @@
 //! The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008), which colour-blind readers
 //! can tell apart; the dashes do the same in print without colour.
 
+mod dots;
 mod thinning;
 
 use kuva::plot::LinePlot;
@@ -12,6 +13,7 @@ use kuva::render::layout::{ComputedLayout, Layout, TickFormat};
 use kuva::render::plots::Plot;
 
 use crate::mark_labels::upright_labels;
+use dots::dots;
 use thinning::thinned;
 
 /// Size of a chart, px of its view box; it scales.
@@ -141,7 +143,10 @@ impl Chart {
         let layout = self.layout(&plots);
         let computed = ComputedLayout::from_layout(&layout);
         let frame = [computed.margin_top, HEIGHT - computed.margin_bottom];
-        kuva::render_to_svg(plots, layout) + &self.upright_label() + &self.mark_labels(frame)
+        kuva::render_to_svg(plots, layout)
+            + &self.upright_label()
+            + &dots(self, frame)
+            + &self.mark_labels(frame)
     }
 
     /// What the vertical marks are, written at their lines.

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use flexible_aircraft::aircraft::Support;
 use flexible_aircraft_packaging::FmuError;
-use flexible_aircraft_packaging::c_abi::Fmu;
+use flexible_aircraft_packaging::c_abi::{Fmu, Instance};
 
 use crate::diagnostics;
 use crate::manoeuvre::Manoeuvre;
@@ -36,12 +36,24 @@ pub struct CheckFlight {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Trim {
-    /// rad.
-    pitch: f64,
-    /// rad.
-    elevator: f64,
+    /// rad, in the order of [`TRIM_ANGLES`]; none where the FMU has no such output.
+    angles: [Option<f64>; TRIM_ANGLES.len()],
     along: Along,
 }
+
+/// The angles of a trim: output of the FMU, name for people. The first two are told always, the others where they are
+/// not 0.
+const TRIM_ANGLES: [(&str, &str); 6] = [
+    ("trim.pitch", "pitch"),
+    ("trim.elevator", "elevator"),
+    ("trim.roll", "bank angle"),
+    ("trim.beta", "sideslip"),
+    ("trim.aileron", "aileron"),
+    ("trim.rudder", "rudder"),
+];
+
+/// Smaller angles, rad, would be told as 0.
+const NO_ANGLE: f64 = 5e-6;
 
 /// What balances an aircraft along its path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,12 +100,7 @@ impl CheckFlight {
                 diagnostics::warn(warning);
             }
         }
-        let mut trim = [0.0; 3];
-        let glides = fmu.variable_names().any(|name| name == "trim.climb_angle");
-        let along = if glides { "trim.climb_angle" } else { "trim.thrust" };
-        aircraft.get_real(&fmu.variables(&["trim.pitch", "trim.elevator", along])?, &mut trim)?;
-        let [pitch, elevator, along] = trim;
-        let along = if glides { Along::ClimbAngle(along) } else { Along::Thrust(along) };
+        let trim = Trim::read(fmu, &mut aircraft)?;
         let mut history = vec![vec![0.0; watched.len()]; STEPS as usize + 1];
         aircraft.get_real(&watched, &mut history[0])?;
 
@@ -109,12 +116,49 @@ impl CheckFlight {
 
         Ok(CheckFlight {
             support,
-            trim: Trim { pitch, elevator, along },
+            trim,
             deflection: peak_deflection(&stations, &history),
             pitch: range(history.iter().map(|outputs| outputs[0])),
             load_factor: range(history.iter().map(|outputs| outputs[1])),
             computing,
         })
+    }
+}
+
+impl Trim {
+    fn read(fmu: &Fmu, aircraft: &mut Instance<'_>) -> Result<Self, FmuError> {
+        let has = |wanted: &str| fmu.variable_names().any(|name| name == wanted);
+        let value = |name: &str| {
+            let mut value = [0.0];
+            aircraft.get_real(&[fmu.variable(name)?], &mut value).map(|()| value[0])
+        };
+        let mut angles = [None; TRIM_ANGLES.len()];
+        for (angle, (name, _)) in angles.iter_mut().zip(TRIM_ANGLES) {
+            *angle = if has(name) { Some(value(name)?) } else { None };
+        }
+        let along = if has("trim.climb_angle") {
+            Along::ClimbAngle(value("trim.climb_angle")?)
+        } else {
+            Along::Thrust(value("trim.thrust")?)
+        };
+        Ok(Trim { angles, along })
+    }
+}
+
+impl fmt::Display for Trim {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let angle = |f: &mut fmt::Formatter<'_>, name: &str, angle: f64| {
+            writeln!(f, "  {name:<15} {:8.3}° ({angle:.5} rad)", angle.to_degrees())
+        };
+        for (index, ((_, name), value)) in TRIM_ANGLES.iter().zip(self.angles).enumerate() {
+            if let Some(value) = value.filter(|value| index < 2 || value.abs() >= NO_ANGLE) {
+                angle(f, name, value)?;
+            }
+        }
+        match self.along {
+            Along::Thrust(thrust) => writeln!(f, "  thrust          {thrust:8.0} N per engine"),
+            Along::ClimbAngle(climb) => angle(f, "climb angle", climb),
+        }
     }
 }
 
@@ -166,16 +210,7 @@ impl fmt::Display for CheckFlight {
         let duration = Self::DURATION;
         match self.support {
             Support::Free => {
-                let Trim { pitch, elevator, along } = self.trim;
-                writeln!(f, "Trimmed:")?;
-                writeln!(f, "  pitch           {:8.3}° ({pitch:.5} rad)", pitch.to_degrees())?;
-                writeln!(f, "  elevator        {:8.3}° ({elevator:.5} rad)", elevator.to_degrees())?;
-                match along {
-                    Along::Thrust(thrust) => writeln!(f, "  thrust          {thrust:8.0} N per engine")?,
-                    Along::ClimbAngle(angle) => {
-                        writeln!(f, "  climb angle     {:8.3}° ({angle:.5} rad)", angle.to_degrees())?;
-                    }
-                }
+                write!(f, "Trimmed:\n{}", self.trim)?;
                 writeln!(f, "Elevator 2-3-1-1 of 0.05 rad, {duration} s:")?;
             }
             Support::Clamped => {
@@ -237,11 +272,27 @@ mod tests {
         let flight = jet(Support::Free);
         assert!(flight.load_factor.contains(&0.9) && flight.load_factor.contains(&1.05), "{flight:?}");
         assert!(
-            flight.pitch.contains(&flight.trim.pitch)
+            flight.trim.angles[0].is_some_and(|pitch| flight.pitch.contains(&pitch))
                 && matches!(flight.trim.along, Along::Thrust(thrust) if thrust > 1e4)
         );
         let peak = flight.deflection.unwrap();
         assert!(peak.station.starts_with("wing_tip") && peak.up > peak.trimmed + 0.01, "{peak:?}");
+    }
+
+    #[test]
+    fn a_trim_tells_what_is_out_of_symmetry_where_it_is() {
+        let told = |lateral: f64| {
+            let angles = [0.1, -0.02, lateral, -lateral, 2.0 * lateral, -2.0 * lateral].map(Some);
+            Trim { angles, along: Along::ClimbAngle(-0.05) }.to_string()
+        };
+        assert_eq!(
+            told(0.01),
+            "  pitch              5.730° (0.10000 rad)\n  elevator          -1.146° (-0.02000 rad)\n  \
+             bank angle         0.573° (0.01000 rad)\n  sideslip          -0.573° (-0.01000 rad)\n  \
+             aileron            1.146° (0.02000 rad)\n  rudder            -1.146° (-0.02000 rad)\n  \
+             climb angle       -2.865° (-0.05000 rad)\n"
+        );
+        assert_eq!(told(0.0).lines().count(), 3);
     }
 
     #[test]
@@ -269,7 +320,7 @@ mod tests {
         let peak = PeakDeflection { station: "wing_tip".into(), up: -0.182, trimmed: 0.05, time: 3.5 };
         let flight = CheckFlight {
             support: Support::Clamped,
-            trim: Trim { pitch: 0.0, elevator: 0.0, along: Along::Thrust(0.0) },
+            trim: Trim { angles: [None; 6], along: Along::Thrust(0.0) },
             deflection: Some(peak),
             pitch: 0.0..=0.0,
             load_factor: 0.0..=0.0,

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use flexible_aircraft_packaging::{Draft, FileError, is_stream, open_stream};
+use flexible_aircraft_packaging::{Draft, FileError, is_stream, open_stream, replaced_by};
 use same_file::Handle;
 
 /// The path that stands for standard input or standard output.
@@ -37,7 +37,14 @@ pub fn refuse_overwriting<'p>(
     outputs: &[&Path],
     inputs: impl IntoIterator<Item = &'p Path>,
 ) -> Result<(), Overwriting> {
-    let opened: Vec<Option<Handle>> = outputs.iter().map(|output| file(output, Handle::stdout)).collect();
+    // The path alone does not tell: the folders above it may be yet missing.
+    let places: Vec<Option<PathBuf>> = outputs.iter().map(|output| replaced_by(output)).collect();
+    let opened: Vec<Option<Handle>> = std::iter::zip(outputs, &places)
+        .map(|(output, place)| match place {
+            Some(place) if *output != Path::new(STANDARD) => file(place, Handle::stdout),
+            _ => file(output, Handle::stdout),
+        })
+        .collect();
     for input in inputs {
         let Some(read) = file(input, Handle::stdin) else { continue };
         let mut written = outputs.iter().zip(&opened);
@@ -48,8 +55,8 @@ pub fn refuse_overwriting<'p>(
     }
     for (index, output) in outputs.iter().enumerate() {
         let is_same = |other: usize| {
-            let [one, two] = [outputs[other], output].map(|path| std::path::absolute(path).ok());
-            (one == two && !is_stream(output)) || opened[other].is_some() && opened[other] == opened[index]
+            places[other].is_some() && places[other] == places[index]
+                || opened[other].is_some() && opened[other] == opened[index]
         };
         if (0..index).any(is_same) {
             return Err(Overwriting::Output(output.to_path_buf()));
@@ -68,12 +75,50 @@ fn file(path: &Path, standard: fn() -> io::Result<Handle>) -> Option<Handle> {
     std::fs::metadata(path).ok()?.is_file().then(|| Handle::from_path(path).ok())?
 }
 
-/// Writes a file, and the folders above it where they do not exist.
-///
-/// # Errors
-/// When it cannot be written; what was there then stays.
-pub fn write(path: &Path, content: &[u8]) -> Result<(), FileError> {
-    Draft::write(content, path)?.keep()
+/// Files that are written together at the end of long work: what cannot be written shows before it.
+pub struct Drafts(Vec<Draft>);
+
+impl Drafts {
+    /// Drafts of these outputs, and the folders above them where they do not exist; all of that goes when they do.
+    ///
+    /// # Errors
+    /// At the first that cannot be written.
+    pub fn new<'p>(outputs: impl IntoIterator<Item = &'p Path>) -> Result<Self, FileError> {
+        let mut drafts = Drafts(Vec::new());
+        for output in outputs {
+            drafts.0.push(Draft::new(output)?);
+        }
+        Ok(drafts)
+    }
+
+    /// Puts each content, in the order of the outputs, into its place, once all are written. Where there is none for the
+    /// last outputs, what an earlier run has left there goes.
+    ///
+    /// # Errors
+    /// When one cannot be written; what was there then stays.
+    pub fn keep<'c>(mut self, contents: impl IntoIterator<Item = &'c str>) -> Result<(), FileError> {
+        let mut written = 0;
+        for (draft, content) in self.0.iter_mut().zip(contents) {
+            let output = draft.output().to_owned();
+            let failed = |source| FileError { action: "write", path: output, source };
+            draft.write_all(content.as_bytes()).map_err(failed)?;
+            written += 1;
+        }
+        for draft in self.0.drain(written..) {
+            draft.clear()?;
+        }
+        while let Some(draft) = self.0.pop() {
+            draft.keep()?;
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Drafts {
+    fn drop(&mut self) {
+        // The first has made the folders: it goes last, when they are empty.
+        while self.0.pop().is_some() {}
+    }
 }
 
 /// Where rows go while they are computed.
@@ -124,15 +169,18 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let input = folder.path().join("inputs.csv");
         std::fs::write(&input, "time\n0\n").unwrap();
-        let roundabout = folder.path().join("new/../inputs.csv");
-        std::fs::create_dir(folder.path().join("new")).unwrap();
+        let roundabout = folder.path().join("missing/../inputs.csv");
+        let far = folder.path().join("missing/deep/../other/../../inputs.csv");
         let hard = folder.path().join("hard.csv");
         std::fs::hard_link(&input, &hard).unwrap();
-        let mut paths = vec![input.clone(), roundabout, hard];
+        let mut paths = vec![input.clone(), roundabout, far, hard];
         #[cfg(unix)]
         {
             let soft = folder.path().join("soft.csv");
             std::os::unix::fs::symlink("inputs.csv", &soft).unwrap();
+            paths.push(soft);
+            let soft = folder.path().join("soft-roundabout.csv");
+            std::os::unix::fs::symlink("missing/../inputs.csv", &soft).unwrap();
             paths.push(soft);
         }
         for output in paths {
@@ -146,11 +194,29 @@ mod tests {
     }
 
     #[test]
+    fn drafts_that_are_not_kept_leave_no_file_and_no_folder() {
+        let folder = tempfile::tempdir().unwrap();
+        let outputs = ["new/a.csv", "new/deep/b.csv"].map(|name| folder.path().join(name));
+        drop(Drafts::new(outputs.iter().map(PathBuf::as_path)).unwrap());
+        assert!(!folder.path().join("new").exists());
+        std::fs::create_dir_all(&outputs[1]).unwrap();
+        assert!(Drafts::new(outputs.iter().map(PathBuf::as_path)).is_err());
+        assert_eq!(std::fs::read_dir(folder.path().join("new")).unwrap().count(), 1);
+        std::fs::remove_dir(&outputs[1]).unwrap();
+        let drafts = Drafts::new(outputs.iter().map(PathBuf::as_path)).unwrap();
+        drafts.keep(["one", "two"]).unwrap();
+        assert_eq!(outputs.map(|output| std::fs::read_to_string(output).unwrap()), ["one", "two"]);
+    }
+
+    #[test]
     fn two_outputs_are_two_files() {
         let [one, two] = ["one.csv", "two.csv"].map(Path::new);
         refuse_overwriting(&[one, two], []).unwrap();
         let refused = refuse_overwriting(&[one, two, one], []).unwrap_err().to_string();
         assert!(refused.starts_with("found one.csv twice"), "{refused}");
+        let refused =
+            refuse_overwriting(&[one, Path::new("missing/../one.csv")], []).unwrap_err().to_string();
+        assert!(refused.starts_with("found missing/../one.csv twice"), "{refused}");
     }
 
     #[cfg(unix)]

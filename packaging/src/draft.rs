@@ -3,7 +3,7 @@
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use crate::FileError;
 use crate::temporary::{NewFolder, TemporaryFile};
@@ -28,7 +28,7 @@ enum Place {
     /// The file with this path, which is no link.
     File(PathBuf),
     /// Bytes that go there.
-    Stream,
+    Stream(PathBuf),
 }
 
 impl Draft {
@@ -41,7 +41,7 @@ impl Draft {
         let place = place(output).map_err(failed)?;
         let (folder, permissions) = match &place {
             Place::File(path) => (folder_of(path), replaced(path).map_err(failed)?),
-            Place::Stream => (std::env::temp_dir(), None),
+            Place::Stream(_) => (std::env::temp_dir(), None),
         };
         let folders = NewFolder::make(&folder).map_err(failed)?;
         let file = TemporaryFile::new(&folder).map_err(failed)?;
@@ -67,6 +67,11 @@ impl Draft {
         self.file.file.path()
     }
 
+    /// What it is a draft of.
+    pub fn output(&self) -> &Path {
+        &self.output
+    }
+
     /// Bytes.
     pub fn size(&self) -> u64 {
         self.size
@@ -80,11 +85,23 @@ impl Draft {
         let failed = |source| FileError { action: "write", path: self.output.clone(), source };
         match &self.place {
             Place::File(path) => self.file.file.persist(path).map(drop).map_err(|error| failed(error.error)),
-            Place::Stream => {
+            Place::Stream(path) => {
                 let mut written = File::open(self.file.file.path()).map_err(failed)?;
-                let mut stream = open_stream(&self.output).map_err(failed)?;
+                let mut stream = open_stream(path).map_err(failed)?;
                 io::copy(&mut written, &mut stream).map(drop).map_err(failed)
             }
+        }
+    }
+
+    /// Leaves its place empty: a file that stands there goes.
+    ///
+    /// # Errors
+    /// When there is one that cannot be deleted.
+    pub fn clear(self) -> Result<(), FileError> {
+        let failed = |source| FileError { action: "delete", path: self.output.clone(), source };
+        match &self.place {
+            Place::File(path) if path.exists() => std::fs::remove_file(path).map_err(failed),
+            Place::File(_) | Place::Stream(_) => Ok(()),
         }
     }
 
@@ -129,27 +146,51 @@ pub fn open_stream(output: &Path) -> io::Result<File> {
     OpenOptions::new().append(true).open(output)
 }
 
+/// The path of the file that a draft of `output` replaces or makes, without links and without folders that are yet
+/// missing; none where that is no file.
+pub fn replaced_by(output: &Path) -> Option<PathBuf> {
+    match place(output) {
+        Ok(Place::File(path)) => Some(path),
+        Ok(Place::Stream(_)) | Err(_) => None,
+    }
+}
+
 fn place(output: &Path) -> io::Result<Place> {
     // More links than systems follow.
     const LINKS: usize = 40;
     let is_folder = || Err(io::Error::new(io::ErrorKind::IsADirectory, "found a folder, expected a file"));
     if is_stream(output) {
-        return Ok(Place::Stream);
+        return Ok(Place::Stream(output.to_owned()));
     }
     // A separator at the end means a folder, also where none is yet.
     if output.to_string_lossy().ends_with(std::path::is_separator) {
         return is_folder();
     }
-    let mut path = output.to_owned();
+    let mut path = past_missing_folders(output)?;
     for _ in 0..LINKS {
         match std::fs::read_link(&path) {
-            Ok(target) => path = folder_of(&path).join(target),
+            Ok(target) => path = past_missing_folders(&folder_of(&path).join(target))?,
+            Err(_) if is_stream(&path) => return Ok(Place::Stream(path)),
             // It is no link, or does not exist.
             Err(_) if path.is_dir() || path.file_name().is_none() => return is_folder(),
             Err(_) => return Ok(Place::File(path)),
         }
     }
     Err(io::Error::other("too many symbolic links"))
+}
+
+/// The path as it would be read if all its folders were there: `missing/../a.csv` is `a.csv`, and not a file that is
+/// first found once `missing` is made.
+fn past_missing_folders(path: &Path) -> io::Result<PathBuf> {
+    let mut past = PathBuf::new();
+    for component in std::path::absolute(path)?.components() {
+        if component == Component::ParentDir && !past.exists() {
+            past.pop();
+        } else {
+            past.push(component);
+        }
+    }
+    Ok(past)
 }
 
 fn folder_of(path: &Path) -> PathBuf {
@@ -215,6 +256,21 @@ mod tests {
             assert!(error.contains("found a folder, expected a file"), "{error}");
         }
         assert!(Draft::new(Path::new("")).is_err());
+    }
+
+    #[test]
+    fn a_folder_that_is_missing_and_left_again_is_not_made() {
+        let folder = tempfile::tempdir().unwrap();
+        let roundabout = folder.path().join("missing/deep/../../a.csv");
+        assert_eq!(replaced_by(&roundabout), Some(std::path::absolute(folder.path().join("a.csv")).unwrap()));
+        Draft::write(b"all of it", &roundabout).unwrap().keep().unwrap();
+        assert_eq!(names(folder.path()), ["a.csv"]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_device_is_no_file_by_any_path() {
+        assert!(matches!(place(Path::new("/missing/../dev/null")).unwrap(), Place::Stream(_)));
     }
 
     #[cfg(unix)]

@@ -42,7 +42,9 @@ impl EquationCosts {
     pub fn measure(model: &ReducedModel) -> Result<Self, BenchError> {
         let settings = Settings::of(model);
         let whole = settings.equations(model)?;
-        let half = settings.symmetric_equations(model)?.ok_or(BenchError::NoMirrorPlane)?;
+        let half = settings
+            .symmetric_equations(model)?
+            .ok_or_else(|| BenchError::NoMirrorPlane(model.name.clone()))?;
         let narrow = whole.clone().one_strip_at_a_time();
         Ok(EquationCosts {
             half: RightHandSide::measure(&half, &settings)?,

@@ -8,18 +8,18 @@ mod report;
 mod scaling;
 mod standard_flight;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::Args;
-use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::simulation::SimulationError;
+use flexible_aircraft::aircraft::{Aircraft, Support};
+use flexible_aircraft::simulation::{Settings, SimulationError};
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{FileError, FmuError};
 
-use crate::files::{Overwriting, refuse_overwriting};
-use crate::{diagnostics, files, terminal, workspace};
+use crate::files::{Drafts, Overwriting, refuse_overwriting};
+use crate::{diagnostics, terminal, workspace};
 use equations::EquationCosts;
 use report::Report;
 use scaling::Scaling;
@@ -27,6 +27,10 @@ use standard_flight::StandardFlight;
 
 /// Options of `flexair bench`.
 #[derive(Args)]
+#[command(
+    after_help = "The aircraft has to be free, with an elevator, a station wing_tip_right, and a mirror plane y = 0: \
+the flight is an elevator 2-3-1-1, and half of the aircraft is timed against the whole"
+)]
 pub struct BenchOptions {
     /// The FMU to fly, as `flexair package` writes it
     #[arg(long, value_name = "FILE", default_value_os_t = workspace::fmu())]
@@ -61,8 +65,24 @@ pub enum BenchError {
     #[error(transparent)]
     Fmu(#[from] FmuError),
     /// The aircraft is not its own mirror image.
-    #[error("the standard flight is symmetric, and the aircraft has no mirror plane y = 0")]
-    NoMirrorPlane,
+    #[error("{0} has no mirror plane y = 0: the benchmark times half of an aircraft against the whole")]
+    NoMirrorPlane(String),
+    /// The aircraft does not fly.
+    #[error("{0} is clamped in a wind tunnel: the standard flight needs support = \"free\"")]
+    Clamped(String),
+    /// The FMU lacks what the standard flight moves or watches.
+    #[error(
+        "{}: the FMU has no variable `{missing}`; the standard flight needs an elevator and a station wing_tip_right",
+        fmu.display()
+    )]
+    NoStandardFlight { fmu: PathBuf, missing: String },
+    /// Half flew for the whole, or the whole for half.
+    #[error(
+        "{} of the aircraft flew where the {} was to be timed, at an aileron of {aileron} rad",
+        if *aileron == 0.0 { "the whole" } else { "half" },
+        if *aileron == 0.0 { "half" } else { "whole" }
+    )]
+    OtherPart { aileron: f64 },
     /// An output that is an input.
     #[error(transparent)]
     Overwriting(#[from] Overwriting),
@@ -87,19 +107,39 @@ impl BenchError {
 /// When the aircraft or the FMU cannot be read or flown, or the results cannot be written.
 pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
     let inputs = [options.fmu.as_path(), &options.aircraft];
-    refuse_overwriting(&[&options.output, &options.plot], inputs)?;
+    let outputs = [options.output.as_path(), &options.plot];
+    refuse_overwriting(&outputs, inputs)?;
     let aircraft = Aircraft::read(&options.aircraft)?;
+    if aircraft.support == Support::Clamped {
+        return Err(BenchError::Clamped(aircraft.name));
+    }
     let model = Arc::new(ReducedModel::new(&aircraft, ModeCount::Usual(ReducedModel::USUAL_MODES))?);
+    if Settings::of(&model).symmetric_equations(&model)?.is_none() {
+        return Err(BenchError::NoMirrorPlane(aircraft.name));
+    }
+    let fmu = Fmu::open(&options.fmu)?;
+    check_variables(&options.fmu, &fmu)?;
+    let drafts = Drafts::new(outputs)?;
     terminal::note("the standard flight through the C interface …");
-    let flight = StandardFlight::measure(&Fmu::open(&options.fmu)?)?;
+    let flight = StandardFlight::measure(&fmu)?;
     terminal::note("the right-hand side and the plain method …");
     let equations = EquationCosts::measure(&model)?;
     terminal::note("larger and smaller aircraft …");
     let scaling = Scaling::measure(&aircraft, &model)?;
     let report = Report { model: &model, flight, equations, scaling };
-    files::write(&options.plot, report.chart().to_svg().as_bytes())?;
-    files::write(&options.output, report.markdown().as_bytes())?;
+    drafts.keep([report.markdown().as_str(), &report.chart().to_svg()])?;
     Ok(terminal::print(&format!("{}\n", report.summary()))?)
+}
+
+/// Whether the FMU has what the standard flight moves and watches.
+fn check_variables(path: &Path, fmu: &Fmu) -> Result<(), BenchError> {
+    let mut needed = standard_flight::NEEDED.into_iter();
+    match needed.find(|name| fmu.variable(name).is_err()) {
+        Some(missing) => {
+            Err(BenchError::NoStandardFlight { fmu: path.to_owned(), missing: missing.to_owned() })
+        }
+        None => Ok(()),
+    }
 }
 
 /// The least time, s, that `work` takes of a few times; the rest is what else the machine does.

@@ -91,7 +91,8 @@ fn point(
     label: String,
     size: usize,
 ) -> Result<Point, BenchError> {
-    let half = settings.symmetric_equations(model)?.ok_or(BenchError::NoMirrorPlane)?;
+    let half =
+        settings.symmetric_equations(model)?.ok_or_else(|| BenchError::NoMirrorPlane(model.name.clone()))?;
     let (trimmed, engines) = (Simulation::new(Arc::clone(model), settings, 0.0)?, model.engines.len());
     Ok(Point {
         label,
@@ -107,8 +108,8 @@ fn point(
     })
 }
 
-/// An aileron angle, rad, that moves nothing but has the whole aircraft fly.
-const UNNOTICEABLE: f64 = 1e-300;
+/// An aileron angle, rad, that moves nothing but has the whole aircraft fly: it is more than rounding.
+const UNNOTICEABLE: f64 = 1e-12;
 
 /// Processor time for a second of flight, s.
 fn flight_time(trimmed: &Simulation, engines: usize, aileron: f64) -> Result<f64, BenchError> {
@@ -119,6 +120,9 @@ fn flight_time(trimmed: &Simulation, engines: usize, aileron: f64) -> Result<f64
             inputs.elevator = -0.01 * f64::from(step % 2);
             flight.set_inputs(&inputs, &Inputs::zero(engines));
             flight.advance_to(0.01 * f64::from(step + 1))?;
+            if flight.is_symmetric() != (aileron == 0.0) {
+                return Err(BenchError::OtherPart { aileron });
+            }
             std::hint::black_box(flight.outputs());
         }
         Ok(())
@@ -151,4 +155,25 @@ fn resident() -> Option<usize> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
     Some(1024 * line.trim().trim_end_matches("kB").trim().parse::<usize>().ok()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    #[test]
+    fn half_and_whole_of_the_aircraft_are_what_is_timed() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft/generic-business-jet.toml");
+        let model = Arc::new(ReducedModel::new(&Aircraft::read(&path).unwrap(), 2).unwrap());
+        let settings = Settings::of(&model);
+        let trimmed = Simulation::new(Arc::clone(&model), &settings, 0.0).unwrap();
+        for aileron in [0.0, UNNOTICEABLE] {
+            flight_time(&trimmed, model.engines.len(), aileron).unwrap();
+        }
+        // Rounding does not bring it out of symmetry: what would be timed is half of it.
+        let refused = flight_time(&trimmed, model.engines.len(), 1e-300).unwrap_err().to_string();
+        assert!(refused.contains("half of the aircraft flew where the whole was to be timed"), "{refused}");
+    }
 }

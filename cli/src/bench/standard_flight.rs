@@ -26,6 +26,9 @@ const USUAL_TOLERANCE: f64 = 1e-5;
 /// What is compared: pitch, a wing tip, the load factor.
 const WATCHED: [&str; 3] = ["attitude.pitch", "deflection.wing_tip_right.up", "load_factor.z"];
 
+/// All that the FMU needs: what is moved and what is watched.
+pub const NEEDED: [&str; 4] = ["elevator", WATCHED[0], WATCHED[1], WATCHED[2]];
+
 /// One tolerance.
 pub struct Accuracy {
     pub tolerance: f64,

@@ -1,5 +1,6 @@
 //! `flexair flutter`: at which airspeeds an aircraft flutters or diverges, in words, plots and numbers.
 
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
@@ -10,9 +11,10 @@ use flexible_aircraft::stability::Sweep;
 use flexible_aircraft::structure::{ModeCount, ModeFamily, ModeKind, ReducedModel, StructureError};
 use flexible_aircraft_packaging::FileError;
 
-use crate::files::{Overwriting, refuse_overwriting};
+use crate::files::{Drafts, Overwriting, refuse_overwriting};
+use crate::numbers::Plain;
 use crate::progress::Progress;
-use crate::{diagnostics, files, terminal, workspace};
+use crate::{diagnostics, terminal, workspace};
 
 mod motion;
 mod plots;
@@ -47,7 +49,7 @@ pub struct FlutterOptions {
     #[arg(long, value_name = "N", default_value_t = 41)]
     points: usize,
 
-    /// Altitude in the standard atmosphere, m [default: the aircraft's]
+    /// Altitude in the standard atmosphere, m, where the aircraft has no `density_kg_m3` [default: the aircraft's]
     #[arg(long, value_name = "M", allow_negative_numbers = true)]
     altitude: Option<f64>,
 
@@ -105,10 +107,21 @@ pub enum Error {
     Aircraft(#[from] AircraftFileError),
     #[error(transparent)]
     Structure(#[from] StructureError),
+    #[error("{}: found {found}, allowed is {allowed}", option(setting))]
+    Setting { setting: &'static str, found: String, allowed: String },
     #[error(transparent)]
-    Settings(#[from] SimulationError),
+    Simulation(SimulationError),
+    #[error("{option}: found {}, allowed is {} to {} m/s", Plain(*found), allowed.start(), allowed.end())]
+    Airspeed { option: &'static str, found: f64, allowed: RangeInclusive<f64> },
     #[error(
-        "--from {from} --to {to} --points {points} is no range: 0 < from < to (m/s) and 2 to {MOST_POINTS} points are allowed"
+        "--altitude {}: {aircraft} is in a wind tunnel with air of its own, `density_kg_m3`; allowed is one of them",
+        Plain(*altitude)
+    )]
+    TunnelAltitude { altitude: f64, aircraft: String },
+    #[error(
+        "--from {} --to {} --points {points} is no range: 0 < from < to (m/s) and 2 to {MOST_POINTS} points are allowed",
+        Plain(*from),
+        Plain(*to)
     )]
     Range { from: f64, to: f64, points: usize },
     #[error("{option}: nothing would move, for the aircraft is clamped; allowed is {allowed}")]
@@ -129,6 +142,25 @@ impl Error {
     }
 }
 
+impl From<SimulationError> for Error {
+    fn from(error: SimulationError) -> Self {
+        match error {
+            SimulationError::Setting { setting, found, allowed } => {
+                Error::Setting { setting, found, allowed }
+            }
+            other => Error::Simulation(other),
+        }
+    }
+}
+
+/// The option with which a parameter of the FMU is set here.
+fn option(setting: &str) -> String {
+    match setting {
+        "mode_count" => "--modes".to_owned(),
+        other => format!("--{}", other.replace('_', "-")),
+    }
+}
+
 /// What was analysed, and what came out.
 struct Analysis {
     model: ReducedModel,
@@ -145,20 +177,23 @@ pub fn run(options: &FlutterOptions) -> Result<(), Error> {
     let name = options.aircraft.file_stem().unwrap_or_default().to_string_lossy();
     let outputs = OUTPUTS.map(|ending| options.output.join(format!("{name}-{ending}")));
     refuse_overwriting(&outputs.each_ref().map(PathBuf::as_path), [options.aircraft.as_path()])?;
+    let [dampings, frequencies, aperiodic, roots] = outputs.each_ref().map(PathBuf::as_path);
+    let drafts = Drafts::new([dampings, frequencies, roots, aperiodic])?;
     let analysis = analyse(options)?;
     for warning in report::warnings(&analysis) {
         diagnostics::warn(&warning);
     }
     terminal::print(&report::text(&analysis))?;
-    let contents = [
-        Some(plots::dampings(&analysis).to_svg()),
-        Some(plots::frequencies(&analysis).to_svg()),
-        plots::aperiodic_growth(&analysis).map(|chart| chart.to_svg()),
-        Some(roots::table(&analysis)),
+    let always = [
+        plots::dampings(&analysis).to_svg(),
+        plots::frequencies(&analysis).to_svg(),
+        roots::table(&analysis),
     ];
-    for (path, content) in outputs.iter().zip(contents) {
-        let Some(content) = content else { continue };
-        files::write(path, content.as_bytes())?;
+    let growth = plots::aperiodic_growth(&analysis).map(|chart| chart.to_svg());
+    drafts.keep(always.iter().chain(&growth).map(String::as_str))?;
+    for path in
+        [Some(dampings), Some(frequencies), growth.map(|_| aperiodic), Some(roots)].into_iter().flatten()
+    {
         terminal::print(&format!("{}\n", path.display()))?;
     }
     Ok(())
@@ -166,7 +201,10 @@ pub fn run(options: &FlutterOptions) -> Result<(), Error> {
 
 fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
     let aircraft = Aircraft::read(&options.aircraft)?;
-    let airspeeds = airspeeds(options)?;
+    let airspeeds = airspeeds(options, aircraft.support)?;
+    if let (Some(altitude), Some(_)) = (options.altitude, &aircraft.tunnel_air) {
+        return Err(Error::TunnelAltitude { altitude, aircraft: options.aircraft.display().to_string() });
+    }
     let (model, mode_count) = reduce(&aircraft, options)?;
     check_mobility(aircraft.support, options)?;
     let settings = Settings {
@@ -202,10 +240,16 @@ fn check_mobility(support: Support, options: &FlutterOptions) -> Result<(), Erro
 }
 
 /// The airspeeds of the range.
-fn airspeeds(options: &FlutterOptions) -> Result<Vec<f64>, Error> {
+fn airspeeds(options: &FlutterOptions, support: Support) -> Result<Vec<f64>, Error> {
     let FlutterOptions { from, to, points, .. } = *options;
     if !(0.0 < from && from < to && to.is_finite() && (2..=MOST_POINTS).contains(&points)) {
         return Err(Error::Range { from, to, points });
+    }
+    let allowed = support.airspeeds();
+    for (option, found) in [("--from", from), ("--to", to)] {
+        if !allowed.contains(&found) {
+            return Err(Error::Airspeed { option, found, allowed });
+        }
     }
     let step = (to - from) / (points - 1) as f64;
     Ok((0..points).map(|point| from + step * point as f64).collect())

@@ -18,7 +18,7 @@ const LEAST_DAMPING: Window = Window::new(-0.1, 0.05);
 /// The V–f plot goes up to this multiple of the highest frequency of a flutter, if there is one.
 const FREQUENCY_MARGIN: f64 = 4.0;
 
-/// The most growth that the plot of aperiodic roots shows, 1/s.
+/// The most growth that the plot of aperiodic roots shows, 1/s, unless a root grows faster than that wherever it is unstable.
 const GROWTH: Window = Window::new(-10.0, 10.0);
 
 /// The least of it.
@@ -42,11 +42,17 @@ pub fn frequencies(analysis: &Analysis) -> Chart {
 pub fn aperiodic_growth(analysis: &Analysis) -> Option<Chart> {
     let is_aperiodic = |root: &Root| !oscillates(root);
     let mut curves = curves(analysis, is_aperiodic, Window::new(0.0, 1.0), |root| root.eigenvalue.re);
-    curves.retain(|curve| curve.points.iter().any(|point| GROWTH.contains(point.1)));
+    curves.retain(|curve| curve.points.iter().any(|point| point.1 >= GROWTH.min));
     if curves.is_empty() {
         return None;
     }
-    let y = Axis::new("growth Re λ (1/s); unstable above 0", enclosing(&curves, LEAST_GROWTH, GROWTH));
+    // What is unstable is shown where it grows least, however fast that is.
+    let slowest = |curve: &Curve| {
+        let growths = curve.points.iter().map(|point| point.1).filter(|growth| *growth > 0.0);
+        growths.reduce(f64::min)
+    };
+    let most = Window::new(GROWTH.min, curves.iter().filter_map(slowest).fold(GROWTH.max, f64::max));
+    let y = Axis::new("growth Re λ (1/s); unstable above 0", enclosing(&curves, LEAST_GROWTH, most));
     Some(chart(analysis, "growth of aperiodic roots over airspeed", y, curves, Some(Mark::Limit(0.0))))
 }
 
@@ -77,7 +83,8 @@ fn enclosing(curves: &[Curve], least: Window, most: Window) -> Window {
     Window::new(1.1 * low, 1.1 * high)
 }
 
-/// One curve for each branch with roots of a kind, where it has them, if one of them has a frequency in the window.
+/// One curve for each branch with roots of a kind, where it has them, if one of them has a frequency in the window. One
+/// root by itself matters, as a dot, if it is unstable.
 fn curves(
     analysis: &Analysis,
     is_wanted: impl Fn(&Root) -> bool,
@@ -91,11 +98,12 @@ fn curves(
             .filter_map(|(speed, root)| Some((*speed, root.as_ref()?)))
             .filter(|(_, root)| is_wanted(root))
             .collect();
-        let matters = wanted.iter().any(|(_, root)| frequencies.contains(frequency(root)));
+        let is_seen = wanted.len() > 1 || wanted.iter().any(|(_, root)| root.eigenvalue.re > 0.0);
+        let matters = is_seen && wanted.iter().any(|(_, root)| frequencies.contains(frequency(root)));
         let points = wanted.iter().map(|(speed, root)| (*speed, value(root))).collect();
         matters.then(|| Curve { label: name(branch, analysis), points })
     };
-    sweep.branches.iter().filter_map(curve).filter(|curve| curve.points.len() > 1).collect()
+    sweep.branches.iter().filter_map(curve).collect()
 }
 
 /// Lines where something becomes unstable or the equilibrium is lost, by airspeed.

@@ -8,6 +8,7 @@ use flexible_aircraft::stability::{Crossing, CrossingKind, EquilibriumLoss, Loss
 
 use super::Analysis;
 use super::motion::{composition, frequency, name, oscillates_at};
+use crate::numbers::Plain;
 
 /// Airspeeds that were not analysed are named up to this number.
 const MOST_NAMED: usize = 20;
@@ -44,7 +45,7 @@ pub fn warnings(analysis: &Analysis) -> Vec<String> {
         let count = alike.clone().count();
         let (airspeed, farthest) = alike.max_by(|a, b| a.1.value.abs().total_cmp(&b.1.value.abs()))?;
         let more = if count > 1 { format!(" (so at {count} airspeeds)") } else { String::new() };
-        Some(format!("the trim at {airspeed} m/s stands, but {farthest}{more}"))
+        Some(format!("the trim at {} m/s stands, but {farthest}{more}", Plain(*airspeed)))
     };
     kinds.iter().filter_map(warning).collect()
 }
@@ -56,16 +57,18 @@ fn heading(analysis: &Analysis) -> String {
         Support::Clamped => "clamped in a wind tunnel",
     };
     let altitude =
-        if model.tunnel_air.is_some() { String::new() } else { format!("{} m, ", settings.altitude) };
+        if model.tunnel_air.is_some() { String::new() } else { format!("{} m, ", Plain(settings.altitude)) };
     format!(
         "{}, {support}\n{level} model, stiffness × {}, {} modes, {} inflow states, {altitude}{:.4} kg/m³\n\
-         {} airspeeds from {from} to {to} m/s\n\n",
+         {} airspeeds from {} to {} m/s\n\n",
         model.name,
-        settings.stiffness_scale,
+        Plain(settings.stiffness_scale),
         model.modes.len(),
         settings.inflow_states,
         analysis.density(),
         sweep.airspeeds.len() + sweep.skipped.len(),
+        Plain(*from),
+        Plain(*to),
     )
 }
 
@@ -105,7 +108,7 @@ fn unstable(analysis: &Analysis) -> String {
 
 /// That a kind of instability does not begin in the range, or that one is there whose beginning was not found.
 fn absent(kind: CrossingKind, word: &str, analysis: &Analysis) -> String {
-    let ([from, to], sweep) = (analysis.range, &analysis.sweep);
+    let ([from, to], sweep) = (analysis.range.map(Plain), &analysis.sweep);
     if sweep.crossings.iter().any(|crossing| crossing.kind == kind && crossing.is_onset) {
         return String::new();
     }

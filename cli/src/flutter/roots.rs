@@ -17,6 +17,7 @@ pub fn table(analysis: &Analysis) -> String {
     let mut text = format!("{HEADER}\n");
     let mut unreached = sweep.unreached.iter().peekable();
     for (index, airspeed) in sweep.airspeeds.iter().enumerate() {
+        let speed = Plain(*airspeed);
         for (number, branch) in sweep.branches.iter().enumerate() {
             let Some(root) = &branch.roots[index] else { continue };
             let (real, imaginary) = (Plain(root.eigenvalue.re), Plain(root.eigenvalue.im.abs()));
@@ -27,13 +28,12 @@ pub fn table(analysis: &Analysis) -> String {
             };
             let mode = leading_motion(root, analysis);
             // Writing to a String does not fail.
-            let _ =
-                writeln!(text, "{airspeed},{},{real},{imaginary},{frequency},{damping},{mode}", number + 1);
+            let _ = writeln!(text, "{speed},{},{real},{imaginary},{frequency},{damping},{mode}", number + 1);
         }
-        while let Some((_, eigenvalue)) = unreached.next_if(|(speed, _)| speed == airspeed) {
+        while let Some((_, eigenvalue)) = unreached.next_if(|(at, _)| at == airspeed) {
             let (real, imaginary) = (Plain(eigenvalue.re), Plain(eigenvalue.im));
             let frequency = Plain(eigenvalue.im / std::f64::consts::TAU);
-            let _ = writeln!(text, "{airspeed},,{real},{imaginary},{frequency},,");
+            let _ = writeln!(text, "{speed},,{real},{imaginary},{frequency},,");
         }
     }
     text

@@ -79,12 +79,84 @@ fn a_range_that_is_none_is_refused() {
     for range in [
         "--from 80 --to 5",
         "--from 0 --to 5",
+        "--from 1e-320 --to 0",
         "--from 5 --to 80 --points 1",
         "--from 5 --to 80 --points 100001",
         "--from 5 --to 80 --points 18446744073709551615",
     ] {
         let error = analyse(&options("typical-section.toml", range)).err().unwrap().report();
         assert!(error.contains("0 < from < to (m/s) and 2 to 100000 points are allowed"), "{error}");
+    }
+}
+
+#[test]
+fn what_is_out_of_range_is_named_by_its_option() {
+    for (aircraft, option, expected) in [
+        ("generic-business-jet.toml", "--from 0.5 --to 90", "--from: found 0.5, allowed is 1 to 400 m/s"),
+        ("generic-business-jet.toml", "--from 90 --to 401", "--to: found 401, allowed is 1 to 400 m/s"),
+        (
+            "generic-business-jet.toml",
+            "--from 90 --to 100 --altitude 30000",
+            "--altitude: found 30000, allowed is -1000 to 20000 (m)",
+        ),
+        (
+            "goland-wing.toml",
+            "--from 90 --to 100 --stiffness-scale 0",
+            "--stiffness-scale: found 0, allowed is a finite number > 0",
+        ),
+        (
+            "goland-wing.toml",
+            "--from 90 --to 100 --inflow-states 9",
+            "--inflow-states: found 9, allowed is 0 to 8",
+        ),
+    ] {
+        let error = analyse(&options(aircraft, option)).err().unwrap().report();
+        assert_eq!(error, format!("error: {expected}"));
+    }
+}
+
+#[test]
+fn an_altitude_is_refused_where_the_tunnel_has_air_of_its_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft/goland-wing.toml");
+    let text = std::fs::read_to_string(path).unwrap();
+    let own: String =
+        text.lines().filter(|line| !line.starts_with("altitude_m")).fold(String::new(), |t, l| t + l + "\n");
+    let file = folder.path().join("own-air.toml");
+    std::fs::write(&file, own.replacen("support =", "density_kg_m3 = 1.0\nsupport =", 1)).unwrap();
+    let range = "--from 90 --to 100 --points 2 --modes 2";
+    let file = file.display().to_string();
+    let error = analyse(&options(&file, &format!("{range} --altitude 1000"))).err().unwrap().report();
+    assert!(error.starts_with("error: --altitude 1000: ") && error.contains("`density_kg_m3`"), "{error}");
+    assert_eq!(analyse(&options(&file, range)).unwrap().density(), 1.0);
+}
+
+/// Of the section, which diverges from 56.57 m/s on.
+#[test]
+fn an_aperiodic_instability_at_one_airspeed_alone_is_drawn() {
+    let analysis = section("--from 5 --to 60 --points 2 --modes 2 --inflow-states 0");
+    let chart = plots::aperiodic_growth(&analysis).unwrap();
+    let unstable = |curve: &&Curve| curve.points.iter().any(|point| point.1 > 0.0);
+    let [curve] = chart.curves.iter().filter(unstable).collect::<Vec<_>>()[..] else { panic!("{chart:?}") };
+    assert_eq!(curve.points.len(), 1, "{curve:?}");
+    assert!(chart.y.window.contains(curve.points[0].1) && chart.to_svg().contains("<circle"));
+}
+
+#[test]
+fn a_plot_of_an_earlier_run_goes_when_nothing_is_drawn_now() {
+    let folder = tempfile::tempdir().unwrap();
+    let files = || {
+        let entries = std::fs::read_dir(folder.path()).unwrap();
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect::<Vec<_>>()
+    };
+    for (to, count) in [("80", 4), ("20", 3)] {
+        let rest = format!(
+            "--from 5 --to {to} --points 16 --modes 2 --inflow-states 0 --output {}",
+            folder.path().display()
+        );
+        run(&options("typical-section.toml", &rest)).unwrap();
+        let is_there = files().contains(&"typical-section-v-aperiodic.svg".to_owned());
+        assert_eq!((files().len(), is_there), (count, count == 4), "{:?}", files());
     }
 }
 

@@ -17,14 +17,17 @@ use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft_packaging::FileError;
 use rayon::prelude::*;
 
-use crate::files::{Overwriting, refuse_overwriting};
+use crate::files::{Drafts, Overwriting, refuse_overwriting};
 use crate::progress::Progress;
-use crate::{ReproduceOptions, diagnostics, files, terminal};
+use crate::{ReproduceOptions, diagnostics, terminal};
 use cases::{Case, Flight, Surface};
 use figures::{GROUPS, Group};
 use history::{DURATION, History, Tips};
 use plots::Plot;
 use table::Table;
+
+/// The figures that show the inputs.
+const INPUTS: [(u8, Surface); 2] = [(1, Surface::Elevator), (33, Surface::Rudder)];
 
 /// Why `flexair reproduce` did not succeed.
 #[derive(Debug, thiserror::Error)]
@@ -80,9 +83,13 @@ pub fn run(options: &ReproduceOptions) -> Result<(), Error> {
         return Err(Error::Clamped(aircraft.name));
     }
     let model = Arc::new(ReducedModel::new(&aircraft, ModeCount::Usual(ReducedModel::USUAL_MODES))?);
+    let paths: Vec<PathBuf> = file_names().iter().map(|name| options.output.join(name)).collect();
+    let outputs: Vec<&Path> = paths.iter().map(PathBuf::as_path).collect();
+    refuse_overwriting(&outputs, [options.aircraft.as_path()])?;
+    let drafts = Drafts::new(outputs)?;
     let histories = fly(&model, &Flight::all())?;
     let reproduction = Reproduction::new(&aircraft, &histories);
-    write_all(options, &reproduction, &histories)?;
+    drafts.keep(contents(&reproduction, &histories).iter().map(String::as_str))?;
     let (table, page) = (reproduction.table.markdown(), options.output.join("index.html"));
     Ok(terminal::print(&format!("{table}{}\n{}\n", reproduction.summary(), page.display()))?)
 }
@@ -113,7 +120,7 @@ impl Reproduction {
         Reproduction {
             name: aircraft.name.clone(),
             table: Table::new(is_shipped(aircraft), histories),
-            inputs: [(1, Surface::Elevator), (33, Surface::Rudder)].map(|(n, s)| (n, plots::input(s))),
+            inputs: INPUTS.map(|(number, surface)| (number, plots::input(surface))),
             sections: GROUPS.iter().map(section).collect(),
             ended: ended.collect(),
         }
@@ -142,31 +149,52 @@ fn is_shipped(aircraft: &Aircraft) -> bool {
     Aircraft::parse(file, "generic-business-jet.toml").is_ok_and(|shipped| shipped == *aircraft)
 }
 
-/// All files of the page, with their names in the folder.
-fn write_all(
-    options: &ReproduceOptions,
-    reproduction: &Reproduction,
-    histories: &[History],
-) -> Result<(), Error> {
-    let mut contents = vec![
-        ("index.html".to_owned(), page::html(reproduction)),
-        ("overview.svg".to_owned(), reproduction.overview()),
-        ("table-5.1.md".to_owned(), reproduction.table.markdown()),
-    ];
-    let inputs = reproduction.inputs.iter();
-    contents.extend(inputs.map(|(n, svg)| (format!("figures/figure-5.{n:02}-input.svg"), svg.clone())));
-    contents.extend(
-        reproduction.plots().map(|plot| (format!("figures/{}", plot.figure.file_name()), plot.svg.clone())),
-    );
-    let flights = histories.iter();
-    contents
-        .extend(flights.map(|history| (format!("flights/{}.csv", history.flight.slug()), history.to_csv())));
-    let paths: Vec<PathBuf> = contents.iter().map(|(name, _)| options.output.join(name)).collect();
-    let outputs: Vec<&Path> = paths.iter().map(PathBuf::as_path).collect();
-    refuse_overwriting(&outputs, [options.aircraft.as_path()])?;
-    outputs
+/// The names in the folder of all files of the page.
+fn file_names() -> Vec<String> {
+    let whole = ["index.html", "overview.svg", "table-5.1.md"].map(str::to_owned);
+    let inputs = INPUTS.map(|(number, _)| format!("figures/figure-5.{number:02}-input.svg"));
+    let figures = GROUPS.iter().flat_map(Group::figures);
+    let flights = Flight::all().into_iter();
+    whole
         .into_iter()
-        .zip(&contents)
-        .try_for_each(|(path, (_, content))| files::write(path, content.as_bytes()))?;
-    Ok(())
+        .chain(inputs)
+        .chain(figures.map(|figure| format!("figures/{}", figure.file_name())))
+        .chain(flights.map(|flight| format!("flights/{}.csv", flight.slug())))
+        .collect()
+}
+
+/// What is in them, in the same order.
+fn contents(reproduction: &Reproduction, histories: &[History]) -> Vec<String> {
+    let whole = [page::html(reproduction), reproduction.overview(), reproduction.table.markdown()];
+    whole
+        .into_iter()
+        .chain(reproduction.inputs.iter().map(|(_, svg)| svg.clone()))
+        .chain(reproduction.plots().map(|plot| plot.svg.clone()))
+        .chain(histories.iter().map(History::to_csv))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_of_the_page_has_the_content_of_its_name() {
+        let file = include_str!("../../../aircraft/generic-business-jet.toml");
+        let aircraft = Aircraft::parse(file, "generic-business-jet.toml").unwrap();
+        let model = Arc::new(ReducedModel::new(&aircraft, 12).unwrap());
+        let tips = Tips::of(&model).unwrap();
+        let fly = |&flight: &Flight| History::fly(&model, tips, flight, 0.1);
+        let histories: Vec<History> = Flight::all().iter().map(fly).collect();
+        let reproduction = Reproduction::new(&aircraft, &histories);
+        let (names, contents) = (file_names(), contents(&reproduction, &histories));
+        assert_eq!(names.len(), contents.len());
+        let content = |name: String| &contents[names.iter().position(|found| *found == name).unwrap()];
+        for plot in reproduction.plots() {
+            assert!(*content(format!("figures/{}", plot.figure.file_name())) == plot.svg);
+        }
+        for history in &histories {
+            assert!(*content(format!("flights/{}.csv", history.flight.slug())) == history.to_csv());
+        }
+    }
 }

@@ -56,12 +56,21 @@ pub fn columns(names: &[&str], line: usize, variables: &VariableTable) -> Result
         }
         let meaning = match index {
             0 if *name == "time" => Meaning::Time,
+            0 if is_time(name) => {
+                return Err(mistake(format!("`time`, in small letters, in s{}", bare(name))));
+            }
             0 => return Err(mistake(format!("`time`, in s{}", bare(name)))),
             _ => meaning(name, names, variables).map_err(mistake)?,
         };
         columns.push(Column { name: (*name).to_owned(), meaning });
     }
     Ok(columns)
+}
+
+/// Whether a name is another way to write the time's.
+fn is_time(name: &str) -> bool {
+    without_unit(name) != "time"
+        && ["time", "t"].iter().any(|time| time.eq_ignore_ascii_case(without_unit(name)))
 }
 
 /// What the numbers under a name are, or what is allowed instead.

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use clap::Args;
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
-use flexible_aircraft::simulation::{Settings, SimulationError};
+use flexible_aircraft::simulation::SimulationError;
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::FileError;
@@ -114,8 +114,7 @@ pub fn run(options: &SimulateOptions) -> Result<(), Error> {
     let count = ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES);
     let model = Arc::new(ReducedModel::new(&Aircraft::read(&options.aircraft)?, count)?);
     let variables = VariableTable::new(&model);
-    let mut settings = Settings::of(&model);
-    parameter::set_all(&options.set, &variables, &mut settings)?;
+    let settings = parameter::settings(&options.set, &variables, &model)?;
     let schedule = Schedule::parse(&read(inputs)?, &variables)
         .map_err(|source| Error::Inputs { path: inputs.clone(), source })?;
     let rows = schedule.point_count(*step);
@@ -138,7 +137,10 @@ pub fn run(options: &SimulateOptions) -> Result<(), Error> {
     match fly(&mut flight, *step, Sink::open(output)?, &progress) {
         // Who reads had enough.
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        Err(source) => Err(FileError { action: "write", path: output.clone(), source }.into()),
+        Err(source) => {
+            Err(FileError { action: "write to", path: named(output, "standard output").into(), source }
+                .into())
+        }
         Ok((Sink::Stream(_), end)) => end.map_or(Ok(()), |error| Err(error.into())),
         Ok((Sink::File(draft), None)) => Ok(draft.keep()?),
         Ok((Sink::File(draft), Some(source))) => {

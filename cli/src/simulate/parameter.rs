@@ -1,6 +1,7 @@
 //! Parameters of the FMU, given as text.
 
-use flexible_aircraft::simulation::Settings;
+use flexible_aircraft::simulation::{ModeSelection, Settings};
+use flexible_aircraft::structure::{ModeFamily, ReducedModel};
 use flexible_aircraft::variables::{ParameterSlot, Slot, Type, Value, Variable, VariableTable};
 use flexible_aircraft_packaging::probably_meant;
 
@@ -15,8 +16,8 @@ pub enum Mistake {
     Input { assignment: String, name: String },
     #[error("{assignment}: `{name}` is an output: it is computed, not set")]
     Output { assignment: String, name: String },
-    #[error("{assignment}: found `{found}`, allowed is {allowed}")]
-    Value { assignment: String, found: String, allowed: String },
+    #[error("{assignment}: found `{found}`, allowed is {allowed}{}", did_you_mean(.meant))]
+    Value { assignment: String, found: String, meant: Option<String>, allowed: String },
     #[error("{second}: `{name}` was set before, by {first}")]
     Twice { name: String, first: String, second: String },
 }
@@ -26,21 +27,41 @@ pub fn did_you_mean(name: &Option<String>) -> String {
     name.as_ref().map_or(String::new(), |name| format!(", did you mean `{name}`?"))
 }
 
-/// Carries out assignments like `stiffness_scale=0.1` or `model=rigid`, each parameter once.
+/// The settings of a model after assignments like `stiffness_scale=0.1` or `model=rigid`, each parameter once. The usual
+/// number of modes is no more than there are of the chosen family.
 ///
 /// # Errors
 /// At the first one that names no parameter, or a value that it cannot have.
-pub fn set_all(
+pub fn settings(
+    assignments: &[String],
+    variables: &VariableTable,
+    model: &ReducedModel,
+) -> Result<Settings, Mistake> {
+    let mut settings = Settings::of(model);
+    set_all(assignments, variables, &mut settings)?;
+    let is_asked_for = assignments.iter().any(|assignment| name(assignment) == "mode_count");
+    if !is_asked_for && settings.mode_selection == ModeSelection::Symmetric {
+        let symmetric = model.modes.iter().filter(|mode| mode.family == ModeFamily::Symmetric).count();
+        settings.mode_count = settings.mode_count.min(symmetric);
+    }
+    Ok(settings)
+}
+
+/// What an assignment is to.
+fn name(assignment: &str) -> &str {
+    assignment.split('=').next().unwrap_or_default()
+}
+
+fn set_all(
     assignments: &[String],
     variables: &VariableTable,
     settings: &mut Settings,
 ) -> Result<(), Mistake> {
-    let name = |assignment: &'_ str| assignment.split('=').next().map(str::to_owned);
     for (index, second) in assignments.iter().enumerate() {
         set(second, variables, settings)?;
         if let Some(first) = assignments[..index].iter().find(|first| name(first) == name(second)) {
-            let (first, second) = (first.clone(), second.clone());
-            return Err(Mistake::Twice { name: name(&second).unwrap_or_default(), first, second });
+            let name = name(second).to_owned();
+            return Err(Mistake::Twice { name, first: first.clone(), second: second.clone() });
         }
     }
     Ok(())
@@ -55,6 +76,7 @@ fn set(assignment: &str, variables: &VariableTable, settings: &mut Settings) -> 
     let value = value.ok_or_else(|| Mistake::Value {
         assignment: assignment.to_owned(),
         found: text.to_owned(),
+        meant: meant(variable, text),
         allowed: variable.allowed(),
     })?;
     slot.set(settings, value);
@@ -87,6 +109,12 @@ fn parameter<'v>(
     }
 }
 
+/// The item of an enumeration that was probably meant.
+fn meant(variable: &Variable, text: &str) -> Option<String> {
+    let Type::Enumeration(enumeration) = variable.kind else { return None };
+    probably_meant(text, enumeration.items().iter().map(|(item, _)| *item)).map(str::to_owned)
+}
+
 /// A number, or the name of an enumeration's item, in any case.
 fn value(variable: &Variable, text: &str) -> Option<Value> {
     match variable.kind {
@@ -106,7 +134,6 @@ mod tests {
 
     use flexible_aircraft::aircraft::Aircraft;
     use flexible_aircraft::simulation::Fidelity;
-    use flexible_aircraft::structure::ReducedModel;
 
     use super::*;
 
@@ -115,9 +142,7 @@ mod tests {
         let model = ReducedModel::new(&Aircraft::read(&path).unwrap(), 2).unwrap();
         let variables = VariableTable::new(&model);
         let assignments: Vec<String> = assignments.iter().map(ToString::to_string).collect();
-        let mut settings = Settings::of(&model);
-        set_all(&assignments, &variables, &mut settings).map_err(|mistake| mistake.to_string())?;
-        Ok(settings)
+        settings(&assignments, &variables, &model).map_err(|mistake| mistake.to_string())
     }
 
     #[test]
@@ -145,6 +170,10 @@ mod tests {
                 "model=stiff",
                 "model=stiff: found `stiff`, allowed is 1 (exact), 2 (consistently_linearised), ",
             ),
+            (
+                "model=rigit",
+                "model=rigit: found `rigit`, allowed is 1 (exact), 2 (consistently_linearised), 3 (inconsistent), 4 (ruthlessly_linearised), 5 (rigid), did you mean `rigid`?",
+            ),
             ("model=6", "model=6: found `6`, allowed is 1 (exact), "),
             ("airspeed=fast", "airspeed=fast: found `fast`, allowed is 1 to 400 m/s"),
             ("airspeed=NaN", "airspeed=NaN: found `NaN`, allowed is 1 to 400 m/s"),
@@ -155,6 +184,25 @@ mod tests {
             let mistake = set(&[assignment]).unwrap_err();
             assert!(mistake.starts_with(expected), "{mistake}");
         }
+    }
+
+    /// The jet's first 12 modes are of both families.
+    #[test]
+    fn the_usual_number_of_modes_is_no_more_than_the_family_has() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft/generic-business-jet.toml");
+        let model = ReducedModel::new(&Aircraft::read(&path).unwrap(), 12).unwrap();
+        let variables = VariableTable::new(&model);
+        let of = |assignments: &[&str]| {
+            let assignments: Vec<String> = assignments.iter().map(ToString::to_string).collect();
+            settings(&assignments, &variables, &model).unwrap()
+        };
+        let symmetric = of(&["mode_family=symmetric"]);
+        assert!((1..12).contains(&symmetric.mode_count), "{}", symmetric.mode_count);
+        assert_eq!(symmetric.choose_modes(&model).unwrap().len(), symmetric.mode_count);
+        assert_eq!(of(&[]).mode_count, 12);
+        // What was asked for is not changed in silence.
+        let asked = of(&["mode_count=12", "mode_family=symmetric"]);
+        assert!(asked.choose_modes(&model).unwrap_err().to_string().starts_with("mode_count: found 12"));
     }
 
     #[test]

@@ -3,11 +3,9 @@
 use csv::{ReaderBuilder, StringRecord, Trim};
 use flexible_aircraft::simulation::Inputs;
 use flexible_aircraft::variables::VariableTable;
+use flexible_aircraft_packaging::instead_of_degrees;
 
 use super::header::{Column, Meaning, columns, other_separator};
-
-/// The largest surface angle that is taken for one in rad.
-const LARGEST_SURFACE_ANGLE: f64 = 1.6;
 
 /// Inputs over time.
 #[derive(Clone, Debug, PartialEq)]
@@ -186,12 +184,10 @@ fn number(cell: &str, line: usize, column: &Column) -> Result<f64, Mistake> {
     let number =
         number.ok_or_else(|| Mistake::new(line, &column.name, format!("`{cell}`"), "a finite number"))?;
     let is_surface = matches!(column.meaning, Meaning::Value { is_surface: true, .. });
-    if is_surface && number.abs() > LARGEST_SURFACE_ANGLE {
-        let limit = LARGEST_SURFACE_ANGLE;
-        let allowed = format!("-{limit} to {limit} rad: inputs are rad; {number} looks like degrees");
-        return Err(Mistake::new(line, &column.name, number.to_string(), allowed));
+    match instead_of_degrees(number).filter(|_| is_surface) {
+        Some(allowed) => Err(Mistake::new(line, &column.name, number.to_string(), allowed)),
+        None => Ok(number),
     }
-    Ok(number)
 }
 
 #[cfg(test)]

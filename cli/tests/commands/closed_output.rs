@@ -106,12 +106,17 @@ fn nothing_panics_when_errors_cannot_be_told_either() {
 fn a_full_disk_is_told() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("inputs.csv"), "time\n0\n").unwrap();
-    for line in ["simulate inputs.csv", "completions bash", "simulate inputs.csv --output /dev/full"] {
+    for (line, place) in [
+        ("simulate inputs.csv", "standard output"),
+        ("completions bash", "standard output"),
+        ("simulate inputs.csv --output /dev/full", "/dev/full"),
+    ] {
         let mut command = flexair(folder.path(), line);
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
         let output = command.stdout(full).stderr(Stdio::piped()).output().unwrap();
         let errors = text(&output.stderr);
         assert_eq!(output.status.code(), Some(1), "{errors}");
-        assert!(errors.contains("No space left on device"), "{errors}");
+        let expected = format!("cannot write to {place}: No space left on device");
+        assert!(errors.contains(&expected), "{errors}");
     }
 }

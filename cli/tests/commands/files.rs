@@ -23,6 +23,9 @@ fn every_command_refuses_an_output_that_is_an_input() {
     let before = (names(path), contents(path));
     let lines = [
         "simulate inputs.csv --output ./inputs.csv".to_owned(),
+        "simulate inputs.csv --output missing/../inputs.csv".to_owned(),
+        "ssp a.fmu --output missing/../a.fmu".to_owned(),
+        "merge a.fmu law.fmu --output missing/../law.fmu".to_owned(),
         "simulate inputs.csv --aircraft jet.toml --output hard.toml".to_owned(),
         "package --aircraft jet.toml --output hard.toml".to_owned(),
         format!("package --aircraft jet.toml --binary {library} --output ./lib.so"),

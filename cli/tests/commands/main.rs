@@ -1,6 +1,8 @@
 //! The command line from outside: the program is run as people run it.
 
 #[cfg(test)]
+mod before_work;
+#[cfg(test)]
 mod closed_output;
 #[cfg(test)]
 mod files;

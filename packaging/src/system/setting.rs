@@ -4,6 +4,7 @@ use super::check::{described, feeder, variable};
 use super::error::Misfit;
 use super::{Component, Connection, ConnectionError, Endpoint, SystemError};
 use crate::model_description::{Variable, VariableType};
+use crate::{instead_of_degrees, probably_meant};
 
 /// A start value, checked.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,9 +43,28 @@ fn setting(
         let state = if is_taken { ", which is connected or set already" } else { "" };
         return Err(ConnectionError::NotSettable { found: described(at, variable) + state });
     }
-    let value = checked(variable, value)
-        .ok_or_else(|| ConnectionError::Value { found: value.to_owned(), allowed: allowed(variable) })?;
+    let refused = |allowed: String| ConnectionError::Value { found: value.to_owned(), allowed };
+    let angle = value.parse().ok().filter(|_| is_surface(components, at, variable));
+    if let Some(allowed) = angle.and_then(instead_of_degrees) {
+        return Err(refused(format!("allowed is {allowed}")));
+    }
+    let value =
+        checked(variable, value).ok_or_else(|| refused(allowed(variable) + &meant(variable, value)))?;
     Ok(Setting { at: at.clone(), kind: variable.kind, value })
+}
+
+/// Whether a variable is the angle of a control surface, whose position is an output then, as of a packaged aircraft.
+fn is_surface(components: &[Component], at: &Endpoint, variable: &Variable) -> bool {
+    let position = Endpoint { variable: format!("surface.{}", at.variable), ..at.clone() };
+    let has_position =
+        self::variable(components, &position).is_ok_and(|position| position.causality == "output");
+    variable.causality == "input" && variable.unit == "rad" && has_position
+}
+
+/// The item of an enumeration that was probably meant, to be put behind a message.
+fn meant(variable: &Variable, value: &str) -> String {
+    let names = variable.items.iter().map(|(name, _)| name.as_str());
+    probably_meant(value, names).map_or(String::new(), |name| format!(", did you mean `{name}`?"))
 }
 
 /// The value as XML Schema writes it, if the variable can have it.

@@ -13,6 +13,7 @@ const PLANT: &str = r#"<fmiModelDescription fmiVersion="2.0" guid="p"><CoSimulat
     <ScalarVariable name="count" valueReference="4" causality="parameter"><Integer start="3"/></ScalarVariable>
     <ScalarVariable name="altitude" valueReference="5" causality="parameter"><Real unit="m" min="-1000" max="20000"/>
     </ScalarVariable>
+    <ScalarVariable name="surface.surface" valueReference="7" causality="output"><Real unit="rad"/></ScalarVariable>
     <ScalarVariable name="model" valueReference="6" causality="parameter"><Enumeration declaredType="Model"/>
     </ScalarVariable>
     </ModelVariables></fmiModelDescription>"#;
@@ -105,7 +106,21 @@ fn settings_keep_to_the_limits_of_the_variable() {
     check_refusal(&[], &["plant.altitude=25000"], "found the value `25000`; allowed is -1000 to 20000 m");
     check_refusal(&[], &["plant.altitude=-1001"], "allowed is -1000 to 20000 m");
     check_refusal(&[], &["plant.model=2"], "found the value `2`; allowed is 1 (exact), 5 (rigid)");
+    check_refusal(&[], &["plant.model=rigit"], "5 (rigid), did you mean `rigid`?");
     check_refusal(&[], &["plant.altitude=1", "plant.altitude=2"], "connected or set already");
+}
+
+/// The law's `pitch` is in rad too, and no surface.
+#[test]
+fn a_surface_angle_in_degrees_is_refused() {
+    check_refusal(
+        &[],
+        &["plant.surface=5"],
+        "found the value `5`; allowed is -1.6 to 1.6 rad: inputs are rad; 5 looks like degrees",
+    );
+    for setting in ["plant.surface=-1.6", "law.pitch=3"] {
+        system(&[], &[setting]).unwrap();
+    }
 }
 
 #[test]

@@ -64,6 +64,9 @@ fn a_mistake_is_told_with_its_place_and_what_is_allowed() {
     let cases = [
         ("", "line 1, column 1: found ``, allowed is `time`, in s"),
         ("elevator\n", "line 1, column 1: found `elevator`, allowed is `time`, in s"),
+        ("Time\n", "line 1, column 1: found `Time`, allowed is `time`, in small letters, in s"),
+        ("t,elevator\n", "line 1, column 1: found `t`, allowed is `time`, in small letters, in s"),
+        ("TIME [s]\n", "found `TIME [s]`, allowed is `time`, in small letters, in s; names stand alone"),
         ("time,flap\n", "line 1, column 2: found `flap`, allowed is an input; there are elevator, aileron, "),
         ("time,elevatr\n", "found `elevatr`, allowed is an input, did you mean `elevator`?; there are "),
         ("time,der(elevatr)\n", "found `der(elevatr)`, allowed is an input, did you mean `elevator`?"),
