@@ -27,6 +27,9 @@ pub(super) enum FlapFactor {
 }
 
 impl FlapFactor {
+    /// How many there can be.
+    pub(super) const MOST: usize = SURFACES + SURFACES * (SURFACES + 1) / 2;
+
     /// All there can be.
     pub(super) fn all() -> impl Iterator<Item = Self> {
         let products = (0..SURFACES).flat_map(|j| (j..SURFACES).map(move |k| FlapFactor::Product([j, k])));

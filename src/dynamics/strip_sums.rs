@@ -8,6 +8,7 @@ use crate::arithmetic::Arithmetic;
 
 use crate::lanes::{Eight, Lanes, Place};
 
+use super::controls::FlapFactor;
 use super::forces::GeneralisedForces;
 use super::freedom::RigidFreedom;
 use super::square_matrix::{SPARE, SquareMatrix};
@@ -24,6 +25,8 @@ pub struct StripSums {
     moving: Vec<usize>,
     /// How many of them, the first, are translations of the whole aircraft.
     translations: usize,
+    /// How many factors the loads of the flaps have.
+    factors: usize,
     /// Whether X and Y are the same.
     symmetric: bool,
     /// Padded to whole blocks.
@@ -39,8 +42,8 @@ pub struct StripSums {
 pub struct Row {
     /// Generalised force with the flaps neutral, per lane.
     force: Eight,
-    /// Generalised force per unit of each factor of the flaps' loads, per lane.
-    effects: Vec<Eight>,
+    /// Generalised force per unit of each factor of the flaps' loads, per lane; those that there are come first.
+    effects: [Eight; FlapFactor::MOST],
     /// Of X and Y, of every group.
     pitch: Vec<Eight>,
     /// Of X, of every group.
@@ -66,12 +69,13 @@ impl StripSums {
     /// Room for the sums of some strips; of the generalised forces and masses those of the components of ν that move.
     pub fn new(strips: &Strips, freedom: RigidFreedom, modes: usize, symmetric: bool) -> Self {
         let moving = freedom.moving(modes);
-        let row = Row::new(strips.groups(), strips.factors.len(), symmetric);
+        let row = Row::new(strips.groups(), symmetric);
         StripSums {
             rows: vec![row; moving.len().next_multiple_of(BLOCK)],
             product: SquareMatrix::new(moving.len()),
             moving,
             translations: freedom.translations(),
+            factors: strips.factors.len(),
             symmetric,
             reversed: None,
         }
@@ -92,7 +96,7 @@ impl StripSums {
     pub fn clear(&mut self) {
         for row in &mut self.rows {
             row.force = Eight::ZERO;
-            row.effects.fill(Eight::ZERO);
+            row.effects[..self.factors].fill(Eight::ZERO);
         }
         self.reversed = None;
     }
@@ -195,12 +199,12 @@ fn add_products<S: Arithmetic, const ROWS: usize, const ON_DIAGONAL: bool>(
 }
 
 impl Row {
-    /// Of so many groups and factors of the flaps' loads; `symmetric` where accelerations are distributed as loads are.
-    fn new(groups: usize, factors: usize, symmetric: bool) -> Self {
+    /// Of so many groups; `symmetric` where accelerations are distributed as loads are.
+    fn new(groups: usize, symmetric: bool) -> Self {
         let zeros = vec![Eight::ZERO; groups];
         Row {
             force: Eight::ZERO,
-            effects: vec![Eight::ZERO; factors],
+            effects: [Eight::ZERO; FlapFactor::MOST],
             pitch: zeros.clone(),
             heave: zeros.clone(),
             acceleration: if symmetric { Vec::new() } else { zeros },
