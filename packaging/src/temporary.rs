@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 use tempfile::{NamedTempFile, TempDir};
 
@@ -36,11 +37,23 @@ pub fn remove_all() {
         // There is nobody left to tell what could not be deleted.
         let _ = match kind {
             Kind::File => std::fs::remove_file(path),
-            Kind::Folder => std::fs::remove_dir_all(path),
+            Kind::Folder => remove_folder(path),
             Kind::EmptyFolder => std::fs::remove_dir(path),
         };
     }
     std::mem::forget(paths);
+}
+
+/// Deletes a folder into which another thread may still be unpacking, until it stays away.
+fn remove_folder(path: &Path) -> io::Result<()> {
+    for _ in 0..100 {
+        let _ = std::fs::remove_dir_all(path);
+        std::thread::sleep(Duration::from_millis(2));
+        if !path.exists() {
+            break;
+        }
+    }
+    std::fs::remove_dir_all(path)
 }
 
 /// A path on the list; no longer when dropped.

@@ -96,7 +96,11 @@ impl Instance {
             let mut settings = self.settings.clone();
             for (slot, component) in components {
                 if let Value::Real(value) = slot.get(&settings) {
-                    slot.set(&mut settings, Value::Real(value + width * scale * component));
+                    let reach = scale * component.abs();
+                    // No tunnel blows backwards: from still air on the change is taken ahead.
+                    let is_still = *slot == ParameterSlot::Airspeed && value < reach;
+                    let middle = if is_still { value + reach } else { value };
+                    slot.set(&mut settings, Value::Real(middle + width * scale * component));
                 }
             }
             settings

@@ -143,3 +143,17 @@ fn heading_airspeed_and_altitude_are_passed_on_one_to_one_also_where_the_yaw_ang
     let derivative = fmu.by("altitude", &["air.density"])[0];
     assert!((derivative / expected - 1.0).abs() < 1e-9, "{derivative} {expected}");
 }
+
+#[test]
+fn in_still_air_derivatives_by_the_airspeed_are_those_of_more_of_it() {
+    let model = typical_section();
+    let table = VariableTable::new(&model);
+    let fmu = wing(&Unpacked::of(&model.to_bytes(), "wing"), &guid(&model));
+    let [airspeed, speed, pressure] =
+        ["airspeed", "air.speed", "air.dynamic_pressure"].map(|name| table.reference(name).unwrap());
+    assert_eq!(fmu.set_references(&[airspeed], &[0.0]), Status::Ok);
+    assert_eq!([fmu.set_up(None, 0.0, None), fmu.enter()], [Status::Ok; 2]);
+    let found = fmu.derivatives(&[speed, pressure], &[airspeed], &[1.0]).unwrap();
+    // Of the dynamic pressure ρV at the width of the change, 1 mm/s.
+    assert!((found[0] - 1.0).abs() < 1e-9 && found[1] > 0.0 && found[1] < 2e-3, "{found:?}");
+}
