@@ -12,7 +12,8 @@ from conftest import TARGET
 from flights import MANOEUVRE, PARAMETERS, STRAIGHT
 
 # It pins an older FMPy than the other importers.
-PYTHON = Path(os.environ.get("GEMSEO_PYTHON", TARGET / "venv-gemseo/bin/python"))
+# Not resolved: the interpreter of an environment is a link out of it.
+PYTHON = Path(os.environ.get("GEMSEO_PYTHON", TARGET / "venv-gemseo/bin/python")).absolute()
 MISSING = "no GEMSEO-FMU: `bash tests/run.sh` installs tests/masters/requirements-gemseo.txt"
 pytestmark = pytest.mark.skipif(not PYTHON.is_file(), reason=MISSING)
 
