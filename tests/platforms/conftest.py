@@ -11,7 +11,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 C_OPTIONS = ["-std=gnu11", "-Wall", "-Wextra", "-Werror", "-I", ROOT / "fmi-headers"]
-AMPLITUDES = {"rad": 0.02, "N": 500.0, "m/s": 1.0}
+AMPLITUDES = {"rad": 0.02, "N": 500.0, "m/s": 1.0, "m/s2": 0.5}
 
 
 @pytest.fixture(scope="session")
