@@ -5,9 +5,9 @@
 
 use nalgebra::Vector3;
 
-use crate::aerodynamics::PetersInflow;
 use crate::aircraft::{ALTITUDES, Support};
 use crate::sealed::hash;
+use crate::strips::PetersInflow;
 
 use super::{ModeShapes, ReducedModel, StructureError};
 
