@@ -21,11 +21,11 @@ mod steering;
 pub use error::SimulationError;
 pub use inputs::Inputs;
 pub use limits::{LimitExceeded, LimitedQuantity};
-pub use moment::{LATEST, resolution};
+pub use moment::{LATEST, LONGEST_STEP, resolution};
 pub use neighbours::Neighbours;
 pub use outputs::{AirData, Deflection, Outputs};
 pub use settings::{InputReference, ModeSelection, Settings};
-pub use simulation::{LONGEST_STEP, Simulation};
+pub use simulation::Simulation;
 
 #[cfg(test)]
 mod tests;

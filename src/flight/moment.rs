@@ -13,6 +13,10 @@ pub(super) const ON_GRID: f64 = 1e-6 * CELL;
 /// Times beyond this, s, leave too few digits to tell the cells of the grid apart: doubles there are 1.2e-4 s apart.
 pub const LATEST: f64 = 1e12;
 
+/// Longest step, s: a day. It is flown in minutes; beyond, a slip of the unit or a time taken for a step size would keep
+/// its caller waiting for hours or for ever.
+pub const LONGEST_STEP: f64 = 86_400.0;
+
 /// What the time of a communication point carries, s: masters add up steps and round them to doubles, the spacing of
 /// which is 2.4e-7 s at 1.7e9 s.
 pub fn resolution(time: f64) -> f64 {

@@ -14,16 +14,11 @@ use super::error::SimulationError;
 use super::inputs::Inputs;
 use super::integrator::{CellEnd, MAX_SUBSTEPS};
 use super::limits::LimitExceeded;
-use super::moment::{LATEST, Moment, ON_GRID, resolution};
-use super::outputs;
-use super::outputs::Outputs;
+use super::moment::{LATEST, LONGEST_STEP, Moment, ON_GRID, resolution};
+use super::outputs::{self, Outputs};
 use super::point::{Path, Point};
 use super::settings::Settings;
 use super::steering::Steering;
-
-/// Longest step, s: a day. It is flown in minutes; beyond, a slip of the unit or a time taken for a step size would keep
-/// its caller waiting for hours or for ever.
-pub const LONGEST_STEP: f64 = 86_400.0;
 
 /// The inflow's linear part is taken at a reference airspeed, which follows the flight when the two differ
 /// by more than this share; the rest of the decay, 160/s for the jet, is then well inside what a step bears.

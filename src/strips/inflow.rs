@@ -12,6 +12,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
+use crate::aircraft::MOST_INFLOW_STATES;
 use crate::math::{Arithmetic, Eight, LANES, Lanes, Place};
 
 /// A real eigenvalue.
@@ -41,7 +42,7 @@ pub struct PetersInflow {
 
 impl PetersInflow {
     /// Largest N for which the eigenbasis is well conditioned.
-    pub const MAX_STATES: usize = 8;
+    pub const MAX_STATES: usize = MOST_INFLOW_STATES;
 
     /// The inflow with `states` states, at most [`MAX_STATES`](Self::MAX_STATES); 0 is steady aerodynamics.
     pub fn new(states: usize) -> Self {
