@@ -27,7 +27,7 @@ fn right_hand_side(criterion: &mut Criterion) {
         ("the whole aircraft, one strip at a time", whole.one_strip_at_a_time()),
     ] {
         let trim = equations.trim(&settings.trim_condition()).expect("the jet flies");
-        let controls = trim.controls(equations.engine_count());
+        let controls = trim.controls(&equations);
         let (mut rates, mut workspace) = (vec![0.0; trim.state.len()], Workspace::new(&equations));
         criterion.bench_function(&format!("right-hand side of {name}"), |bencher| {
             bencher.iter(|| equations.rates(black_box(&trim.state), &controls, &mut rates, &mut workspace));
@@ -44,15 +44,16 @@ fn steps(criterion: &mut Criterion) {
     ] {
         let mut flight =
             Simulation::new(Arc::clone(&model), &Settings::of(&jet()), 0.0).expect("the jet flies");
-        let (mut inputs, still) = (Inputs::zero(2), Inputs::zero(2));
-        inputs.aileron = aileron;
+        let (mut inputs, still) = (Inputs::zero(&model), Inputs::zero(&model));
+        let [elevator, roll] =
+            ["elevator", "aileron"].map(|name| model.control(name).expect("the jet has it"));
         let mut count = 0_u32;
         criterion.bench_function(&format!("step of {name}"), |bencher| {
             bencher.iter(|| {
                 count += 1;
-                inputs.elevator = 1e-3 * f64::from(count % 2);
+                inputs.controls[elevator] = 1e-3 * f64::from(count % 2);
                 // Ailerons to and fro, or the jet would roll over in the course of so many steps.
-                inputs.aileron = if count % 200 < 100 { aileron } else { -aileron };
+                inputs.controls[roll] = if count % 200 < 100 { aileron } else { -aileron };
                 flight.set_inputs(&inputs, &still);
                 flight.advance_to(f64::from(count) * step).expect("the jet goes on flying");
                 black_box(flight.outputs());

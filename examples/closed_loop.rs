@@ -38,6 +38,12 @@ struct WingTips {
     left: usize,
 }
 
+/// Where the controls that the laws move are among the inputs.
+struct Moved {
+    elevator: usize,
+    aileron_symmetric: usize,
+}
+
 /// A control law between two communication points.
 enum Law {
     Open,
@@ -75,11 +81,11 @@ impl Law {
     }
 
     /// What acts on the aircraft in the next step.
-    fn command(&self, inputs: &mut Inputs) {
+    fn command(&self, inputs: &mut Inputs, moved: &Moved) {
         match self {
             Law::Open => {}
-            Law::PitchAttitudeHold(law) => inputs.elevator = law.elevator,
-            Law::GustLoadAlleviation(law) => inputs.aileron_symmetric = law.aileron_symmetric,
+            Law::PitchAttitudeHold(law) => inputs.controls[moved.elevator] = law.elevator,
+            Law::GustLoadAlleviation(law) => inputs.controls[moved.aileron_symmetric] = law.aileron_symmetric,
         }
     }
 }
@@ -147,34 +153,41 @@ fn main() -> Result<(), Box<dyn Error>> {
         right: station("wing_tip_right").ok_or("the aircraft has no station wing_tip_right")?,
         left: station("wing_tip_left").ok_or("the aircraft has no station wing_tip_left")?,
     };
+    let moved = Moved {
+        elevator: model.control("elevator").ok_or("the aircraft has no elevator")?,
+        aileron_symmetric: model
+            .control("aileron_symmetric")
+            .ok_or("the aircraft has no aileron_symmetric")?,
+    };
     let aircraft = Simulation::new(Arc::clone(&model), &Settings::of(&model), 0.0)?;
-    fly(aircraft, law, gust_duration, &tips, &mut BufWriter::new(io::stdout().lock()))?;
+    let still = Inputs::zero(&model);
+    let table = &mut BufWriter::new(io::stdout().lock());
+    fly((aircraft, still), law, gust_duration, (&tips, &moved), table)?;
     Ok(())
 }
 
 /// Flies the aircraft with the law through the gust and writes a line per communication point.
 fn fly(
-    mut aircraft: Simulation,
+    (mut aircraft, still): (Simulation, Inputs),
     mut law: Law,
     gust_duration: f64,
-    tips: &WingTips,
+    (tips, moved): (&WingTips, &Moved),
     table: &mut impl Write,
 ) -> Result<(), Box<dyn Error>> {
     writeln!(table, "{}", COLUMNS.join(","))?;
-    write_line(table, 0.0, aircraft.outputs(), tips)?;
-    let mut inputs = Inputs::zero(aircraft.outputs().thrust.len());
-    let constant = inputs.clone();
+    write_line(table, 0.0, aircraft.outputs(), tips, moved)?;
+    let mut inputs = still.clone();
     for step in 0..STEPS {
         let (begin, end) = (f64::from(step) * STEP, f64::from(step + 1) * STEP);
         // Before the inputs change: with them, accelerations jump.
         if begin + 0.5 * STEP >= ENGAGE_TIME {
             law.step(aircraft.outputs(), tips);
         }
-        aircraft.set_inputs(&inputs, &constant);
+        aircraft.set_inputs(&inputs, &still);
         aircraft.advance_to(end)?;
-        law.command(&mut inputs);
+        law.command(&mut inputs, moved);
         (inputs.wind.z, inputs.wind_rate.z) = gust(end, gust_duration);
-        write_line(table, end, aircraft.outputs(), tips)?;
+        write_line(table, end, aircraft.outputs(), tips, moved)?;
     }
     Ok(())
 }
@@ -192,7 +205,13 @@ const COLUMNS: [&str; 9] = [
     "surface.aileron_symmetric",
 ];
 
-fn write_line(table: &mut impl Write, time: f64, outputs: &Outputs, tips: &WingTips) -> io::Result<()> {
+fn write_line(
+    table: &mut impl Write,
+    time: f64,
+    outputs: &Outputs,
+    tips: &WingTips,
+    moved: &Moved,
+) -> io::Result<()> {
     let values = [
         time,
         outputs.attitude.y,
@@ -201,8 +220,8 @@ fn write_line(table: &mut impl Write, time: f64, outputs: &Outputs, tips: &WingT
         outputs.air.speed,
         -outputs.deflections[tips.right].displacement.z,
         outputs.sensors[tips.right].specific_force.z,
-        outputs.elevator,
-        outputs.aileron_symmetric,
+        outputs.controls[moved.elevator],
+        outputs.controls[moved.aileron_symmetric],
     ];
     writeln!(table, "{}", values.map(|value| value.to_string()).join(","))
 }

@@ -1,14 +1,14 @@
 //! The flight that shows that a packaged FMU works: loaded and stepped through the C interface, as any
 //! importing tool would.
 //!
-//! A free aircraft flies the elevator 2-3-1-1 of [5.2]. One that is clamped in a wind tunnel may have no control
+//! A free aircraft flies the elevator 2-3-1-1 of [5.2], by whichever control it has for pitch. One that is clamped in a wind tunnel may have no control
 //! surface and bends all the same when the wind does: a vertical gust goes up and down past it.
 
 use std::fmt;
 use std::ops::RangeInclusive;
 use std::time::{Duration, Instant};
 
-use flexible_aircraft::aircraft::Support;
+use flexible_aircraft::aircraft::{Aircraft, Control, Support, TrimRole};
 use flexible_aircraft_packaging::FmuError;
 use flexible_aircraft_packaging::c_abi::{Fmu, Instance};
 
@@ -25,6 +25,8 @@ const STEPS: u32 = 1500;
 #[derive(Clone, Debug, PartialEq)]
 pub struct CheckFlight {
     support: Support,
+    /// What moved the aircraft.
+    input: String,
     trim: Trim,
     deflection: Option<PeakDeflection>,
     /// rad.
@@ -34,23 +36,22 @@ pub struct CheckFlight {
     computing: Duration,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 struct Trim {
-    /// rad, in the order of [`TRIM_ANGLES`]; none where the FMU has no such output.
-    angles: [Option<f64>; TRIM_ANGLES.len()],
+    angles: Vec<TrimAngle>,
     along: Along,
 }
 
-/// The angles of a trim: output of the FMU, name for people. The first two are told always, the others where they are
-/// not 0.
-const TRIM_ANGLES: [(&str, &str); 6] = [
-    ("trim.pitch", "pitch"),
-    ("trim.elevator", "elevator"),
-    ("trim.roll", "bank angle"),
-    ("trim.beta", "sideslip"),
-    ("trim.aileron", "aileron"),
-    ("trim.rudder", "rudder"),
-];
+/// An angle of a trim.
+#[derive(Clone, Debug, PartialEq)]
+struct TrimAngle {
+    /// For people.
+    name: String,
+    /// rad.
+    angle: f64,
+    /// Whether it is told though it is 0.
+    is_in_plane: bool,
+}
 
 /// Smaller angles, rad, would be told as 0.
 const NO_ANGLE: f64 = 5e-6;
@@ -80,13 +81,14 @@ impl CheckFlight {
     /// s.
     pub const DURATION: f64 = STEP * STEPS as f64;
 
-    /// Flies a new instance with the default parameters.
+    /// Flies a new instance of the FMU of an aircraft with the default parameters.
     ///
     /// # Errors
     /// When the FMU refuses a call.
-    pub fn fly(fmu: &Fmu, support: Support) -> Result<Self, FmuError> {
-        let (input, manoeuvre) = excitation(support);
-        let input = [fmu.variable(input)?];
+    pub fn fly(fmu: &Fmu, aircraft: &Aircraft) -> Result<Self, FmuError> {
+        let (support, controls) = (aircraft.support, &aircraft.controls);
+        let (moved, manoeuvre) = excitation(support, controls);
+        let input = [fmu.variable(moved)?];
         let stations: Vec<&str> = fmu.variable_names().filter_map(station).collect();
         let mut watched = fmu.variables(&["attitude.pitch", "load_factor.z"])?;
         for station in &stations {
@@ -100,7 +102,7 @@ impl CheckFlight {
                 diagnostics::warn(warning);
             }
         }
-        let trim = Trim::read(fmu, &mut aircraft)?;
+        let trim = Trim::read(fmu, &mut aircraft, controls)?;
         let mut history = vec![vec![0.0; watched.len()]; STEPS as usize + 1];
         aircraft.get_real(&watched, &mut history[0])?;
 
@@ -116,6 +118,7 @@ impl CheckFlight {
 
         Ok(CheckFlight {
             support,
+            input: moved.to_owned(),
             trim,
             deflection: peak_deflection(&stations, &history),
             pitch: range(history.iter().map(|outputs| outputs[0])),
@@ -126,16 +129,26 @@ impl CheckFlight {
 }
 
 impl Trim {
-    fn read(fmu: &Fmu, aircraft: &mut Instance<'_>) -> Result<Self, FmuError> {
+    fn read(fmu: &Fmu, aircraft: &mut Instance<'_>, controls: &[Control]) -> Result<Self, FmuError> {
         let has = |wanted: &str| fmu.variable_names().any(|name| name == wanted);
         let value = |name: &str| {
             let mut value = [0.0];
             aircraft.get_real(&[fmu.variable(name)?], &mut value).map(|()| value[0])
         };
-        let mut angles = [None; TRIM_ANGLES.len()];
-        for (angle, (name, _)) in angles.iter_mut().zip(TRIM_ANGLES) {
-            *angle = if has(name) { Some(value(name)?) } else { None };
-        }
+        let with_role = |role| with_role(controls, role).map(|name| (name, name, role == TrimRole::Pitch));
+        let outputs = [
+            Some(("pitch", "pitch", true)),
+            with_role(TrimRole::Pitch),
+            Some(("roll", "bank angle", false)),
+            Some(("beta", "sideslip", false)),
+            with_role(TrimRole::Roll),
+            with_role(TrimRole::Yaw),
+        ];
+        let angles = outputs.into_iter().flatten().map(|(output, name, is_in_plane)| {
+            let angle = value(&format!("trim.{output}"))?;
+            Ok(TrimAngle { name: name.to_owned(), angle, is_in_plane })
+        });
+        let angles = angles.collect::<Result<_, FmuError>>()?;
         let along = if has("trim.climb_angle") {
             Along::ClimbAngle(value("trim.climb_angle")?)
         } else {
@@ -150,10 +163,8 @@ impl fmt::Display for Trim {
         let angle = |f: &mut fmt::Formatter<'_>, name: &str, angle: f64| {
             writeln!(f, "  {name:<15} {:8.3}° ({angle:.5} rad)", angle.to_degrees())
         };
-        for (index, ((_, name), value)) in TRIM_ANGLES.iter().zip(self.angles).enumerate() {
-            if let Some(value) = value.filter(|value| index < 2 || value.abs() >= NO_ANGLE) {
-                angle(f, name, value)?;
-            }
+        for told in self.angles.iter().filter(|told| told.is_in_plane || told.angle.abs() >= NO_ANGLE) {
+            angle(f, &told.name, told.angle)?;
         }
         match self.along {
             Along::Thrust(thrust) => writeln!(f, "  thrust          {thrust:8.0} N per engine"),
@@ -162,12 +173,17 @@ impl fmt::Display for Trim {
     }
 }
 
+/// The control with a role, by its name.
+fn with_role(controls: &[Control], role: TrimRole) -> Option<&str> {
+    controls.iter().find(|control| control.role == Some(role)).map(|control| control.name.as_str())
+}
+
 /// The input that moves the aircraft, and how.
-fn excitation(support: Support) -> (&'static str, Manoeuvre) {
-    match support {
-        // Nose-up first, hence negative.
-        Support::Free => ("elevator", Manoeuvre::two_three_one_one(-0.05, 0.7, 1.0, LAG)),
-        Support::Clamped => ("wind_down", Manoeuvre::doublet(-1.0, 2.0, 1.0, LAG)),
+fn excitation(support: Support, controls: &[Control]) -> (&str, Manoeuvre) {
+    match (support, with_role(controls, TrimRole::Pitch)) {
+        // Of an elevator that is nose-up first.
+        (Support::Free, Some(control)) => (control, Manoeuvre::two_three_one_one(-0.05, 0.7, 1.0, LAG)),
+        _ => ("wind_down", Manoeuvre::doublet(-1.0, 2.0, 1.0, LAG)),
     }
 }
 
@@ -211,7 +227,7 @@ impl fmt::Display for CheckFlight {
         match self.support {
             Support::Free => {
                 write!(f, "Trimmed:\n{}", self.trim)?;
-                writeln!(f, "Elevator 2-3-1-1 of 0.05 rad, {duration} s:")?;
+                writeln!(f, "2-3-1-1 of 0.05 rad by {}, {duration} s:", self.input)?;
             }
             Support::Clamped => {
                 writeln!(
@@ -259,12 +275,13 @@ mod tests {
             Support::Clamped => text.replace("support = \"free\"", "support = \"clamped\""),
         };
         std::fs::write(&aircraft, text).unwrap();
+        let read = Aircraft::read(&aircraft).unwrap();
         let name =
             format!("{}flexible_aircraft{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
         let library = std::env::current_exe().unwrap().with_file_name(name);
         let binaries = vec![(Platform::host().unwrap(), library)];
         Package { aircraft, mode_count: 12.into(), binaries, workspace }.write(&fmu).unwrap();
-        CheckFlight::fly(&Fmu::open(&fmu).unwrap(), support).unwrap()
+        CheckFlight::fly(&Fmu::open(&fmu).unwrap(), &read).unwrap()
     }
 
     #[test]
@@ -272,7 +289,7 @@ mod tests {
         let flight = jet(Support::Free);
         assert!(flight.load_factor.contains(&0.9) && flight.load_factor.contains(&1.05), "{flight:?}");
         assert!(
-            flight.trim.angles[0].is_some_and(|pitch| flight.pitch.contains(&pitch))
+            flight.pitch.contains(&flight.trim.angles[0].angle)
                 && matches!(flight.trim.along, Along::Thrust(thrust) if thrust > 1e4)
         );
         let peak = flight.deflection.unwrap();
@@ -282,7 +299,20 @@ mod tests {
     #[test]
     fn a_trim_tells_what_is_out_of_symmetry_where_it_is() {
         let told = |lateral: f64| {
-            let angles = [0.1, -0.02, lateral, -lateral, 2.0 * lateral, -2.0 * lateral].map(Some);
+            let angles = [
+                ("pitch", 0.1, true),
+                ("elevator", -0.02, true),
+                ("bank angle", lateral, false),
+                ("sideslip", -lateral, false),
+                ("aileron", 2.0 * lateral, false),
+                ("rudder", -2.0 * lateral, false),
+            ];
+            let angles = angles.map(|(name, angle, is_in_plane)| TrimAngle {
+                name: name.to_owned(),
+                angle,
+                is_in_plane,
+            });
+            let angles = angles.to_vec();
             Trim { angles, along: Along::ClimbAngle(-0.05) }.to_string()
         };
         assert_eq!(
@@ -320,7 +350,8 @@ mod tests {
         let peak = PeakDeflection { station: "wing_tip".into(), up: -0.182, trimmed: 0.05, time: 3.5 };
         let flight = CheckFlight {
             support: Support::Clamped,
-            trim: Trim { angles: [None; 6], along: Along::Thrust(0.0) },
+            input: "wind_down".to_owned(),
+            trim: Trim { angles: Vec::new(), along: Along::Thrust(0.0) },
             deflection: Some(peak),
             pitch: 0.0..=0.0,
             load_factor: 0.0..=0.0,

@@ -74,7 +74,7 @@ pub fn run(options: PackageOptions) -> Result<(), Error> {
         None
     } else {
         terminal::note(&format!("Flying it for {} s", CheckFlight::DURATION));
-        Some(CheckFlight::fly(&Fmu::open(draft.path())?, aircraft.support)?)
+        Some(CheckFlight::fly(&Fmu::open(draft.path())?, &aircraft)?)
     };
     let size = draft.size();
     draft.keep()?;

@@ -29,8 +29,9 @@ pub fn fly(model: ReducedModel) {
     let description = fmi2::model_description::write(&model);
     assert!(description.contains(&fmi2::guid(&model)));
     let settings = Settings { mode_count: model.modes.len(), ..Settings::of(&model) };
-    let inputs = Inputs { elevator: 0.01, ..Inputs::zero(model.engines.len()) };
-    let zero = Inputs::zero(model.engines.len());
+    let zero = Inputs::zero(&model);
+    let mut inputs = zero.clone();
+    inputs.controls.fill(0.01);
     if let Ok(mut flight) = Simulation::new(Arc::new(model), &settings, 0.0) {
         flight.set_inputs(&inputs, &zero);
         let _ = flight.advance_to(0.012);

@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use flexible_aircraft::aircraft::{Aircraft, Attachment, ControlGains, Strip};
+use flexible_aircraft::aircraft::{Aircraft, Attachment, Strip};
 use nalgebra::Vector3;
 
 /// Width of the picture, px: about that of a phone, so that its letters can be read there.
@@ -37,7 +37,7 @@ pub(crate) fn svg(aircraft: &Aircraft) -> String {
     );
     for (strip, outline) in aircraft.strips.iter().zip(&outlines) {
         polygon(&mut svg, &frame, outline, "surface");
-        if let Some(flap) = strip.flap.filter(|flap| flap.gains != ControlGains::default()) {
+        if let Some(flap) = strip.flap.as_ref().filter(|flap| flap.is_moved()) {
             let hinge = 1.0 - 2.0 * flap.hinge;
             polygon(&mut svg, &frame, &self::outline(aircraft, strip, [-1.0, hinge]), "flap");
         }
@@ -237,6 +237,8 @@ fn circle(svg: &mut String, [x, y]: [f64; 2], class: &str, name: &str) {
 
 #[cfg(test)]
 mod tests {
+    use flexible_aircraft::aircraft::Flap;
+
     use super::*;
 
     fn jet() -> Aircraft {
@@ -247,7 +249,7 @@ mod tests {
     #[test]
     fn flaps_are_drawn_where_a_control_moves_them() {
         let jet = jet();
-        let moved = |strip: &&Strip| strip.flap.is_some_and(|f| f.gains != ControlGains::default());
+        let moved = |strip: &&Strip| strip.flap.as_ref().is_some_and(Flap::is_moved);
         let (moved, all) =
             (jet.strips.iter().filter(moved).count(), jet.strips.iter().filter(|s| s.flap.is_some()));
         assert!(moved > 0 && moved < all.count());

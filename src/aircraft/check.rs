@@ -10,10 +10,11 @@ use super::geometry::Side;
 use super::model::{AIRSPEEDS, Aircraft, Attachment, Beam, Engine, MassBay, Support};
 use super::schema::FileSpec;
 
-/// Components (mirror images among them), engines and stations have names of their own.
+/// Controls, components (mirror images among them), engines and stations have names of their own.
 pub(super) fn names(file: &FileSpec, report: &Report) {
     let components = file.components.iter().flat_map(|c| std::iter::once(&c.name).chain(&c.mirror));
     distinct("component", components, report);
+    distinct("control", file.controls.iter().map(|spec| &spec.name), report);
     distinct("engine", file.engines.iter().map(|engine| &engine.name), report);
     distinct("station", file.stations.iter().map(|station| &station.name), report);
 }

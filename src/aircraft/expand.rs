@@ -8,9 +8,12 @@ use super::error::{Place, Problem, Report};
 use super::geometry::{Line, Side};
 use super::law::Laws;
 use super::masses::{self, LocatedBay};
-use super::model::{Aircraft, Attachment, Beam, ControlGains, Engine, Flap, MassBay, Station, Strip};
-use super::schema::{Along, ComponentSpec, EngineSpec, FileSpec, ParentSpec, StationSpec};
-use super::surfaces;
+use super::model::{Aircraft, Attachment, Beam, Engine, Flap, MassBay, Station, Strip};
+use super::schema::{
+    Along, ComponentSpec, ControlSpec, EngineSpec, FileSpec, Hand, Mirroring, MoveSpec, ParentSpec,
+    StationSpec,
+};
+use super::surfaces::{self, PartStrip};
 
 /// The aircraft with the places of the file that its parts come from.
 pub(super) struct Assembly {
@@ -27,7 +30,7 @@ struct Part<'s> {
     line: Line,
     beams: Vec<Beam>,
     bays: Vec<LocatedBay>,
-    strips: Vec<Strip>,
+    strips: Vec<PartStrip<'s>>,
 }
 
 /// Where a component came to lie.
@@ -57,6 +60,7 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
             limits: file.limits,
             tunnel_air: file.tunnel_air.as_ref().map(|air| air.value),
             mount: file.mount.as_ref().map_or(Vector3::zeros(), |mount| mount.value),
+            controls: file.controls.iter().map(|spec| spec.control.clone()).collect(),
             nodes: vec![Vector3::zeros()],
             beams: Vec::new(),
             bays: Vec::new(),
@@ -72,11 +76,13 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
         let (name, mirror) = (&part.spec.name, part.spec.mirror.as_ref());
         let root = attachment_node(part.spec, Side::AsWritten, &placed, &assembly, report);
         let partner = mirror.map(|mirror| mirror.value.as_str());
-        let as_written = assembly.place(part, Side::AsWritten, &name.value, root.unwrap_or(0), partner);
+        let as_written =
+            assembly.place(part, (Side::AsWritten, root.unwrap_or(0)), &name.value, partner, &file.controls);
         let image = mirror.map(|mirror| {
             let root =
                 root.and_then(|_| attachment_node(part.spec, Side::Mirrored, &placed, &assembly, report));
-            assembly.place(part, Side::Mirrored, &mirror.value, root.unwrap_or(0), Some(&name.value))
+            let root = (Side::Mirrored, root.unwrap_or(0));
+            assembly.place(part, root, &mirror.value, Some(&name.value), &file.controls)
         });
         placed.push(as_written);
         placed.extend(image);
@@ -190,10 +196,10 @@ impl Assembly {
     fn place<'p>(
         &mut self,
         part: &'p Part,
-        side: Side,
+        (side, root): (Side, usize),
         name: &'p str,
-        root: usize,
         partner: Option<&'p str>,
+        controls: &[ControlSpec],
     ) -> Placed<'p> {
         let aircraft = &mut self.aircraft;
         let (origin, first_node, first_beam) =
@@ -221,12 +227,14 @@ impl Assembly {
             });
             self.bay_places.push(place.clone());
         }
-        for strip in &part.strips {
+        let hand = hand(side, nodes.iter().map(|&node| aircraft.nodes[node].y).sum());
+        for PartStrip { strip, moves } in &part.strips {
+            let gains = || gains_on((side, hand), moves, controls);
             aircraft.strips.push(Strip {
                 attachment: on_airframe(strip.attachment),
                 forward: side.vector(strip.forward),
                 span: side.axis(strip.span),
-                flap: strip.flap.map(|flap| Flap { gains: gains_on(side, flap.gains), ..flap }),
+                flap: strip.flap.clone().map(|flap| Flap { gains: gains(), ..flap }),
                 ..strip.clone()
             });
         }
@@ -234,12 +242,23 @@ impl Assembly {
     }
 }
 
-/// Mirrored elevators and ailerons used together move alike, ailerons and rudders oppositely (with respect to +n).
-fn gains_on(side: Side, gains: ControlGains) -> ControlGains {
-    match side {
-        Side::AsWritten => gains,
-        Side::Mirrored => ControlGains { aileron: -gains.aileron, rudder: -gains.rudder, ..gains },
-    }
+/// On which side of the aircraft a component is whose nodes have this sum of y; in the plane the right one is as written.
+fn hand(side: Side, sum_of_y: f64) -> Hand {
+    let in_plane = sum_of_y.abs() <= 1e-9;
+    let is_right = if in_plane { side == Side::AsWritten } else { sum_of_y > 0.0 };
+    if is_right { Hand::Right } else { Hand::Left }
+}
+
+/// The gain of each control on a flap that some of them move.
+fn gains_on((side, hand): (Side, Hand), moves: &[&MoveSpec], controls: &[ControlSpec]) -> Vec<f64> {
+    let gain = |spec: &ControlSpec| {
+        let moves = moves.iter().filter(|used| used.control.value == spec.name.value);
+        let here = moves.filter(|used| used.hand.as_ref().is_none_or(|other| other.value == hand));
+        let gain = here.fold(0.0, |sum, used| sum + used.gain);
+        // Positive is towards +n on both sides.
+        if (side, spec.mirroring) == (Side::Mirrored, Mirroring::Opposite) { 0.0 - gain } else { gain }
+    };
+    controls.iter().map(gain).collect()
 }
 
 /// One place on a component, mirror images included.

@@ -1,4 +1,4 @@
-//! The table `limits` of an aircraft file.
+//! The table `limits` of an aircraft file, and limits in other tables.
 
 use super::allowed::{ANGLE_DEG, Allowed, MACH, THRUST};
 use super::document::Table;
@@ -12,14 +12,11 @@ const LIMITS: &[&str] = &[
     "maximum_mach",
     "minimum_thrust_N",
     "maximum_thrust_N",
-    "surface",
+    SURFACE,
 ];
 
-/// What `[limits.surface]` may hold.
-const SURFACES: &[&str] = &["elevator", "aileron", "aileron_symmetric", "rudder"];
-
-/// What `[limits.surface.<input>]` may hold.
-const SURFACE: &[&str] = &["minimum_deg", "maximum_deg"];
+/// Where limits of controls stood before controls had tables of their own.
+const SURFACE: &str = "surface";
 
 /// Those of an aircraft file: its table `limits`, and the usual ones for what it does not say.
 pub(super) fn read_limits(file: &Table) -> Limits {
@@ -33,16 +30,18 @@ pub(super) fn read_limits(file: &Table) -> Limits {
         limits.mach.maximum = Bound::Given(mach);
     }
     take(&mut limits.thrust, &table, ["minimum_thrust_N", "maximum_thrust_N"], &THRUST, |newtons| newtons);
-    let Some(surfaces) = table.optional("surface").and_then(|value| value.table(SURFACES)) else {
-        return limits;
-    };
-    let Limits { elevator, aileron, aileron_symmetric, rudder, .. } = &mut limits;
-    for (input, bounds) in SURFACES.iter().zip([elevator, aileron, aileron_symmetric, rudder]) {
-        if let Some(surface) = surfaces.optional(input).and_then(|value| value.table(SURFACE)) {
-            take(bounds, &surface, ["minimum_deg", "maximum_deg"], &ANGLE_DEG, f64::to_radians);
-        }
+    if let Some(surface) = table.optional(SURFACE) {
+        let allowed = "each control has its own: minimum_deg and maximum_deg are allowed in its [[control]]";
+        table.report.add(Problem::UnknownField, &surface.place, "found limits of surfaces", allowed);
     }
     limits
+}
+
+/// Those of a control: what its table says, and the usual ones.
+pub(super) fn read_control_limits(control: &Table) -> Bounds {
+    let mut bounds = Bounds::of_usual_control();
+    take(&mut bounds, control, ["minimum_deg", "maximum_deg"], &ANGLE_DEG, f64::to_radians);
+    bounds
 }
 
 /// Takes what two fields of a table say. A usual end that contradicts the other, given one goes.

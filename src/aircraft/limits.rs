@@ -1,4 +1,4 @@
-//! What an aircraft is flown within: angle of attack, Mach number, thrust, angles of the surfaces.
+//! What an aircraft is flown within: angle of attack, Mach number, thrust, angles of its controls.
 //!
 //! Limits do not change a flight. A trim beyond them stands, with a warning that says what nobody could fly: stall,
 //! compressibility and stops are not modelled. Where the file gives no limit the usual ones are assumed.
@@ -8,13 +8,13 @@ use serde::{Deserialize, Serialize};
 /// Angle of attack up to which flow is attached to most wings, degrees.
 const USUAL_ANGLE_OF_ATTACK: f64 = 15.0;
 
-/// Deflection that most surfaces reach, degrees.
+/// Deflection that most controls reach, degrees.
 const USUAL_DEFLECTION: f64 = 30.0;
 
 /// Mach number from which the air's compressibility, which is not modelled, shows.
 const USUAL_MACH: f64 = 0.7;
 
-/// What a trimmed flight should stay within.
+/// What a trimmed flight should stay within, but for the angles of the controls, which have limits of their own.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Limits {
     /// Of the body x axis at O, rad.
@@ -23,14 +23,6 @@ pub struct Limits {
     pub mach: Bounds,
     /// Of each engine, N.
     pub thrust: Bounds,
-    /// rad.
-    pub elevator: Bounds,
-    /// rad.
-    pub aileron: Bounds,
-    /// Of both ailerons together, rad.
-    pub aileron_symmetric: Bounds,
-    /// rad.
-    pub rudder: Bounds,
 }
 
 /// The least and the greatest that a quantity should be.
@@ -56,14 +48,21 @@ pub enum Bound {
 impl Limits {
     /// Whether all bounds that there are are finite.
     pub(crate) fn are_finite(&self) -> bool {
-        let Limits { angle_of_attack, mach, thrust, elevator, aileron, aileron_symmetric, rudder } = self;
-        let bounds = [angle_of_attack, mach, thrust, elevator, aileron, aileron_symmetric, rudder];
-        let mut ends = bounds.into_iter().flat_map(|bounds| [bounds.minimum, bounds.maximum]);
-        ends.all(|end| end.value().is_none_or(f64::is_finite))
+        [self.angle_of_attack, self.mach, self.thrust].iter().all(Bounds::are_finite)
     }
 }
 
 impl Bounds {
+    /// The usual ones of a control: ±30°.
+    pub fn of_usual_control() -> Self {
+        Bounds::usual_angles(USUAL_DEFLECTION)
+    }
+
+    /// Whether all ends that there are are finite.
+    pub(crate) fn are_finite(&self) -> bool {
+        [self.minimum, self.maximum].iter().all(|end| end.value().is_none_or(f64::is_finite))
+    }
+
     /// The bound that a value is beyond, if any.
     pub fn exceeded_by(&self, value: f64) -> Option<Bound> {
         let is_beyond = |bound: &Bound, outwards: f64| {
@@ -90,17 +89,12 @@ impl Bound {
 }
 
 impl Default for Limits {
-    /// The usual ones: ±15° of incidence, Mach 0.7, no negative thrust, ±30° of each surface.
+    /// The usual ones: ±15° of incidence, Mach 0.7, no negative thrust.
     fn default() -> Self {
-        let surface = Bounds::usual_angles(USUAL_DEFLECTION);
         Limits {
             angle_of_attack: Bounds::usual_angles(USUAL_ANGLE_OF_ATTACK),
             mach: Bounds { minimum: Bound::None, maximum: Bound::Usual(USUAL_MACH) },
             thrust: Bounds { minimum: Bound::Usual(0.0), maximum: Bound::None },
-            elevator: surface,
-            aileron: surface,
-            aileron_symmetric: surface,
-            rudder: surface,
         }
     }
 }

@@ -6,11 +6,12 @@
 //!
 //! | module | takes | gives |
 //! | --- | --- | --- |
-//! | `document`, `read`, `tunnel`, `limit_tables` | TOML text | `schema`: the fields, each allowed by itself, with their places |
-//! | `limits` | a trim | what is worth a warning |
+//! | `document`, `read`, `control_tables`, `limit_tables`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
+//! | `control`, `limits` | | what controls are, what trims should stay within |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
 //! | `branches` | the tree of beams | what is the mirror image of what |
+//! | `control_check` | the fields | names, roles and uses of controls |
 //! | `check` | the whole | names, support, symmetry, mass |
 //!
 //! The rest of this page is the description of the format for those who write such files.
@@ -20,6 +21,9 @@
 mod allowed;
 mod branches;
 mod check;
+mod control;
+mod control_check;
+mod control_tables;
 mod document;
 mod error;
 mod expand;
@@ -42,11 +46,14 @@ use toml::de::DeTable;
 use error::{Place, Report};
 
 pub(crate) use branches::Branches;
+pub use control::{Control, TrimRole};
+#[cfg(test)]
+pub(crate) use control_check::{TAKEN, TAKEN_BY_TRIM};
 pub use error::{AircraftFileError, Diagnostic, Problem};
 pub use limits::{Bound, Bounds, Limits};
 pub use model::{
-    AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, ControlGains, Engine, Flap, MOST_INFLOW_STATES,
-    MassBay, ModeBasis, Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
+    AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Engine, Flap, MOST_INFLOW_STATES, MassBay, ModeBasis,
+    Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
 };
 
 impl Aircraft {
@@ -74,6 +81,7 @@ impl Aircraft {
         let file = read::read_file(document.get_ref(), &report);
         if let Some(file) = &file {
             check::names(file, &report);
+            control_check::controls(file, &report);
             check::support(file, &report);
         }
         let file = report.conclude(file, file_name)?;

@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
+use super::control::Control;
 use super::limits::Limits;
 
 /// Whether the airframe flies or is held at O.
@@ -86,6 +87,8 @@ pub struct Aircraft {
     pub nodes: Vec<Vector3<f64>>,
     /// Beam elements: a tree rooted at node 0, each element leading from a known node to a new one.
     pub beams: Vec<Beam>,
+    /// What moves its flaps, in the order of the inputs.
+    pub controls: Vec<Control>,
     /// Lumped masses.
     pub bays: Vec<MassBay>,
     /// Aerodynamic strips.
@@ -167,27 +170,21 @@ pub struct Strip {
 }
 
 /// A plain trailing-edge flap.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Flap {
     /// CLδ, 1/rad.
     pub lift_slope: f64,
     /// Hinge position as a fraction of the chord from the leading edge, 0…1 exclusive.
     pub hinge: f64,
-    /// How pilot inputs move it.
-    pub gains: ControlGains,
+    /// Its angle per angle of each control of the aircraft; a positive angle is trailing edge towards +n ("down").
+    pub gains: Vec<f64>,
 }
 
-/// Flap angle per unit of each input; positive flap angle is trailing edge towards +n ("down").
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct ControlGains {
-    /// Per elevator angle.
-    pub elevator: f64,
-    /// Per aileron angle.
-    pub aileron: f64,
-    /// Per angle of both ailerons together.
-    pub aileron_symmetric: f64,
-    /// Per rudder angle.
-    pub rudder: f64,
+impl Flap {
+    /// Whether any control moves it.
+    pub fn is_moved(&self) -> bool {
+        self.gains.iter().any(|gain| *gain != 0.0)
+    }
 }
 
 /// An engine: a thrust along an axis fixed to its section.

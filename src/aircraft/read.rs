@@ -8,14 +8,15 @@ use super::allowed::{
     GAIN, GRAVITY, GYRATION, INERTIA, INERTIA_PRODUCT, INSIDE_THE_CHORD, LENGTH, LIFT_SLOPE, MASS, MOMENT,
     NEAR_THE_CHORD, POSITIVE_LENGTH, SHARE,
 };
+use super::control_tables::read_controls;
 use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
 use super::law::Law;
 use super::limit_tables::read_limits;
 use super::model::{MOST_INFLOW_STATES, ModeBasis, Support};
 use super::schema::{
-    Along, ComponentSpec, ControlSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, InertiaSpec,
-    Input, MassPartSpec, ParentSpec, PointMassesSpec, STIFFNESS, StationSpec, SurfaceSpec,
+    Along, ComponentSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, Hand, InertiaSpec,
+    MassPartSpec, MoveSpec, ParentSpec, PointMassesSpec, STIFFNESS, StationSpec, SurfaceSpec,
 };
 use super::stretch::Stretch;
 use super::tunnel;
@@ -34,6 +35,7 @@ const FILE: &[&str] = &[
     "mount_attitude_deg",
     "symmetric",
     "limits",
+    "control",
     "component",
     "engine",
     "station",
@@ -85,7 +87,7 @@ const SURFACE: &[&str] = &[
     "flap",
     "control",
 ];
-const CONTROL: &[&str] = &["input", "gain", "from", "to"];
+const MOVE: &[&str] = &["input", "gain", "from", "to", "side"];
 const ENGINE: &[&str] = &["name", "component", "at_m", "at", "offset_m", "direction"];
 const STATION: &[&str] = &["name", "component", "at_m", "at"];
 
@@ -99,6 +101,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     let tunnel_air = tunnel::read_air(&table);
     let support = table.required("support").and_then(|v| v.located(|v| v.one_of(&supports)));
     let mode_basis = table.required("mode_basis").and_then(|v| v.one_of(&bases));
+    let controls = read_controls(&table);
     table.required("component");
     let components = table.tables("component", COMPONENT);
     let components: Vec<_> = components.iter().map(read_component).collect();
@@ -122,6 +125,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         name: name?,
         support: support?,
         mode_basis: mode_basis?,
+        controls: controls.into_iter().collect::<Option<_>>()?,
         components: components.into_iter().collect::<Option<_>>()?,
         engines: engines.into_iter().collect::<Option<_>>()?,
         stations: stations.into_iter().collect::<Option<_>>()?,
@@ -312,9 +316,9 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
     let needed = |field, allowed| table.required(field).and_then(|v| Law::read(&v, allowed));
     let (lift_slope, drag) = (needed("lift_slope_per_rad", &LIFT_SLOPE), needed("profile_drag", &DRAG));
     let elastic_axis = needed("elastic_axis", &NEAR_THE_CHORD);
-    let controls: Vec<_> = table.tables("control", CONTROL).iter().map(read_control).collect();
+    let moves: Vec<_> = table.tables("control", MOVE).iter().map(read_move).collect();
     let flap = table.optional("flap");
-    if flap.is_none() && !controls.is_empty() {
+    if flap.is_none() && !moves.is_empty() {
         let (found, allowed) =
             ("found a control and no flap", "it is needed; allowed: { lift_slope_per_rad, hinge }");
         table.report.add(Problem::MissingField, &table.place.within("flap"), found, allowed);
@@ -331,7 +335,7 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
         zero_lift_moment: law("zero_lift_moment", &MOMENT),
         leading_edge_suction: law("leading_edge_suction", &FRACTION),
         flap: flap.and_then(|v| read_flap(&v)),
-        controls: controls.into_iter().collect::<Option<_>>()?,
+        moves: moves.into_iter().collect::<Option<_>>()?,
         elastic_axis: elastic_axis?,
         lift_slope: lift_slope?,
         profile_drag: drag?,
@@ -345,17 +349,13 @@ fn read_flap(value: &Value) -> Option<FlapSpec> {
     Some(FlapSpec { lift_slope: lift_slope?, hinge: hinge? })
 }
 
-fn read_control(table: &Table) -> Option<ControlSpec> {
-    let inputs = [
-        ("elevator", Input::Elevator),
-        ("aileron", Input::Aileron),
-        ("aileron_symmetric", Input::AileronSymmetric),
-        ("rudder", Input::Rudder),
-    ];
-    let input = table.required("input").and_then(|v| v.one_of(&inputs));
+fn read_move(table: &Table) -> Option<MoveSpec> {
+    let control = read_name(table, "input");
     let gain = table.required("gain").and_then(|v| v.number(&GAIN));
     let stretch = read_stretch(table);
-    Some(ControlSpec { place: table.place.clone(), input: input?, gain: gain?, stretch })
+    let hands = [("right", Hand::Right), ("left", Hand::Left)];
+    let hand = table.optional("side").and_then(|v| v.located(|v| v.one_of(&hands)));
+    Some(MoveSpec { place: table.place.clone(), control: control?, gain: gain?, stretch, hand })
 }
 
 fn read_engine(table: &Table) -> Option<EngineSpec> {

@@ -1,7 +1,8 @@
-//! The aircraft file as its author thinks of it: components, masses, surfaces, engines, stations.
+//! The aircraft file as its author thinks of it: controls, components, masses, surfaces, engines, stations.
 
 use nalgebra::Vector3;
 
+use super::control::Control;
 use super::document::Located;
 use super::error::Place;
 use super::law::Law;
@@ -25,6 +26,7 @@ pub(super) struct FileSpec {
     /// Whether the structure must be its own mirror image.
     pub(super) symmetric: bool,
     pub(super) limits: Limits,
+    pub(super) controls: Vec<ControlSpec>,
     pub(super) components: Vec<ComponentSpec>,
     pub(super) engines: Vec<EngineSpec>,
     pub(super) stations: Vec<StationSpec>,
@@ -109,7 +111,7 @@ pub(super) struct SurfaceSpec {
     pub(super) profile_drag: Law,
     pub(super) leading_edge_suction: Option<Law>,
     pub(super) flap: Option<FlapSpec>,
-    pub(super) controls: Vec<ControlSpec>,
+    pub(super) moves: Vec<MoveSpec>,
 }
 
 #[derive(Clone, Copy)]
@@ -118,19 +120,39 @@ pub(super) struct FlapSpec {
     pub(super) hinge: f64,
 }
 
-#[derive(Clone, Copy)]
-pub(super) enum Input {
-    Elevator,
-    Aileron,
-    AileronSymmetric,
-    Rudder,
+pub(super) struct ControlSpec {
+    /// That of the control, with its place.
+    pub(super) name: Located<String>,
+    pub(super) control: Control,
+    pub(super) mirroring: Mirroring,
+    /// Where its role stands, if it has one.
+    pub(super) role_place: Option<Place>,
 }
 
-pub(super) struct ControlSpec {
+/// How the gains of a control pass to the mirror image of a component.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mirroring {
+    Same,
+    Opposite,
+    /// Each side has gains of its own.
+    None,
+}
+
+/// A control that moves the flap of a surface.
+pub(super) struct MoveSpec {
     pub(super) place: Place,
-    pub(super) input: Input,
+    pub(super) control: Located<String>,
     pub(super) gain: f64,
     pub(super) stretch: Stretch,
+    /// The one side that it moves, of a component and its mirror image.
+    pub(super) hand: Option<Located<Hand>>,
+}
+
+/// A side of the aircraft.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Hand {
+    Right,
+    Left,
 }
 
 pub(super) struct EngineSpec {

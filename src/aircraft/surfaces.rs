@@ -5,14 +5,22 @@ use nalgebra::{Unit, UnitQuaternion, Vector3};
 use super::error::{Place, Problem, Report};
 use super::geometry::{Line, SAME_PLACE};
 use super::law::{Law, Laws, Point};
-use super::model::{ControlGains, Flap, Strip};
-use super::schema::{ControlSpec, Input, SurfaceSpec};
+use super::model::{Flap, Strip};
+use super::schema::{MoveSpec, SurfaceSpec};
 use super::stretch::{Piece, Stretch};
+
+/// A strip of a component by itself.
+pub(super) struct PartStrip<'s> {
+    /// Its flap has no gains yet: they differ from side to side.
+    pub(super) strip: Strip,
+    /// What moves its flap.
+    pub(super) moves: Vec<&'s MoveSpec>,
+}
 
 /// The strips of a surface, their elements counted from the component's root: one for each element, or for each part of
 /// it where the surface or a control begins or ends within.
-pub(super) fn strips(spec: &SurfaceSpec, line: &Line, laws: &Laws) -> Option<Vec<Strip>> {
-    let ends = std::iter::once(&spec.stretch).chain(spec.controls.iter().map(|control| &control.stretch));
+pub(super) fn strips<'s>(spec: &'s SurfaceSpec, line: &Line, laws: &Laws) -> Option<Vec<PartStrip<'s>>> {
+    let ends = std::iter::once(&spec.stretch).chain(spec.moves.iter().map(|control| &control.stretch));
     let mut pieces = line.pieces(ends);
     pieces.retain(|piece| spec.stretch.holds(piece));
     if pieces.is_empty() {
@@ -32,18 +40,18 @@ pub(super) fn strips(spec: &SurfaceSpec, line: &Line, laws: &Laws) -> Option<Vec
     let (incidences, offsets) = (optional(&spec.incidence), optional(&spec.zero_lift_offset));
     let (moments, suctions) = (optional(&spec.zero_lift_moment), optional(&spec.leading_edge_suction));
     let axes = incidences.and_then(|incidences| axes(spec, line, &pieces, &incidences, laws.report));
-    let gains = gains(&spec.controls, &pieces, laws.report);
+    let moves = moves(&spec.moves, &pieces, laws.report);
     let (chords, elastic_axes, lift_slopes, drags) = (chords?, elastic_axes?, lift_slopes?, drags?);
     let (offsets, moments, suctions) = (offsets?, moments?, suctions?);
-    let (axes, gains) = (axes?, gains?);
+    let (axes, moves) = (axes?, moves?);
     let mut strips = Vec::with_capacity(pieces.len());
-    for (i, piece) in pieces.iter().enumerate() {
+    for (i, (piece, moves)) in pieces.iter().zip(moves).enumerate() {
         let (forward, span) = axes[i];
         let width = match &widths {
             Some(widths) => widths.as_ref()?[i],
             None => projected_width(spec, line, piece.element, span, laws.report)?,
         };
-        strips.push(Strip {
+        let strip = Strip {
             attachment: piece.at(spec.position),
             forward,
             span,
@@ -55,8 +63,9 @@ pub(super) fn strips(spec: &SurfaceSpec, line: &Line, laws: &Laws) -> Option<Vec
             zero_lift_moment: moments[i],
             profile_drag: drags[i],
             leading_edge_suction: suctions[i],
-            flap: spec.flap.map(|f| Flap { lift_slope: f.lift_slope, hinge: f.hinge, gains: gains[i] }),
-        });
+            flap: spec.flap.map(|f| Flap { lift_slope: f.lift_slope, hinge: f.hinge, gains: Vec::new() }),
+        };
+        strips.push(PartStrip { strip, moves });
     }
     Some(strips)
 }
@@ -169,22 +178,12 @@ fn projected_width(
     None
 }
 
-/// The gains of the inputs on each piece of a surface, none of which the end of a control cuts.
-fn gains(controls: &[ControlSpec], pieces: &[Piece], report: &Report) -> Option<Vec<ControlGains>> {
-    let mut gains = vec![ControlGains::default(); pieces.len()];
-    for control in controls {
-        if !pieces.iter().any(|piece| control.stretch.holds(piece)) {
-            nothing_between(&control.stretch, &control.place, report);
-            return None;
-        }
-        for (gains, _) in gains.iter_mut().zip(pieces).filter(|(_, piece)| control.stretch.holds(piece)) {
-            match control.input {
-                Input::Elevator => gains.elevator += control.gain,
-                Input::Aileron => gains.aileron += control.gain,
-                Input::AileronSymmetric => gains.aileron_symmetric += control.gain,
-                Input::Rudder => gains.rudder += control.gain,
-            }
-        }
+/// What moves the flap of each piece of a surface, none of which the end of a control cuts.
+fn moves<'s>(specs: &'s [MoveSpec], pieces: &[Piece], report: &Report) -> Option<Vec<Vec<&'s MoveSpec>>> {
+    if let Some(spec) = specs.iter().find(|spec| !pieces.iter().any(|piece| spec.stretch.holds(piece))) {
+        nothing_between(&spec.stretch, &spec.place, report);
+        return None;
     }
-    Some(gains)
+    let of_piece = |piece| specs.iter().filter(|spec| spec.stretch.holds(piece)).collect();
+    Some(pieces.iter().map(of_piece).collect())
 }

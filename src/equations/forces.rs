@@ -14,7 +14,7 @@ pub struct GeneralisedForces {
     components: usize,
     /// What the loads of flaps are proportional to.
     factors: Vec<FlapFactor>,
-    /// With all surfaces neutral and no thrust; then per unit of each factor, then per newton of each engine's thrust.
+    /// With all controls neutral and no thrust; then per unit of each factor, then per newton of each engine's thrust.
     rows: Vec<f64>,
     /// Under the controls of the last evaluation.
     total: Vec<f64>,
@@ -36,12 +36,12 @@ impl GeneralisedForces {
         self.rows.fill(0.0);
     }
 
-    /// Those with all surfaces neutral and no thrust.
+    /// Those with all controls neutral and no thrust.
     pub fn passive_mut(&mut self) -> &mut [f64] {
         &mut self.rows[..self.components]
     }
 
-    /// Those with all surfaces neutral and no thrust, and those per unit of each factor of the flaps' loads, rad or rad²,
+    /// Those with all controls neutral and no thrust, and those per unit of each factor of the flaps' loads, rad or rad²,
     /// one row after the other.
     pub fn of_air_mut(&mut self) -> (&mut [f64], &mut [f64]) {
         let (passive, effects) = self.rows.split_at_mut(self.components);
@@ -58,8 +58,7 @@ impl GeneralisedForces {
         let (passive, effects) = self.rows.split_at(self.components);
         self.total.copy_from_slice(passive);
         let effects = effects.chunks_exact(self.components);
-        let angles = controls.angles();
-        let flaps = self.factors.iter().map(|factor| factor.value(&angles));
+        let flaps = self.factors.iter().map(|factor| factor.value(&controls.angles));
         let values = flaps.chain(controls.thrust.iter().copied());
         for (effect, value) in effects.zip(values).filter(|(_, value)| *value != 0.0) {
             for (total, effect) in self.total.iter_mut().zip(effect) {

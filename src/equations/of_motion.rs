@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, Vector3};
 use pulp::Arch;
 
 use crate::air::Air;
-use crate::aircraft::Support;
+use crate::aircraft::{Control, Support};
 use crate::kinematics::{RigidFreedom, RigidMotion};
 use crate::math::{Attitude, Counting, LinearSystem, Machine, quaternion_rate};
 use crate::strips::{FlapFactor, InflowLayout, PetersInflow, StripSums, Strips, SumLoads};
@@ -57,6 +57,7 @@ pub struct EquationsOfMotion {
     /// 2ζω_k.
     pub(crate) damping: Vec<f64>,
     pub(crate) strips: Strips,
+    controls: Vec<Control>,
     engines: Engines,
     pub(crate) inflow: PetersInflow,
     pub(crate) tunnel_flow: Vector3<f64>,
@@ -123,6 +124,7 @@ impl EquationsOfMotion {
             symmetric: strips.zero_lift_lines_are_chords()
                 && configuration.fidelity != Fidelity::RuthlesslyLinearised,
             strips,
+            controls: model.controls.clone(),
             engines: Engines::new(model),
             inflow,
             tunnel_flow: configuration.tunnel_flow,
@@ -165,6 +167,21 @@ impl EquationsOfMotion {
     /// Free flight or wind tunnel.
     pub fn support(&self) -> Support {
         self.support
+    }
+
+    /// What moves the flaps, in the order of [`Controls::angles`].
+    pub fn controls(&self) -> &[Control] {
+        &self.controls
+    }
+
+    /// All controls neutral, no thrust, in still air.
+    pub fn neutral_controls(&self) -> Controls {
+        Controls {
+            angles: vec![0.0; self.controls.len()],
+            thrust: vec![0.0; self.engines.len()],
+            wind: Vector3::zeros(),
+            wind_rate: Vector3::zeros(),
+        }
     }
 
     /// Number of engines.
@@ -224,7 +241,7 @@ impl EquationsOfMotion {
         rates[layout.coordinates()].copy_from_slice(&state[layout.coordinate_rates()]);
     }
 
-    /// Writes the accelerations under given surface angles and thrusts at the state and in the wind of the last
+    /// Writes the accelerations under given angles of the controls and thrusts at the state and in the wind of the last
     /// evaluation into its rates: the same bits as a new evaluation, for next to nothing.
     pub fn steer(&self, controls: &Controls, rates: &mut [f64], workspace: &mut Workspace) {
         workspace.collect_forces(controls);

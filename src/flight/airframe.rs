@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::equations::{EquationsOfMotion, StateLayout, Workspace};
 use crate::plant::{FreeModes, Trim};
 use crate::structure::{ReducedModel, ReducedStation};
-use crate::symmetry::{Counterpart, SymmetricHalf};
+use crate::symmetry::{Counterpart, EvenControls, SymmetricHalf};
 
 use super::amplitudes::Amplitudes;
 use super::error::SimulationError;
@@ -44,6 +44,8 @@ struct Half {
     unfolding: Unfolding,
     /// For each engine its mirror image.
     engines: Vec<usize>,
+    /// When the controls act alike on both sides.
+    controls: EvenControls,
     /// For each strip of the whole the one that stands for it.
     strips: Vec<Counterpart>,
 }
@@ -78,7 +80,8 @@ impl Airframes {
         let half_modes = half.modes.iter().map(|&mode| modes[mode]).collect();
         let whole = Airframe::new(equations, &reduced, modes, settings, &unfolded);
         let airframe = Airframe::new(halved, &half.model, half_modes, settings, &trim);
-        let half = Half { airframe, unfolding, engines: half.engines, strips: half.strips };
+        let SymmetricHalf { engines, controls, strips, .. } = half;
+        let half = Half { airframe, unfolding, engines, controls, strips };
         Ok((Airframes { whole, half: Some(half), is_half: true }, trim))
     }
 
@@ -113,9 +116,9 @@ impl Airframes {
         self.half.as_ref().map(|half| &half.airframe)
     }
 
-    /// For each engine its mirror image, while the half flies.
-    pub fn mirrored_engines(&self) -> Option<&[usize]> {
-        self.half.as_ref().filter(|_| self.is_half).map(|half| half.engines.as_slice())
+    /// For each engine its mirror image, and when the controls act alike on both sides, while the half flies.
+    pub fn mirrored_inputs(&self) -> Option<(&[usize], &EvenControls)> {
+        self.half.as_ref().filter(|_| self.is_half).map(|half| (half.engines.as_slice(), &half.controls))
     }
 
     /// A strip of the packaged aircraft that one of the equations that fly is, or stands for.
@@ -172,7 +175,7 @@ impl Airframe {
         settings: &Settings,
         trim: &Trim,
     ) -> Self {
-        let controls = trim.controls(model.engines.len());
+        let controls = trim.controls(&equations);
         let free_modes = FreeModes::new(&equations, &trim.state, &controls);
         let amplitudes = Amplitudes::new(equations.layout(), free_modes);
         let scale = error_scale(model, settings.tolerance);

@@ -2,18 +2,14 @@
 
 use nalgebra::Vector3;
 
+use crate::structure::ReducedModel;
+
 /// Inputs at one instant, or their rates of change (the same quantities per second).
 #[derive(Debug, PartialEq)]
 pub struct Inputs {
-    /// rad, positive trailing edge down (nose-down moment).
-    pub elevator: f64,
-    /// rad, positive rolls right.
-    pub aileron: f64,
-    /// rad, of both ailerons together, positive trailing edges down (more lift on both wings).
-    pub aileron_symmetric: f64,
-    /// rad, positive yaws right.
-    pub rudder: f64,
-    /// N, one per engine in the order of [`ReducedModel::engines`](crate::structure::ReducedModel).
+    /// rad, one per control in the order of [`ReducedModel::controls`].
+    pub controls: Vec<f64>,
+    /// N, one per engine in the order of [`ReducedModel::engines`].
     pub thrust: Vec<f64>,
     /// Velocity of the air mass, north-east-down, m/s.
     pub wind: Vector3<f64>,
@@ -23,28 +19,25 @@ pub struct Inputs {
 
 impl Clone for Inputs {
     fn clone(&self) -> Self {
-        Inputs { thrust: self.thrust.clone(), ..*self }
+        Inputs { controls: self.controls.clone(), thrust: self.thrust.clone(), ..*self }
     }
 
-    /// Without allocating when both have as many engines: inputs are passed on in every step.
+    /// Without allocating when both have as many controls and engines: inputs are passed on in every step.
     fn clone_from(&mut self, source: &Self) {
-        let Inputs { elevator, aileron, aileron_symmetric, rudder, ref thrust, wind, wind_rate } = *source;
-        (self.elevator, self.aileron, self.rudder) = (elevator, aileron, rudder);
-        (self.aileron_symmetric, self.wind, self.wind_rate) = (aileron_symmetric, wind, wind_rate);
+        let Inputs { controls, thrust, wind, wind_rate } = source;
+        self.controls.clone_from(controls);
         self.thrust.clone_from(thrust);
+        (self.wind, self.wind_rate) = (*wind, *wind_rate);
     }
 }
 
 impl Inputs {
     /// Everything zero: under [`InputReference::Trim`](super::InputReference::Trim), trimmed flight in
     /// still air.
-    pub fn zero(engine_count: usize) -> Self {
+    pub fn zero(model: &ReducedModel) -> Self {
         Inputs {
-            elevator: 0.0,
-            aileron: 0.0,
-            aileron_symmetric: 0.0,
-            rudder: 0.0,
-            thrust: vec![0.0; engine_count],
+            controls: vec![0.0; model.controls.len()],
+            thrust: vec![0.0; model.engines.len()],
             wind: Vector3::zeros(),
             wind_rate: Vector3::zeros(),
         }
@@ -70,15 +63,13 @@ impl Inputs {
 
     /// All numbers, in the order of [`values_mut`](Self::values_mut).
     pub(crate) fn values(&self) -> impl Iterator<Item = f64> {
-        let Inputs { elevator, aileron, aileron_symmetric, rudder, thrust, wind, wind_rate } = self;
-        let surfaces = [elevator, aileron, aileron_symmetric, rudder].into_iter();
-        surfaces.chain(thrust).chain(wind.iter()).chain(wind_rate.iter()).copied()
+        let Inputs { controls, thrust, wind, wind_rate } = self;
+        controls.iter().chain(thrust).chain(wind.iter()).chain(wind_rate.iter()).copied()
     }
 
     /// All numbers, to be changed.
     pub(crate) fn values_mut(&mut self) -> impl Iterator<Item = &mut f64> {
-        let Inputs { elevator, aileron, aileron_symmetric, rudder, thrust, wind, wind_rate } = self;
-        let surfaces = [elevator, aileron, aileron_symmetric, rudder].into_iter();
-        surfaces.chain(thrust).chain(wind.iter_mut()).chain(wind_rate.iter_mut())
+        let Inputs { controls, thrust, wind, wind_rate } = self;
+        controls.iter_mut().chain(thrust).chain(wind.iter_mut()).chain(wind_rate.iter_mut())
     }
 }

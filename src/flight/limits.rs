@@ -11,7 +11,7 @@ use super::outputs::air_data;
 use super::settings::Settings;
 
 /// A quantity of a trim that is beyond its limit.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct LimitExceeded {
     /// Which.
     pub quantity: LimitedQuantity,
@@ -22,7 +22,7 @@ pub struct LimitExceeded {
 }
 
 /// What limits are for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum LimitedQuantity {
     /// Of the body x axis at O, rad.
     AngleOfAttack,
@@ -30,36 +30,27 @@ pub enum LimitedQuantity {
     Mach,
     /// Of one engine, N.
     Thrust,
-    /// rad.
-    Elevator,
-    /// rad.
-    Aileron,
-    /// Of both ailerons together, rad.
-    AileronSymmetric,
-    /// rad.
-    Rudder,
+    /// Of the control with this name, rad.
+    Control(String),
 }
 
 impl LimitExceeded {
     /// Everything in a trim of some equations that is beyond the limits.
     pub fn find(limits: &Limits, equations: &EquationsOfMotion, trim: &Trim) -> Vec<LimitExceeded> {
-        let controls = trim.controls(equations.engine_count());
+        let controls = trim.controls(equations);
         let air = air_data(equations, &trim.state, &controls);
         let met = [
             (LimitedQuantity::AngleOfAttack, limits.angle_of_attack, air.angle_of_attack),
             (LimitedQuantity::Mach, limits.mach, air.mach),
         ];
-        let used = [
-            (LimitedQuantity::Elevator, limits.elevator, controls.elevator),
-            (LimitedQuantity::Aileron, limits.aileron, controls.aileron),
-            (LimitedQuantity::AileronSymmetric, limits.aileron_symmetric, controls.aileron_symmetric),
-            (LimitedQuantity::Rudder, limits.rudder, controls.rudder),
-        ];
+        let used = equations.controls().iter().zip(&controls.angles);
+        let used = used
+            .map(|(control, &angle)| (LimitedQuantity::Control(control.name.clone()), control.limits, angle));
         // The engines share the thrust equally: the first speaks for all.
         let thrust = controls.thrust.first().map(|&thrust| (LimitedQuantity::Thrust, limits.thrust, thrust));
-        // What is clamped needs neither surfaces nor engines.
+        // What is clamped needs neither controls nor engines.
         let is_free = equations.support() == Support::Free;
-        let used = used.into_iter().chain(thrust).filter(|_| is_free);
+        let used = used.chain(thrust).filter(|_| is_free);
         let exceeded = met.into_iter().chain(used).filter_map(|(quantity, bounds, value)| {
             bounds.exceeded_by(value).map(|limit| LimitExceeded { quantity, value, limit })
         });
@@ -80,20 +71,17 @@ impl LimitExceeded {
 
 impl LimitedQuantity {
     /// For people.
-    pub fn name(self) -> &'static str {
+    pub fn name(&self) -> &str {
         match self {
             LimitedQuantity::AngleOfAttack => "angle of attack",
             LimitedQuantity::Mach => "Mach number",
             LimitedQuantity::Thrust => "thrust per engine",
-            LimitedQuantity::Elevator => "elevator",
-            LimitedQuantity::Aileron => "aileron",
-            LimitedQuantity::AileronSymmetric => "aileron_symmetric",
-            LimitedQuantity::Rudder => "rudder",
+            LimitedQuantity::Control(name) => name,
         }
     }
 
     /// A value with its unit.
-    pub fn text(self, value: f64) -> String {
+    pub fn text(&self, value: f64) -> String {
         match self {
             LimitedQuantity::Mach => format!("{value:.3}"),
             LimitedQuantity::Thrust => format!("{value:.0} N"),

@@ -70,7 +70,7 @@ impl Neighbours {
         let Simulation { airframes, course, steering, path, model, .. } = &mut self.flight;
         airframes.take_equations(whole, half);
         *course = Course::new(settings.heading);
-        *steering = Steering::new(trim.point, settings, model.engines.len());
+        *steering = Steering::new(trim.point, settings, model);
         path.present.resize(trim.state.len());
         path.present.state.copy_from_slice(&trim.state);
         path.begin_here();

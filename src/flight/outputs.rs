@@ -37,14 +37,8 @@ pub struct Outputs {
     pub modal_q: Vec<f64>,
     /// Their rates, 1/s.
     pub modal_q_dot: Vec<f64>,
-    /// Absolute elevator angle acting, rad.
-    pub elevator: f64,
-    /// Absolute aileron angle acting, rad.
-    pub aileron: f64,
-    /// Absolute angle of both ailerons together, rad.
-    pub aileron_symmetric: f64,
-    /// Absolute rudder angle acting, rad.
-    pub rudder: f64,
+    /// Absolute angle acting per control, rad.
+    pub controls: Vec<f64>,
     /// Absolute thrust acting per engine, N.
     pub thrust: Vec<f64>,
 }
@@ -90,10 +84,7 @@ impl Outputs {
             sensors: vec![Sensors::default(); model.stations.len()],
             modal_q: vec![0.0; model.modes.len()],
             modal_q_dot: vec![0.0; model.modes.len()],
-            elevator: 0.0,
-            aileron: 0.0,
-            aileron_symmetric: 0.0,
-            rudder: 0.0,
+            controls: vec![0.0; model.controls.len()],
             thrust: vec![0.0; model.engines.len()],
         }
     }
@@ -145,8 +136,7 @@ pub(super) fn write(simulation: &mut Simulation) {
         *deflection = Deflection { displacement, twist: station.twist_axis.dot(&turned) };
         *sensors = Sensors::read(station, [&displacement, &turned], &body);
     }
-    (outputs.elevator, outputs.rudder) = (controls.elevator, controls.rudder);
-    (outputs.aileron, outputs.aileron_symmetric) = (controls.aileron, controls.aileron_symmetric);
+    outputs.controls.copy_from_slice(&controls.angles);
     outputs.thrust.copy_from_slice(&controls.thrust);
 }
 

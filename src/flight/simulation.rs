@@ -80,16 +80,15 @@ impl Simulation {
         settings.check_ranges(model.support)?;
         let (airframes, trimmed) = Airframes::new(&model, &settings.along_course())?;
         let limits_exceeded = LimitExceeded::find(&model.limits, &airframes.flying().equations, &trimmed);
-        let engines = model.engines.len();
         let room = airframes.whole().equations.layout().len();
         Ok(Simulation {
             settings_hash: super::snapshot::settings_hash(settings),
             identity: OnceLock::new(),
-            steering: Steering::new(trimmed.point, settings, engines),
+            steering: Steering::new(trimmed.point, settings, &model),
             course: Course::new(settings.heading),
             start,
             path: Path::new(Moment::START, &trimmed.state, room),
-            controls: Controls::neutral(engines),
+            controls: airframes.whole().equations.neutral_controls(),
             evaluated_in: None,
             view: View { state: Vec::with_capacity(room), slope: vec![0.0; room], is_fresh: false },
             outputs: Outputs::new(&model),
@@ -248,7 +247,7 @@ impl Simulation {
 
     /// Whether half the aircraft has flown, and something acts on one side alone now.
     pub(super) fn must_unfold(&self) -> bool {
-        self.airframes.mirrored_engines().is_some_and(|engines| !self.steering.is_symmetric(engines))
+        self.airframes.mirrored_inputs().is_some_and(|inputs| !self.steering.is_symmetric(inputs))
     }
 
     /// Lets the whole aircraft fly on in place of the half.

@@ -4,6 +4,8 @@ use nalgebra::Vector3;
 
 use crate::equations::Controls;
 use crate::plant::TrimPoint;
+use crate::structure::ReducedModel;
+use crate::symmetry::EvenControls;
 
 use super::course::{Course, ROUNDING};
 use super::inputs::Inputs;
@@ -15,7 +17,8 @@ use super::settings::{InputReference, Settings};
 pub struct Steering {
     /// The trim, to which inputs may add.
     pub trim: TrimPoint,
-    reference: InputReference,
+    /// The angles of the controls and the thrust that the inputs add to: those of the trim, or 0.
+    reference: (Vec<f64>, f64),
     /// The controls' wind is along it.
     course: Course,
     /// Values at the time they were set.
@@ -28,10 +31,15 @@ pub struct Steering {
 
 impl Steering {
     /// Hands off, from the start on.
-    pub fn new(trim: TrimPoint, settings: &Settings, engines: usize) -> Self {
-        let (inputs, rates) = (Inputs::zero(engines), Inputs::zero(engines));
+    pub fn new(trim: TrimPoint, settings: &Settings, model: &ReducedModel) -> Self {
+        let (inputs, rates) = (Inputs::zero(model), Inputs::zero(model));
         let course = Course::new(settings.heading);
-        Steering { trim, reference: settings.input_reference, course, inputs, rates, since: Moment::START }
+        let reference = match settings.input_reference {
+            InputReference::Trim => trim,
+            InputReference::Absolute => TrimPoint::default(),
+        };
+        let reference = (reference.angles(&model.controls).collect(), reference.thrust);
+        Steering { trim, reference, course, inputs, rates, since: Moment::START }
     }
 
     /// Sets inputs and rates at a time; returns whether that changes anything.
@@ -61,14 +69,14 @@ impl Steering {
     }
 
     /// Whether everything acts alike on both sides, but for rounding, and will; `images` has the mirror image of each
-    /// engine.
-    pub fn is_symmetric(&self, images: &[usize]) -> bool {
-        let Steering { inputs, rates, .. } = self;
-        let TrimPoint { aileron, rudder, thrust: trimmed, .. } = self.reference_values();
+    /// engine, `controls` says when they act alike.
+    pub fn is_symmetric(&self, (images, controls): (&[usize], &EvenControls)) -> bool {
+        let Steering { inputs, rates, reference: (angles, trimmed), .. } = self;
         let are_alike = |a: f64, b: f64| (a - b).abs() <= ROUNDING * a.abs().max(b.abs());
         let mut engines = images.iter().enumerate();
-        (aileron + inputs.aileron).abs().max((rudder + inputs.rudder).abs()) <= ROUNDING
-            && (rates.aileron, rates.rudder) == (0.0, 0.0)
+        let balanced = |least: f64| move |[sum, size]: [f64; 2]| sum.abs() <= ROUNDING * size.max(least);
+        controls.sums(|control| angles[control] + inputs.controls[control]).all(balanced(1.0))
+            && controls.sums(|control| rates.controls[control]).all(balanced(0.0))
             && self.winds().into_iter().all(|wind| wind.y == 0.0)
             && engines.all(|(engine, &image)| {
                 are_alike(trimmed + inputs.thrust[engine], trimmed + inputs.thrust[image])
@@ -91,14 +99,6 @@ impl Steering {
         [wind + (rate + change * (0.5 * elapsed)) * elapsed, rate + change * elapsed]
     }
 
-    /// To which the inputs add.
-    fn reference_values(&self) -> TrimPoint {
-        match self.reference {
-            InputReference::Trim => self.trim,
-            InputReference::Absolute => TrimPoint::default(),
-        }
-    }
-
     /// The absolute controls at a time.
     pub(super) fn write_at(&self, time: Moment, controls: &mut Controls) {
         self.write_after(time.since(self.since), controls);
@@ -106,12 +106,11 @@ impl Steering {
 
     /// The absolute controls a time (s) after the inputs were set.
     pub fn write_after(&self, elapsed: f64, controls: &mut Controls) {
-        let Steering { inputs, rates, .. } = self;
-        let TrimPoint { elevator, aileron, rudder, thrust, .. } = self.reference_values();
-        controls.elevator = elevator + inputs.elevator + elapsed * rates.elevator;
-        controls.aileron = aileron + inputs.aileron + elapsed * rates.aileron;
-        controls.aileron_symmetric = inputs.aileron_symmetric + elapsed * rates.aileron_symmetric;
-        controls.rudder = rudder + inputs.rudder + elapsed * rates.rudder;
+        let Steering { inputs, rates, reference: (angles, thrust), .. } = self;
+        let set = angles.iter().zip(&inputs.controls).zip(&rates.controls);
+        for (acting, ((angle, input), rate)) in controls.angles.iter_mut().zip(set) {
+            *acting = angle + input + elapsed * rate;
+        }
         for ((acting, input), rate) in controls.thrust.iter_mut().zip(&inputs.thrust).zip(&rates.thrust) {
             *acting = thrust + input + elapsed * rate;
         }

@@ -16,7 +16,7 @@ use super::types::ValueReference;
 use super::values::Family;
 
 /// Changes over which the outputs bend little, yet far beyond rounding: rad, N, m/s, m/s², m, rad, parts of the parameter.
-const SURFACE_CHANGE: f64 = 0.01;
+const CONTROL_CHANGE: f64 = 0.01;
 const THRUST_CHANGE: f64 = 1000.0;
 const WIND_CHANGE: f64 = 0.1;
 const WIND_RATE_CHANGE: f64 = 1.0;
@@ -171,9 +171,7 @@ impl Instance {
 /// A change of an input.
 fn usual_change(input: InputSlot) -> f64 {
     match input {
-        InputSlot::Elevator | InputSlot::Aileron | InputSlot::AileronSymmetric | InputSlot::Rudder => {
-            SURFACE_CHANGE
-        }
+        InputSlot::Control(_) => CONTROL_CHANGE,
         InputSlot::Thrust(_) => THRUST_CHANGE,
         InputSlot::Wind(_) => WIND_CHANGE,
         InputSlot::WindRate(_) => WIND_RATE_CHANGE,

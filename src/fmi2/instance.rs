@@ -168,7 +168,6 @@ impl Instance {
 
     /// In the state instantiated, with all variables at their starts.
     pub(super) fn of_model(model: ReducedModel, logger: Logger) -> Self {
-        let engines = model.engines.len();
         let table = VariableTable::new(&model);
         let input_count =
             table.iter().filter(|(_, variable)| matches!(variable.slot, Slot::Input(_))).count();
@@ -179,8 +178,8 @@ impl Instance {
             state: State::Instantiated,
             experiment: Experiment::default(),
             settings: Settings::of(&model),
-            inputs: Inputs::zero(engines),
-            rates: Inputs::zero(engines),
+            inputs: Inputs::zero(&model),
+            rates: Inputs::zero(&model),
             rate_is_new: vec![false; input_count],
             time: 0.0,
             flight: None,
@@ -264,12 +263,11 @@ impl Instance {
 
     /// `fmi2Reset`: as after instantiation; the log settings stay.
     pub fn reset(&mut self) {
-        let engines = self.model.engines.len();
         self.state = State::Instantiated;
         self.experiment = Experiment::default();
         self.settings = Settings::of(&self.model);
-        self.inputs = Inputs::zero(engines);
-        self.rates = Inputs::zero(engines);
+        self.inputs = Inputs::zero(&self.model);
+        self.rates = Inputs::zero(&self.model);
         self.rate_is_new.fill(false);
         self.time = 0.0;
         self.flight = None;
@@ -325,8 +323,9 @@ impl Instance {
     fn new_flight(&self) -> Result<Simulation, Refusal> {
         let mut flight = self.trimmed(&self.settings, &self.experiment)?;
         flight.set_inputs(&self.inputs, &self.rates);
-        let text = match self.model.support {
-            Support::Free => format!("trimmed: {}", flight.trim().describe(!self.model.engines.is_empty())),
+        let ReducedModel { support, controls, engines, .. } = &*self.model;
+        let text = match support {
+            Support::Free => format!("trimmed: {}", flight.trim().describe(controls, !engines.is_empty())),
             Support::Clamped => "at rest in the tunnel's flow".to_owned(),
         };
         self.logger.log(Status::Ok, &text);

@@ -94,9 +94,9 @@ impl StateMatrix {
 }
 
 impl EquationsOfMotion {
-    /// Linearises the equations at a trim of theirs, surfaces and thrust held. Allocates.
+    /// Linearises the equations at a trim of theirs, controls and thrust held. Allocates.
     pub fn linearise(&self, trim: &Trim) -> StateMatrix {
-        let controls = trim.controls(self.engine_count());
+        let controls = trim.controls(self);
         let unknowns = self.unknowns();
         let airspeed = self.airspeed(&trim.state, &controls).max(SLOWEST);
         let mut workspace = Workspace::new(self);

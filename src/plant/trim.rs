@@ -1,10 +1,11 @@
-//! Trim: steady straight flight, without sideslip where aileron and rudder can hold it, or the static deformation in a wind
-//! tunnel [5.1; physics.md §6].
+//! Trim: steady straight flight, without sideslip where the controls for roll and yaw can hold it, or the static deformation in a
+//! wind tunnel [5.1; physics.md §6].
 //!
-//! Pitch, elevator and thrust balance a symmetric aircraft. Where another one would go aside, bank angle, aileron and rudder are
-//! unknowns too, sideslip instead of a control that it has not. Without engines the climb angle takes the place of
-//! thrust: the aircraft glides, in balance where it is, in denser and denser air.
+//! Pitch, its control and thrust balance a symmetric aircraft. Where another one would go aside, bank angle and the controls for
+//! roll and yaw are unknowns too, sideslip instead of a control that it has not. Without engines the climb angle takes the place
+//! of thrust: the aircraft glides, in balance where it is, in denser and denser air.
 
+use crate::aircraft::{Control, TrimRole};
 use crate::equations::{Controls, EquationsOfMotion};
 
 use super::trim_error::TrimError;
@@ -32,12 +33,12 @@ pub struct TrimPoint {
     pub sideslip: f64,
     /// γ of the path, rad, positive upwards; only an aircraft without engines has one.
     pub climb_angle: f64,
-    /// rad.
-    pub elevator: f64,
-    /// rad.
-    pub aileron: f64,
-    /// rad.
-    pub rudder: f64,
+    /// Of the control with the role of pitch, rad.
+    pub pitch_control: f64,
+    /// Of the control with the role of roll, rad.
+    pub roll_control: f64,
+    /// Of the control with the role of yaw, rad.
+    pub yaw_control: f64,
     /// N per engine.
     pub thrust: f64,
 }
@@ -75,19 +76,34 @@ impl TrimPoint {
         [airspeed * cos * cos_sideslip, airspeed * sin_sideslip, airspeed * sin * cos_sideslip]
     }
 
-    /// The controls of the trimmed flight, in still air.
-    pub fn controls(&self, engines: usize) -> Controls {
-        let TrimPoint { elevator, aileron, rudder, thrust, .. } = *self;
-        let thrust = vec![thrust; engines];
-        Controls { elevator, aileron, rudder, thrust, ..Controls::neutral(0) }
+    /// The angle of the control with a role, rad.
+    pub fn control(&self, role: TrimRole) -> f64 {
+        match role {
+            TrimRole::Pitch => self.pitch_control,
+            TrimRole::Roll => self.roll_control,
+            TrimRole::Yaw => self.yaw_control,
+        }
     }
 
-    /// For people, without what is 0; `engines` says whether there are any.
-    pub fn describe(&self, engines: bool) -> String {
-        let TrimPoint { pitch, roll, sideslip, climb_angle, elevator, aileron, rudder, thrust } = *self;
-        let mut text = format!("pitch {pitch:.5} rad, elevator {elevator:.5} rad");
-        let aside = [("bank angle", roll), ("sideslip", sideslip), ("aileron", aileron), ("rudder", rudder)];
-        for (name, angle) in aside.into_iter().filter(|(_, angle)| angle.abs() >= 5e-6) {
+    /// The angles of some controls: those without a role are neutral, rad.
+    pub fn angles(&self, controls: &[Control]) -> impl Iterator<Item = f64> {
+        controls.iter().map(|control| control.role.map_or(0.0, |role| self.control(role)))
+    }
+
+    /// For people, without what is 0, by the names of some controls; `engines` says whether there are any.
+    pub fn describe(&self, controls: &[Control], engines: bool) -> String {
+        let TrimPoint { pitch, roll, sideslip, climb_angle, thrust, .. } = *self;
+        let with_role = |role| {
+            let control = controls.iter().find(|control| control.role == Some(role));
+            control.map(|control| (control.name.as_str(), self.control(role)))
+        };
+        let mut text = format!("pitch {pitch:.5} rad");
+        if let Some((name, angle)) = with_role(TrimRole::Pitch) {
+            text += &format!(", {name} {angle:.5} rad");
+        }
+        let aside = [("bank angle", roll), ("sideslip", sideslip)].into_iter();
+        let aside = aside.chain([TrimRole::Roll, TrimRole::Yaw].into_iter().filter_map(with_role));
+        for (name, angle) in aside.filter(|(_, angle)| angle.abs() >= 5e-6) {
             text += &format!(", {name} {angle:.5} rad");
         }
         text + &if engines {
@@ -99,14 +115,26 @@ impl TrimPoint {
 }
 
 impl Trim {
-    /// The controls of the trimmed flight, in still air.
-    pub fn controls(&self, engines: usize) -> Controls {
-        self.point.controls(engines)
+    /// The controls of the trimmed flight of some equations, in still air.
+    pub fn controls(&self, equations: &EquationsOfMotion) -> Controls {
+        let mut controls = equations.neutral_controls();
+        controls.take_trim(&self.point, equations);
+        controls
+    }
+}
+
+impl Controls {
+    /// Takes the angles and the thrust of a trim of some equations.
+    pub(super) fn take_trim(&mut self, point: &TrimPoint, equations: &EquationsOfMotion) {
+        for (angle, trimmed) in self.angles.iter_mut().zip(point.angles(equations.controls())) {
+            *angle = trimmed;
+        }
+        self.thrust.fill(point.thrust);
     }
 }
 
 impl EquationsOfMotion {
-    /// Finds steady straight flight, without sideslip where aileron and rudder can hold it, and q at which all accelerations vanish, thrust equal on all
+    /// Finds steady straight flight, without sideslip where the controls for roll and yaw can hold it, and q at which all accelerations vanish, thrust equal on all
     /// engines. A clamped aircraft keeps its attitude; only q is found.
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::aircraft::Support;
+use crate::aircraft::{Control, Support};
 
 use super::trim::TrimPoint;
 
@@ -46,6 +46,8 @@ pub struct TrimError {
     pub steps: usize,
     /// Where they ended.
     pub point: TrimPoint,
+    /// Those of the aircraft.
+    pub controls: Vec<Control>,
     /// Whether it flies.
     pub support: Support,
     /// Whether anything drives the aircraft.
@@ -88,7 +90,7 @@ impl fmt::Display for TrimError {
                 100.0 * share
             )?;
         }
-        write!(f, "{steps} Newton steps ended at {}", self.point.describe(self.has_engines))?;
+        write!(f, "{steps} Newton steps ended at {}", self.point.describe(&self.controls, self.has_engines))?;
         let [x, y, z, roll, pitch, yaw] = self.rigid;
         write!(
             f,
@@ -109,11 +111,11 @@ impl TrimError {
         match self.failure {
             TrimFailure::NotFound | TrimFailure::TooSlow { .. } => format!("no steady {flight} found"),
             TrimFailure::NoAuthority => format!(
-                "no steady {flight}: what should balance the aircraft does not act independently (is there a wing, an \
-                 elevator{engine}, for one that is not symmetric a fin or a rudder?)"
+                "no steady {flight}: what should balance the aircraft does not act independently (is there a wing, a \
+                 control with trim = \"pitch\"{engine}, for one that is not symmetric a fin or a control with trim = \"yaw\"?)"
             ),
             TrimFailure::NoLateralControl { side_force, rolling, yawing } => format!(
-                "no steady {flight}: the aircraft is not symmetric and has neither aileron nor rudder; a side force of \
+                "no steady {flight}: the aircraft is not symmetric and has no control with trim = \"roll\" or \"yaw\"; a side force of \
                  {side_force:.1} N, a rolling moment of {rolling:.1} N m and a yawing moment of {yawing:.1} N m about O \
                  stay unbalanced"
             ),

@@ -3,10 +3,9 @@
 use nalgebra::Vector3;
 
 use crate::air::STANDARD_GRAVITY;
-use crate::aircraft::Support;
+use crate::aircraft::{Support, TrimRole};
 use crate::equations::{Controls, EquationsOfMotion, Workspace};
 use crate::math::{Attitude, quaternion_of_euler_angles, solve};
-use crate::strips::{SURFACES, SurfaceKind};
 
 use super::trim::{Trim, TrimCondition, TrimPoint};
 use super::trim_error::{TrimError, TrimFailure};
@@ -38,14 +37,13 @@ const STEEP: f64 = 15.0 * std::f64::consts::PI / 180.0;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum TrimUnknown {
     Pitch,
-    Elevator,
+    /// The angle of the control with this role.
+    Control(TrimRole),
     /// In parts of the weight.
     Thrust,
     ClimbAngle,
     Roll,
     Sideslip,
-    Aileron,
-    Rudder,
 }
 
 /// How Newton's method ended.
@@ -111,13 +109,13 @@ impl<'a> Search<'a> {
         for (unknown, &value) in self.flight.iter().zip(&self.values) {
             match unknown {
                 TrimUnknown::Pitch => point.pitch = value,
-                TrimUnknown::Elevator => point.elevator = value,
+                TrimUnknown::Control(TrimRole::Pitch) => point.pitch_control = value,
+                TrimUnknown::Control(TrimRole::Roll) => point.roll_control = value,
+                TrimUnknown::Control(TrimRole::Yaw) => point.yaw_control = value,
                 TrimUnknown::Thrust => point.thrust = value * self.weight_per_engine(),
                 TrimUnknown::ClimbAngle => point.climb_angle = value,
                 TrimUnknown::Roll => point.roll = value,
                 TrimUnknown::Sideslip => point.sideslip = value,
-                TrimUnknown::Aileron => point.aileron = value,
-                TrimUnknown::Rudder => point.rudder = value,
             }
         }
         point
@@ -149,9 +147,10 @@ impl<'a> Search<'a> {
 
     /// In the plane of symmetry, all unknowns at zero.
     fn new(equations: &'a EquationsOfMotion, condition: TrimCondition) -> Self {
+        let along = |along| vec![TrimUnknown::Pitch, TrimUnknown::Control(TrimRole::Pitch), along];
         let flight = match (equations.support(), equations.engine_count()) {
-            (Support::Free, 0) => vec![TrimUnknown::Pitch, TrimUnknown::Elevator, TrimUnknown::ClimbAngle],
-            (Support::Free, _) => vec![TrimUnknown::Pitch, TrimUnknown::Elevator, TrimUnknown::Thrust],
+            (Support::Free, 0) => along(TrimUnknown::ClimbAngle),
+            (Support::Free, _) => along(TrimUnknown::Thrust),
             (Support::Clamped, _) => Vec::new(),
         };
         Search {
@@ -161,22 +160,18 @@ impl<'a> Search<'a> {
             flight,
             converged: false,
             state: vec![0.0; equations.layout().len()],
-            controls: Controls::neutral(equations.engine_count()),
+            controls: equations.neutral_controls(),
             rates: vec![0.0; equations.layout().len()],
             workspace: Workspace::new(equations),
             equations,
         }
     }
 
-    /// Takes bank angle and the controls that there are, aileron and rudder, as unknowns too; sideslip for one that is not.
-    fn add_lateral(&mut self, [aileron, rudder]: [bool; 2]) {
+    /// Takes bank angle and the controls for roll and yaw that there are as unknowns too; sideslip for one that is not.
+    fn add_lateral(&mut self, [roll, yaw]: [bool; 2]) {
         let place = self.flight.len();
-        let control = |there: bool, unknown| if there { unknown } else { TrimUnknown::Sideslip };
-        self.flight.extend([
-            TrimUnknown::Roll,
-            control(aileron, TrimUnknown::Aileron),
-            control(rudder, TrimUnknown::Rudder),
-        ]);
+        let control = |there, role| if there { TrimUnknown::Control(role) } else { TrimUnknown::Sideslip };
+        self.flight.extend([TrimUnknown::Roll, control(roll, TrimRole::Roll), control(yaw, TrimRole::Yaw)]);
         self.rows.extend(ASIDE);
         self.values.splice(place..place, [0.0; 3]);
     }
@@ -189,9 +184,7 @@ impl<'a> Search<'a> {
     /// Writes the unknowns into state and controls, and evaluates the equations there.
     fn evaluate(&mut self) {
         let point = self.point();
-        (self.controls.elevator, self.controls.aileron, self.controls.rudder) =
-            (point.elevator, point.aileron, point.rudder);
-        self.controls.thrust.fill(point.thrust);
+        self.controls.take_trim(&point, self.equations);
         let layout = *self.equations.layout();
         let TrimCondition { airspeed, altitude, heading } = self.condition;
         self.state[layout.position().end - 1] = 0.0 - altitude;
@@ -312,13 +305,14 @@ impl<'a> Search<'a> {
             steps,
             point: self.point(),
             support: self.equations.support(),
+            controls: self.equations.controls().to_vec(),
             has_engines: self.equations.engine_count() > 0,
             rigid: self.rigid(),
             modal,
         }
     }
 
-    /// What an aircraft whose plane of symmetry is in balance lacks, if it has neither aileron nor rudder.
+    /// What an aircraft whose plane of symmetry is in balance lacks, if it has no control for roll or yaw.
     fn without_lateral_controls(&self, error: TrimError) -> TrimError {
         let goes_aside = ASIDE.iter().any(|&row| self.rigid()[row].abs() >= BALANCED);
         if !self.converged || !goes_aside {
@@ -345,11 +339,11 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Whether there are ailerons, and a rudder.
+/// Whether there are controls for roll and for yaw that move anything.
 fn lateral_controls(equations: &EquationsOfMotion) -> [bool; 2] {
-    [SurfaceKind::Aileron, SurfaceKind::Rudder].map(|kind| {
-        let mut angles = [0.0; SURFACES];
-        angles[kind as usize] = 1.0;
+    [TrimRole::Roll, TrimRole::Yaw].map(|role| {
+        let has_role = equations.controls().iter().map(|control| control.role == Some(role));
+        let angles: Vec<f64> = has_role.map(|has_role| if has_role { 1.0 } else { 0.0 }).collect();
         equations.flap_factors().iter().any(|factor| factor.value(&angles) != 0.0)
     })
 }

@@ -12,7 +12,7 @@ use crate::structure::{ReducedModel, ReducedStrip};
 pub(super) struct Equilibrium {
     /// Of the strips, m.
     displacements: Vec<Vector3<f64>>,
-    /// The quaternion of the attitude, surface angles, rad.
+    /// The quaternion of the attitude, angles of the controls, rad.
     angles: Vec<f64>,
 }
 
@@ -20,9 +20,8 @@ impl Equilibrium {
     pub fn new(model: &ReducedModel, equations: &EquationsOfMotion, trim: &Trim) -> Self {
         let layout = equations.layout();
         let q = &trim.state[layout.coordinates()];
-        let controls = trim.controls(equations.engine_count());
         let mut angles = trim.state[layout.attitude()].to_vec();
-        angles.extend([controls.elevator, controls.aileron, controls.rudder]);
+        angles.extend(trim.point.angles(equations.controls()));
         let displacement = |strip: &ReducedStrip| combine(&strip.shapes.translation, q);
         Equilibrium { displacements: model.strips.iter().map(displacement).collect(), angles }
     }

@@ -75,7 +75,9 @@ impl Sweep {
                 let last = match point {
                     Ok(point) => {
                         tracks.add(&point, after_gap);
-                        gathered.limits_exceeded.extend(point.limits_exceeded.iter().map(|e| (airspeed, *e)));
+                        gathered
+                            .limits_exceeded
+                            .extend(point.limits_exceeded.iter().map(|e| (airspeed, e.clone())));
                         gathered.unknowns = point.unknowns;
                         Last::Trimmed((airspeed, point.equilibrium))
                     }

@@ -28,11 +28,9 @@ impl FlapEffect {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::aircraft::ControlGains;
-
     #[test]
     fn a_flap_hinged_at_the_leading_edge_is_an_angle_of_attack() {
-        let flap = Flap { lift_slope: std::f64::consts::TAU, hinge: 1e-12, gains: ControlGains::default() };
+        let flap = Flap { lift_slope: std::f64::consts::TAU, hinge: 1e-12, gains: Vec::new() };
         let effect = FlapEffect::new(&flap);
         assert!((effect.lift - std::f64::consts::TAU).abs() < 1e-5);
         assert!(effect.moment.abs() < 1e-5);
@@ -42,7 +40,7 @@ mod tests {
     fn a_flap_at_mid_chord_has_the_lift_of_thin_aerofoil_theory() {
         // Glauert: τ = 1 − (θ_h − sin θ_h)/π with θ_h measured from the leading edge; at mid-chord
         // τ = 1/2 + 1/π, and c_m(c/4) = −½ sin θ_h (1 − cos θ_h) per radian = −1/2.
-        let flap = Flap { lift_slope: std::f64::consts::TAU, hinge: 0.5, gains: ControlGains::default() };
+        let flap = Flap { lift_slope: std::f64::consts::TAU, hinge: 0.5, gains: Vec::new() };
         let effect = FlapEffect::new(&flap);
         assert!((effect.lift / std::f64::consts::TAU - (0.5 + std::f64::consts::FRAC_1_PI)).abs() < 1e-15);
         // Moment = ρ b² U² · moment = ½ρU²(2b)² · c_m, so c_m = moment / 2.

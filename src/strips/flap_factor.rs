@@ -1,53 +1,77 @@
 //! What the loads of flaps are proportional to [4.1; physics.md §4].
 
-use crate::aircraft::ControlGains;
+use std::collections::BTreeSet;
 
-/// Kinds of surfaces: elevator, aileron, both ailerons together, rudder.
-pub(crate) const SURFACES: usize = 4;
+use crate::aircraft::Flap;
 
-/// A kind of surfaces that balances an aircraft sideways; its place among them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum SurfaceKind {
-    Aileron = 1,
-    Rudder = 3,
-}
-
-/// How far the surfaces of each kind turn a flap.
-pub(crate) fn gains_of_kinds(gains: &ControlGains) -> [f64; SURFACES] {
-    [gains.elevator, gains.aileron, gains.aileron_symmetric, gains.rudder]
-}
-
-/// What the loads of flaps are proportional to: the angle of a kind of surfaces, or the product of two.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What the loads of flaps are proportional to: the angle of a control, or the product of two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum FlapFactor {
     Angle(usize),
     Product([usize; 2]),
 }
 
 impl FlapFactor {
-    /// How many there can be.
-    pub(crate) const MOST: usize = SURFACES + SURFACES * (SURFACES + 1) / 2;
-
-    /// All there can be.
-    pub(crate) fn all() -> impl Iterator<Item = Self> {
-        let products = (0..SURFACES).flat_map(|j| (j..SURFACES).map(move |k| FlapFactor::Product([j, k])));
-        (0..SURFACES).map(FlapFactor::Angle).chain(products)
+    /// Those of some flaps, each with whether it drags: angles first, then products, of which only flaps that drag have any.
+    pub(crate) fn of_flaps<'a>(flaps: impl Iterator<Item = (&'a Flap, bool)>) -> Vec<Self> {
+        let mut factors = BTreeSet::new();
+        for (flap, drags) in flaps {
+            let moving = (0..flap.gains.len()).filter(|&control| flap.gains[control] != 0.0);
+            let moving: Vec<usize> = moving.collect();
+            factors.extend(moving.iter().map(|&control| FlapFactor::Angle(control)));
+            if drags {
+                let pairs =
+                    moving.iter().enumerate().flat_map(|(i, &j)| moving[i..].iter().map(move |&k| [j, k]));
+                factors.extend(pairs.map(FlapFactor::Product));
+            }
+        }
+        factors.into_iter().collect()
     }
 
-    /// Under given angles of the kinds, rad or rad².
-    pub(crate) fn value(self, angles: &[f64; SURFACES]) -> f64 {
+    /// Under given angles of the controls, rad or rad².
+    pub(crate) fn value(self, angles: &[f64]) -> f64 {
         match self {
-            FlapFactor::Angle(kind) => angles[kind],
+            FlapFactor::Angle(control) => angles[control],
             FlapFactor::Product([j, k]) => angles[j] * angles[k],
         }
     }
 
-    /// Its coefficient in the angle δ, or in δ², of a flap that the kinds turn with given gains.
-    pub(crate) fn coefficient(self, gains: &[f64; SURFACES]) -> f64 {
+    /// Its coefficient in the angle δ, or in δ², of a flap that the controls turn with given gains.
+    pub(crate) fn coefficient(self, gains: &[f64]) -> f64 {
         match self {
-            FlapFactor::Angle(kind) => gains[kind],
+            FlapFactor::Angle(control) => gains[control],
             FlapFactor::Product([j, k]) if j == k => gains[j] * gains[j],
             FlapFactor::Product([j, k]) => 2.0 * gains[j] * gains[k],
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_controls_that_share_a_flap_that_drags_have_a_product() {
+        let flap = |gains: [f64; 4]| Flap { lift_slope: 3.0, hinge: 0.7, gains: gains.to_vec() };
+        let [one, two, three] =
+            [flap([0.0, 1.0, -1.0, 0.0]), flap([0.0, 0.0, 0.5, 0.0]), flap([2.0, 0.0, 1.0, 0.0])];
+        let factors = FlapFactor::of_flaps([(&one, true), (&two, true), (&three, false)].into_iter());
+        let [angles, products] =
+            [[0, 1, 2].map(FlapFactor::Angle), [[1, 1], [1, 2], [2, 2]].map(FlapFactor::Product)];
+        assert_eq!(factors, [angles, products].concat());
+    }
+
+    #[test]
+    fn factors_and_coefficients_make_the_angle_of_a_flap_and_its_square() {
+        let (gains, angles) = ([0.5, -1.0, 2.0], [0.1, 0.2, -0.3]);
+        let flap = Flap { lift_slope: 3.0, hinge: 0.7, gains: gains.to_vec() };
+        let factors = FlapFactor::of_flaps([(&flap, true)].into_iter());
+        let sum = |is_angle: bool| -> f64 {
+            let kept = factors.iter().filter(|factor| matches!(factor, FlapFactor::Angle(_)) == is_angle);
+            kept.map(|factor| factor.value(&angles) * factor.coefficient(&gains)).sum()
+        };
+        let delta = 0.5 * 0.1 - 0.2 - 2.0 * 0.3;
+        assert!((sum(true) - delta).abs() < 1e-15);
+        assert!((sum(false) - delta * delta).abs() < 1e-15);
     }
 }

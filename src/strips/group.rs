@@ -7,14 +7,13 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 use pulp::Scalar;
 
-use crate::aircraft::Flap;
 use crate::kinematics::RigidFreedom;
 use crate::math::{Arithmetic, Arrow, Eight, EightVectors, LANES, Lanes, Place};
 use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
 
 use super::edge_on::EdgeOnStrips;
 use super::flap::FlapEffect;
-use super::flap_factor::{FlapFactor, gains_of_kinds};
+use super::flap_factor::FlapFactor;
 use super::inflow::PetersInflow;
 use super::inflow_layout::InflowLayout;
 use super::loads::{Displacement, FlapResultants, StripLoads, StripSizes};
@@ -95,8 +94,9 @@ impl Strips {
     /// whether motion is in that plane.
     pub fn new(model: &ReducedModel, edge_on: &[ReducedStrip], free: RigidFreedom) -> Self {
         let modes = model.modes.len();
-        let acts = |factor: &FlapFactor| model.strips.iter().any(|strip| coefficient(strip, *factor) != 0.0);
-        let factors: Vec<FlapFactor> = FlapFactor::all().filter(acts).collect();
+        let flaps =
+            model.strips.iter().filter_map(|strip| Some((strip.flap.as_ref()?, flap_drag(strip) != 0.0)));
+        let factors = FlapFactor::of_flaps(flaps);
         let group = |strips: &[ReducedStrip]| Group {
             in_plane: free == RigidFreedom::InPlane && strips.iter().all(ReducedStrip::stays_in_plane),
             ..Group::new(strips, &factors, modes)
@@ -315,10 +315,9 @@ fn flap_drag(strip: &ReducedStrip) -> f64 {
 
 /// The coefficient of a factor in a strip's δ; in its δ² where that drags.
 fn coefficient(strip: &ReducedStrip, factor: FlapFactor) -> f64 {
-    let coefficient = |flap: &Flap| factor.coefficient(&gains_of_kinds(&flap.gains));
     match factor {
         FlapFactor::Product(_) if flap_drag(strip) == 0.0 => 0.0,
-        _ => strip.flap.as_ref().map_or(0.0, coefficient),
+        _ => strip.flap.as_ref().map_or(0.0, |flap| factor.coefficient(&flap.gains)),
     }
 }
 

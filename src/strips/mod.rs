@@ -15,7 +15,7 @@ mod sums;
 
 pub(crate) use air_loads::SumLoads;
 pub use flap::FlapEffect;
-pub(crate) use flap_factor::{FlapFactor, SURFACES, SurfaceKind};
+pub(crate) use flap_factor::FlapFactor;
 pub(crate) use group::{Strips, Surroundings};
 pub use inflow::{InflowStates, PetersInflow};
 pub use inflow_layout::{GroupInflow, InflowLayout};

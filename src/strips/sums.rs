@@ -7,7 +7,6 @@
 use crate::kinematics::RigidFreedom;
 use crate::math::{Arithmetic, Eight, Lanes, Place, SPARE, SquareMatrix};
 
-use super::flap_factor::FlapFactor;
 use super::group::Strips;
 
 /// Rows and columns of the product that are summed together.
@@ -21,8 +20,6 @@ pub struct StripSums {
     moving: Vec<usize>,
     /// How many of them, the first, are translations of the whole aircraft.
     translations: usize,
-    /// How many factors the loads of the flaps have.
-    factors: usize,
     /// Whether X and Y are the same.
     symmetric: bool,
     /// Padded to whole blocks.
@@ -38,8 +35,8 @@ pub struct StripSums {
 pub struct Row {
     /// Generalised force with the flaps neutral, per lane.
     force: Eight,
-    /// Generalised force per unit of each factor of the flaps' loads, per lane; those that there are come first.
-    effects: [Eight; FlapFactor::MOST],
+    /// Generalised force per unit of each factor of the flaps' loads, per lane.
+    effects: Vec<Eight>,
     /// Of X and Y, of every group.
     pitch: Vec<Eight>,
     /// Of X, of every group.
@@ -65,13 +62,12 @@ impl StripSums {
     /// Room for the sums of some strips; of the generalised forces and masses those of the components of ν that move.
     pub fn new(strips: &Strips, freedom: RigidFreedom, modes: usize, symmetric: bool) -> Self {
         let moving = freedom.moving(modes);
-        let row = Row::new(strips.groups(), symmetric);
+        let row = Row::new(strips.groups(), strips.factors.len(), symmetric);
         StripSums {
             rows: vec![row; moving.len().next_multiple_of(BLOCK)],
             product: SquareMatrix::new(moving.len()),
             moving,
             translations: freedom.translations(),
-            factors: strips.factors.len(),
             symmetric,
             reversed: None,
         }
@@ -92,7 +88,7 @@ impl StripSums {
     pub fn clear(&mut self) {
         for row in &mut self.rows {
             row.force = Eight::ZERO;
-            row.effects[..self.factors].fill(Eight::ZERO);
+            row.effects.fill(Eight::ZERO);
         }
         self.reversed = None;
     }
@@ -194,12 +190,12 @@ fn add_products<S: Arithmetic, const ROWS: usize, const ON_DIAGONAL: bool>(
 }
 
 impl Row {
-    /// Of so many groups; `symmetric` where accelerations are distributed as loads are.
-    fn new(groups: usize, symmetric: bool) -> Self {
+    /// Of so many groups, and factors of the flaps' loads; `symmetric` where accelerations are distributed as loads are.
+    fn new(groups: usize, factors: usize, symmetric: bool) -> Self {
         let zeros = vec![Eight::ZERO; groups];
         Row {
             force: Eight::ZERO,
-            effects: [Eight::ZERO; FlapFactor::MOST],
+            effects: vec![Eight::ZERO; factors],
             pitch: zeros.clone(),
             heave: zeros.clone(),
             acceleration: if symmetric { Vec::new() } else { zeros },

@@ -5,13 +5,13 @@
 
 use nalgebra::Vector3;
 
-use crate::aircraft::{ALTITUDES, MOST_INFLOW_STATES, Support};
+use crate::aircraft::{ALTITUDES, Flap, MOST_INFLOW_STATES, Support};
 use crate::sealed::hash;
 
 use super::{ModeShapes, ReducedModel, StructureError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXAIR03";
+const MAGIC: &[u8; 8] = b"FLXAIR04";
 
 /// Bytes before the payload.
 const HEADER: usize = 8 + 8 + 16;
@@ -78,23 +78,33 @@ impl ReducedModel {
             && (self.support == Support::Clamped
                 || self.tunnel_air.is_none() && self.mount == Vector3::zeros())
             && self.limits.are_finite()
+            && self.controls.iter().all(|control| control.limits.are_finite())
             && self.inflow_states <= MOST_INFLOW_STATES
             && self.strips.iter().all(|strip| {
                 positive(strip.semichord)
                     && strip.zero_lift_moment.is_finite()
                     && positive(strip.width)
-                    && strip.flap.is_none_or(|flap| flap.hinge > 0.0 && flap.hinge < 1.0)
+                    && strip.flap.as_ref().is_none_or(Flap::is_physical)
             })
     }
 
     /// Whether all arrays have the lengths that the modes ask for.
     fn is_consistent(&self) -> bool {
         let n = self.modes.len();
+        let fits_controls = |flap: &Flap| flap.gains.len() == self.controls.len();
         let fits = |shapes: &ModeShapes| [shapes.translation.len(), shapes.rotation.len()] == [3 * n; 2];
         self.integrals.is_consistent(n)
             && self.strain_energy.is_consistent(n)
             && self.strips.iter().all(|strip| fits(&strip.shapes))
+            && self.strips.iter().filter_map(|strip| strip.flap.as_ref()).all(fits_controls)
             && self.engines.iter().all(|engine| fits(&engine.shapes))
             && self.stations.iter().all(|station| fits(&station.shapes))
+    }
+}
+
+impl Flap {
+    /// Whether it is such as an aircraft file allows.
+    fn is_physical(&self) -> bool {
+        self.hinge > 0.0 && self.hinge < 1.0 && self.gains.iter().all(|gain| gain.is_finite())
     }
 }

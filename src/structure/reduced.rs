@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Vector3};
 use serde::{Deserialize, Serialize};
 
-use crate::aircraft::{Aircraft, Flap, Limits, Support, TunnelAir};
+use crate::aircraft::{Aircraft, Control, Flap, Limits, Support, TrimRole, TunnelAir};
 
 use super::assembly::Structure;
 use super::mode_count::ModeCount;
@@ -38,6 +38,8 @@ pub struct ReducedModel {
     pub strain_energy: StrainEnergy,
     /// Aerodynamic strips.
     pub strips: Vec<ReducedStrip>,
+    /// What moves the flaps, in the order of the inputs.
+    pub controls: Vec<Control>,
     /// Engines, in the order of the inputs.
     pub engines: Vec<ReducedEngine>,
     /// Named points.
@@ -155,12 +157,23 @@ impl ReducedModel {
             mount: aircraft.mount,
             integrals: ModalIntegrals::new(&structure, &basis.shapes),
             strain_energy: StrainEnergy::new(&structure, &basis.shapes),
+            controls: aircraft.controls.clone(),
             strips: reduced_strips(&structure, &basis.shapes),
             engines: reduced_engines(&structure, &basis.shapes),
             stations: reduced_stations(&structure, &basis.shapes),
             modes: basis.modes,
         };
         if model.is_finite() { Ok(model) } else { Err(StructureError::NotFinite) }
+    }
+
+    /// The place among the inputs of the control with a name.
+    pub fn control(&self, name: &str) -> Option<usize> {
+        self.controls.iter().position(|control| control.name == name)
+    }
+
+    /// The place among the inputs of the control with a role in trims.
+    pub fn control_for(&self, role: TrimRole) -> Option<usize> {
+        self.controls.iter().position(|control| control.role == Some(role))
     }
 
     /// Whether every computed number is finite.
@@ -217,7 +230,7 @@ fn reduced_strips(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedSt
         zero_lift_moment: strip.zero_lift_moment,
         profile_drag: strip.profile_drag,
         leading_edge_suction: strip.leading_edge_suction,
-        flap: strip.flap,
+        flap: strip.flap.clone(),
         shapes: structure.shapes_at(strip.attachment, shapes),
     };
     structure.aircraft.strips.iter().map(reduce).collect()

@@ -7,9 +7,11 @@
 
 use nalgebra::Vector3;
 
-use crate::aircraft::{ControlGains, Flap};
+use crate::aircraft::{Support, TrimRole};
 use crate::equations::{Configuration, EquationsOfMotion};
 use crate::structure::{ModeFamily, ModeShapes, ReducedEngine, ReducedModel, ReducedStrip};
+
+use super::even_controls::EvenControls;
 
 /// How far mirror images may differ, in parts of the aircraft's size or of each number.
 const SYMMETRIC: f64 = 1e-9;
@@ -27,6 +29,8 @@ pub struct SymmetricHalf {
     pub strips: Vec<Counterpart>,
     /// For each engine its mirror image.
     pub engines: Vec<usize>,
+    /// When the controls act alike on both sides.
+    pub controls: EvenControls,
 }
 
 /// The strip of the half that stands for one of the whole.
@@ -45,7 +49,8 @@ pub enum Counterpart {
 }
 
 impl SymmetricHalf {
-    /// The half of an aircraft; `None` when it has no mirror plane, or when gravity or the tunnel's flow is not in it.
+    /// The half of an aircraft; `None` when it has no mirror plane, or when gravity, the tunnel's flow or what the control
+    /// for pitch does is not in it.
     pub fn find(whole: &ReducedModel) -> Option<Self> {
         let unsymmetric = |family| family == ModeFamily::Unsymmetric;
         let is_upright = (whole.mount.x, whole.mount.z) == (0.0, 0.0);
@@ -59,6 +64,15 @@ impl SymmetricHalf {
         let mirror = Mirror::of(&model);
         let engines = mirror.engine_images(&model.engines)?;
         let images = mirror.images(&model.strips)?;
+        let pairs = images
+            .iter()
+            .enumerate()
+            .map(|(index, image)| (&model.strips[image.of], &model.strips[index], image.sign));
+        let controls = EvenControls::new(pairs);
+        let trimmed_by = model.control_for(TrimRole::Pitch).filter(|_| model.support == Support::Free);
+        if trimmed_by.is_some_and(|control| !controls.leave_free(control)) {
+            return None;
+        }
         let (mut kept, mut edge_on) = (Vec::new(), Vec::new());
         let mut places = vec![None; images.len()];
         for (index, strip) in model.strips.iter().enumerate().filter(|(index, _)| images[*index].of == *index)
@@ -67,7 +81,7 @@ impl SymmetricHalf {
                 places[index] = Some(Counterpart::EdgeOn(edge_on.len()));
                 edge_on.push(strip.clone());
             } else {
-                kept.push((index, half_strip(strip, images[index].is_in_plane)));
+                kept.push((index, half_strip(strip, images[index].is_in_plane, &controls)));
             }
         }
         // Those in the plane last, so that they are computed together.
@@ -81,26 +95,26 @@ impl SymmetricHalf {
             edge_on @ Counterpart::EdgeOn(_) => Some(edge_on),
         };
         let strips = images.iter().map(counterpart).collect::<Option<_>>()?;
-        Some(SymmetricHalf { model, edge_on, modes, strips, engines })
+        Some(SymmetricHalf { model, edge_on, modes, strips, engines, controls })
     }
 
-    /// The equations of symmetric motion, with neither ailerons against each other nor rudder nor wind from the side.
+    /// The equations of symmetric motion, under controls that act alike on both sides and without wind from the side.
     pub fn equations(&self, configuration: &Configuration) -> EquationsOfMotion {
         EquationsOfMotion::in_plane(&self.model, &self.edge_on, configuration)
     }
 }
 
 /// A strip as it counts in the half.
-fn half_strip(strip: &ReducedStrip, is_in_plane: bool) -> ReducedStrip {
+fn half_strip(strip: &ReducedStrip, is_in_plane: bool, controls: &EvenControls) -> ReducedStrip {
     let mut strip = strip.clone();
     if is_in_plane {
         lay_in_plane(&mut strip);
     } else {
         strip.width *= 2.0;
     }
-    if let Some(Flap { gains, .. }) = &mut strip.flap {
+    for (control, gain) in strip.flap.iter_mut().flat_map(|flap| flap.gains.iter_mut().enumerate()) {
         // What turns the two sides differently is at rest.
-        *gains = ControlGains { aileron: 0.0, rudder: 0.0, ..*gains };
+        *gain = if controls.hold_at_zero(control) { 0.0 } else { *gain };
     }
     strip
 }
@@ -168,26 +182,34 @@ impl Mirror {
     }
 
     /// For every strip the one on the right or in the plane that it moves like, each with one image. Of two strips that
-    /// meet in the plane, being images of each other, the first counts as the right one.
+    /// meet in the plane, being images of each other, the first counts as the right one. Where several could be the image,
+    /// it is one whose flap turns alike whatever the controls do, if there is one.
     fn images(&self, strips: &[ReducedStrip]) -> Option<Vec<Image>> {
         let side = |index: usize| self.side(&strips[index].position);
         let mut images: Vec<Option<Image>> = vec![None; strips.len()];
-        for index in 0..strips.len() {
-            if images[index].is_some() {
-                continue;
+        for turns_alike in [true, false] {
+            let sign = |one: usize, other: usize| {
+                let (strip, image) = (&strips[one], &strips[other]);
+                let sign = self.sign(strip, image)?;
+                let is_even = || EvenControls::new([(strip, image, sign)].into_iter()).are_met_by_all();
+                (!turns_alike || is_even()).then_some(sign)
+            };
+            for index in 0..strips.len() {
+                if images[index].is_some() {
+                    continue;
+                }
+                if let Some(sign) = (side(index) == 0).then(|| sign(index, index)).flatten() {
+                    images[index] = Some(Image { of: index, sign, is_in_plane: true });
+                    continue;
+                }
+                let mut others =
+                    (index + 1..strips.len()).filter(|&o| images[o].is_none() && side(o) == -side(index));
+                if let Some((other, sign)) = others.find_map(|other| Some((other, sign(index, other)?))) {
+                    let [right, left] = if side(index) < 0 { [other, index] } else { [index, other] };
+                    images[right] = Some(Image { of: right, sign: 1.0, is_in_plane: false });
+                    images[left] = Some(Image { of: right, sign, is_in_plane: false });
+                }
             }
-            let own = (side(index) == 0).then(|| self.sign(&strips[index], &strips[index])).flatten();
-            if let Some(sign) = own {
-                images[index] = Some(Image { of: index, sign, is_in_plane: true });
-                continue;
-            }
-            let mut others =
-                (index + 1..strips.len()).filter(|&o| images[o].is_none() && side(o) == -side(index));
-            let (other, sign) =
-                others.find_map(|other| Some((other, self.sign(&strips[index], &strips[other])?)))?;
-            let [right, left] = if side(index) < 0 { [other, index] } else { [index, other] };
-            images[right] = Some(Image { of: right, sign: 1.0, is_in_plane: false });
-            images[left] = Some(Image { of: right, sign, is_in_plane: false });
         }
         images.into_iter().collect()
     }
@@ -208,7 +230,7 @@ impl Mirror {
     /// Whether one strip is the mirror image of another, and whether its span axis is the mirrored one (1) or its
     /// opposite (−1).
     fn sign(&self, strip: &ReducedStrip, image: &ReducedStrip) -> Option<f64> {
-        let ReducedStrip { position, forward, span, flap, shapes, .. } = strip;
+        let ReducedStrip { position, forward, span, shapes, .. } = strip;
         if !self.maps(position, &image.position, self.size) || !self.maps(forward, &image.forward, 1.0) {
             return None;
         }
@@ -226,7 +248,6 @@ impl Mirror {
         let alike = numbers(strip).into_iter().zip(numbers(image)).all(|(a, b)| are_alike(a, b))
             && are_alike(strip.zero_lift_offset, sign * image.zero_lift_offset)
             && are_alike(strip.zero_lift_moment, sign * image.zero_lift_moment)
-            && flaps_mirror(flap.as_ref(), image.flap.as_ref(), sign)
             && self.maps_shapes(shapes, &image.shapes);
         alike.then_some(sign)
     }
@@ -261,19 +282,6 @@ fn maps_axial(axis: &Vector3<f64>, image: &Vector3<f64>, size: f64) -> bool {
 
 fn are_alike(a: f64, b: f64) -> bool {
     (a - b).abs() <= SYMMETRIC * a.abs().max(b.abs())
-}
-
-/// Whether two flaps turn alike under elevator and both ailerons together.
-fn flaps_mirror(flap: Option<&Flap>, image: Option<&Flap>, sign: f64) -> bool {
-    match (flap, image) {
-        (Some(flap), Some(image)) => {
-            are_alike(flap.lift_slope, image.lift_slope)
-                && are_alike(flap.hinge, image.hinge)
-                && are_alike(flap.gains.elevator, sign * image.gains.elevator)
-                && are_alike(flap.gains.aileron_symmetric, sign * image.gains.aileron_symmetric)
-        }
-        (flap, image) => flap.is_none() && image.is_none(),
-    }
 }
 
 #[cfg(test)]
@@ -334,8 +342,9 @@ mod tests {
         let left = model.strips.iter().position(|strip| strip.component == "wing_left").unwrap();
         let strip = &mut model.strips[left];
         strip.span = -strip.span;
+        let symmetric = jet().control("aileron_symmetric").unwrap();
         let gains = &mut strip.flap.as_mut().unwrap().gains;
-        gains.aileron_symmetric = -gains.aileron_symmetric;
+        gains[symmetric] = -gains[symmetric];
         let half = SymmetricHalf::find(&model).unwrap();
         assert!(matches!(half.strips[left], Counterpart::Lifting { sign: -1.0, .. }));
     }

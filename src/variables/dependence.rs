@@ -1,6 +1,8 @@
 //! What an output depends on, as the model description's `ModelStructure` tells it to importers, which
 //! order calls and look for algebraic loops by it.
 
+use crate::aircraft::TrimRole;
+
 use super::{AirQuantity, Axis, InputSlot, OutputSlot, ParameterSlot};
 
 /// Whether an input acts on an output at the same instant: accelerations feel every force, by the apparent mass also
@@ -10,17 +12,15 @@ pub(super) fn direct(output: OutputSlot, input: InputSlot) -> bool {
         OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) | OutputSlot::SpecificForce { .. } => true,
         OutputSlot::Air(AirQuantity::Density) => false,
         OutputSlot::Air(_) => matches!(input, InputSlot::Wind(_)),
-        OutputSlot::Elevator => input == InputSlot::Elevator,
-        OutputSlot::Aileron => input == InputSlot::Aileron,
-        OutputSlot::AileronSymmetric => input == InputSlot::AileronSymmetric,
-        OutputSlot::Rudder => input == InputSlot::Rudder,
+        OutputSlot::Control(control) => input == InputSlot::Control(control),
         OutputSlot::Thrust(engine) => input == InputSlot::Thrust(engine),
         _ => false,
     }
 }
 
-/// Whether a parameter acts on the value of an output at initialisation, in trimmed level flight.
-pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot) -> bool {
+/// Whether a parameter acts on the value of an output at initialisation, in trimmed level flight; `roles` has that of each
+/// control.
+pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Option<TrimRole>]) -> bool {
     use ParameterSlot::{Altitude, Heading, InputReference, StructuralDamping, Tolerance};
     match output {
         OutputSlot::Position(Axis::Z) => parameter == Altitude,
@@ -34,22 +34,18 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot) -> bool {
         }
         OutputSlot::Air(AirQuantity::Density) => parameter == Altitude,
         OutputSlot::Air(_) => parameter == Heading || trims(parameter),
-        OutputSlot::Elevator | OutputSlot::Aileron | OutputSlot::Rudder | OutputSlot::Thrust(_) => {
-            parameter == InputReference || trims(parameter)
-        }
-        OutputSlot::AileronSymmetric => false,
+        OutputSlot::Control(control) if roles[control].is_none() => false,
+        OutputSlot::Control(_) | OutputSlot::Thrust(_) => parameter == InputReference || trims(parameter),
         OutputSlot::Attitude(_)
         | OutputSlot::Velocity(_)
         | OutputSlot::Deflection { .. }
         | OutputSlot::ModalCoordinate(_)
         | OutputSlot::TrimPitch
-        | OutputSlot::TrimElevator
+        | OutputSlot::TrimControl(_)
         | OutputSlot::TrimThrust
         | OutputSlot::TrimClimbAngle
         | OutputSlot::TrimRoll
-        | OutputSlot::TrimSideslip
-        | OutputSlot::TrimAileron
-        | OutputSlot::TrimRudder => trims(parameter),
+        | OutputSlot::TrimSideslip => trims(parameter),
     }
 }
 

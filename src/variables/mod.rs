@@ -15,6 +15,7 @@ pub use slot::{
 };
 pub use unit::{BaseUnit, DisplayUnit, Unit};
 
+use crate::aircraft::TrimRole;
 use crate::structure::ReducedModel;
 
 /// The type of a variable.
@@ -100,12 +101,15 @@ impl Variable {
 #[derive(Clone, Debug, PartialEq)]
 pub struct VariableTable {
     rows: Vec<Variable>,
+    /// Of each control.
+    roles: Vec<Option<TrimRole>>,
 }
 
 impl VariableTable {
-    /// The variables for this aircraft: engines, stations and packaged modes each bring their own.
+    /// The variables for this aircraft: controls, engines, stations and packaged modes each bring their own.
     pub fn new(model: &ReducedModel) -> Self {
-        VariableTable { rows: table::rows(model) }
+        let roles = model.controls.iter().map(|control| control.role).collect();
+        VariableTable { rows: table::rows(model), roles }
     }
 
     /// The variable with a value reference.
@@ -133,7 +137,7 @@ impl VariableTable {
     pub fn initial_dependencies(&self, output: OutputSlot) -> Vec<u32> {
         self.knowns(|known| match known {
             Slot::Input(input) => dependence::direct(output, input),
-            Slot::Parameter(parameter) => dependence::initial(output, parameter),
+            Slot::Parameter(parameter) => dependence::initial(output, parameter, &self.roles),
             Slot::Output(_) => false,
         })
     }

@@ -1,5 +1,6 @@
 //! Where the value of a variable lives: a typed place in the inputs, the settings or the outputs.
 
+use crate::aircraft::TrimRole;
 use crate::equations::Fidelity;
 use crate::flight::{InputReference, Inputs, ModeSelection, Outputs, Settings};
 use crate::plant::TrimPoint;
@@ -114,10 +115,8 @@ pub enum DeflectionComponent {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "the quantities are documented in Inputs")]
 pub enum InputSlot {
-    Elevator,
-    Aileron,
-    AileronSymmetric,
-    Rudder,
+    /// The angle of the control with this index.
+    Control(usize),
     /// Of the engine with this index.
     Thrust(usize),
     Wind(Axis),
@@ -171,20 +170,17 @@ pub enum OutputSlot {
     ModalCoordinate(usize),
     /// Of the mode with this index.
     ModalRate(usize),
-    Elevator,
-    Aileron,
-    AileronSymmetric,
-    Rudder,
+    /// The acting angle of the control with this index.
+    Control(usize),
     /// Of the engine with this index.
     Thrust(usize),
     TrimPitch,
-    TrimElevator,
+    /// The angle of the control with this role.
+    TrimControl(TrimRole),
     TrimThrust,
     TrimClimbAngle,
     TrimRoll,
     TrimSideslip,
-    TrimAileron,
-    TrimRudder,
 }
 
 /// Where the value of a variable lives. It implies the FMI causality.
@@ -197,13 +193,10 @@ pub enum Slot {
 }
 
 impl InputSlot {
-    /// The place in the inputs. `inputs` has the engines of the model that the slot was made for.
+    /// The place in the inputs. `inputs` has the controls and engines of the model that the slot was made for.
     pub fn of(self, inputs: &mut Inputs) -> &mut f64 {
         match self {
-            InputSlot::Elevator => &mut inputs.elevator,
-            InputSlot::Aileron => &mut inputs.aileron,
-            InputSlot::AileronSymmetric => &mut inputs.aileron_symmetric,
-            InputSlot::Rudder => &mut inputs.rudder,
+            InputSlot::Control(control) => &mut inputs.controls[control],
             InputSlot::Thrust(engine) => &mut inputs.thrust[engine],
             InputSlot::Wind(axis) => &mut inputs.wind[axis.index()],
             InputSlot::WindRate(axis) => &mut inputs.wind_rate[axis.index()],
@@ -213,10 +206,7 @@ impl InputSlot {
     /// The value in the inputs.
     pub fn get(self, inputs: &Inputs) -> f64 {
         match self {
-            InputSlot::Elevator => inputs.elevator,
-            InputSlot::Aileron => inputs.aileron,
-            InputSlot::AileronSymmetric => inputs.aileron_symmetric,
-            InputSlot::Rudder => inputs.rudder,
+            InputSlot::Control(control) => inputs.controls[control],
             InputSlot::Thrust(engine) => inputs.thrust[engine],
             InputSlot::Wind(axis) => inputs.wind[axis.index()],
             InputSlot::WindRate(axis) => inputs.wind_rate[axis.index()],
@@ -310,19 +300,14 @@ impl OutputSlot {
             OutputSlot::StationRate { station, axis } => outputs.sensors[station].rate[axis.index()],
             OutputSlot::ModalCoordinate(mode) => outputs.modal_q[mode],
             OutputSlot::ModalRate(mode) => outputs.modal_q_dot[mode],
-            OutputSlot::Elevator => outputs.elevator,
-            OutputSlot::Aileron => outputs.aileron,
-            OutputSlot::AileronSymmetric => outputs.aileron_symmetric,
-            OutputSlot::Rudder => outputs.rudder,
+            OutputSlot::Control(control) => outputs.controls[control],
             OutputSlot::Thrust(engine) => outputs.thrust[engine],
             OutputSlot::TrimPitch => trim.pitch,
-            OutputSlot::TrimElevator => trim.elevator,
+            OutputSlot::TrimControl(role) => trim.control(role),
             OutputSlot::TrimThrust => trim.thrust,
             OutputSlot::TrimClimbAngle => trim.climb_angle,
             OutputSlot::TrimRoll => trim.roll,
             OutputSlot::TrimSideslip => trim.sideslip,
-            OutputSlot::TrimAileron => trim.aileron,
-            OutputSlot::TrimRudder => trim.rudder,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The rows of the table.
 
-use crate::aircraft::{ALTITUDES, Support};
+use crate::aircraft::{ALTITUDES, Control, Support, TrimRole};
 use crate::flight::Settings;
 use crate::strips::PetersInflow;
 use crate::structure::ReducedModel;
@@ -24,18 +24,11 @@ pub(super) fn rows(model: &ReducedModel) -> Vec<Variable> {
 }
 
 fn inputs(model: &ReducedModel) -> Vec<Variable> {
-    let surfaces = [
-        ("elevator", InputSlot::Elevator, "Elevator deflection, positive nose-down"),
-        ("aileron", InputSlot::Aileron, "Aileron deflection, positive rolls right"),
-        (
-            "aileron_symmetric",
-            InputSlot::AileronSymmetric,
-            "Deflection of both ailerons together, positive trailing edges down (more lift)",
-        ),
-        ("rudder", InputSlot::Rudder, "Rudder deflection, positive nose right"),
-    ];
-    let mut rows: Vec<_> =
-        surfaces.into_iter().map(|(name, slot, text)| input(name, Unit::Radian, slot, text)).collect();
+    let mut rows = Vec::new();
+    for (i, Control { name, description, positive, .. }) in model.controls.iter().enumerate() {
+        let text = format!("{description}, positive {positive}");
+        rows.push(input(name, Unit::Radian, InputSlot::Control(i), &text));
+    }
     for (i, engine) in model.engines.iter().enumerate() {
         let text = format!("Thrust of engine {}, positive forward", engine.name);
         let name = format!("thrust_{}", engine.name);
@@ -236,16 +229,10 @@ fn modal_coordinates(model: &ReducedModel) -> Vec<Variable> {
 }
 
 fn controls_and_trim(model: &ReducedModel) -> Vec<Variable> {
-    let surfaces = [
-        ("elevator", OutputSlot::Elevator, "elevator deflection"),
-        ("aileron", OutputSlot::Aileron, "aileron deflection"),
-        ("aileron_symmetric", OutputSlot::AileronSymmetric, "deflection of both ailerons together"),
-        ("rudder", OutputSlot::Rudder, "rudder deflection"),
-    ];
     let mut rows = Vec::new();
-    for (name, slot, text) in surfaces {
-        let text = format!("Acting {text}, trim included");
-        rows.push(output(format!("surface.{name}"), Unit::Radian, slot, text));
+    for (i, Control { name, description, .. }) in model.controls.iter().enumerate() {
+        let text = format!("Acting {}, trim included", within_a_sentence(description));
+        rows.push(output(format!("surface.{name}"), Unit::Radian, OutputSlot::Control(i), text));
     }
     for (i, engine) in model.engines.iter().enumerate() {
         let text = format!("Acting thrust of engine {}, trim included", engine.name);
@@ -253,25 +240,43 @@ fn controls_and_trim(model: &ReducedModel) -> Vec<Variable> {
         rows.push(output(name, Unit::Newton, OutputSlot::Thrust(i), text).nominal(10_000.0));
     }
     let glides = model.support == Support::Free && model.engines.is_empty();
+    let with_role = |role| {
+        let control = model.control_for(role).map(|control| &model.controls[control]);
+        let slot = OutputSlot::TrimControl(role);
+        control.map(|Control { name, description, .. }| {
+            (name.as_str(), Unit::Radian, slot, description.as_str())
+        })
+    };
     let trim = [
-        ("pitch", Unit::Radian, OutputSlot::TrimPitch, "Pitch angle"),
-        ("elevator", Unit::Radian, OutputSlot::TrimElevator, "Elevator deflection"),
-        if glides {
+        Some(("pitch", Unit::Radian, OutputSlot::TrimPitch, "Pitch angle")),
+        with_role(TrimRole::Pitch),
+        Some(if glides {
             ("climb_angle", Unit::Radian, OutputSlot::TrimClimbAngle, "Angle of the path above the horizon")
         } else {
             ("thrust", Unit::Newton, OutputSlot::TrimThrust, "Thrust per engine")
-        },
-        ("roll", Unit::Radian, OutputSlot::TrimRoll, "Bank angle"),
-        ("beta", Unit::Radian, OutputSlot::TrimSideslip, "Sideslip angle"),
-        ("aileron", Unit::Radian, OutputSlot::TrimAileron, "Aileron deflection"),
-        ("rudder", Unit::Radian, OutputSlot::TrimRudder, "Rudder deflection"),
+        }),
+        Some(("roll", Unit::Radian, OutputSlot::TrimRoll, "Bank angle")),
+        Some(("beta", Unit::Radian, OutputSlot::TrimSideslip, "Sideslip angle")),
+        with_role(TrimRole::Roll),
+        with_role(TrimRole::Yaw),
     ];
-    for (name, unit, slot, text) in trim {
+    for (name, unit, slot, text) in trim.into_iter().flatten() {
         let text = format!("{text} of the trim found at initialisation");
         let row = output(format!("trim.{name}"), unit, slot, text);
         rows.push(Variable { variability: Variability::Discrete, ..row });
     }
     rows
+}
+
+/// A description without its capital, unless it begins with more than one or none at all: "V-tail" stays.
+fn within_a_sentence(description: &str) -> String {
+    let mut letters = description.chars();
+    match (letters.next(), letters.next()) {
+        (Some(first), Some(second)) if second.is_lowercase() => {
+            first.to_lowercase().chain(std::iter::once(second)).chain(letters).collect()
+        }
+        _ => description.to_owned(),
+    }
 }
 
 const NORTH_EAST_DOWN: [&str; 3] = ["north", "east", "down"];

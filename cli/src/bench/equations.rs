@@ -1,6 +1,7 @@
 //! The right-hand side, and the plain method that all gains are compared with: the classical Runge–Kutta method in
 //! steps of 1 ms, one strip at a time.
 
+use flexible_aircraft::aircraft::TrimRole;
 use flexible_aircraft::equations::{Controls, EquationsOfMotion, Workspace};
 use flexible_aircraft::flight::Settings;
 use flexible_aircraft::structure::ReducedModel;
@@ -41,6 +42,7 @@ pub struct EquationCosts {
 impl EquationCosts {
     /// Measures about the trim.
     pub fn measure(model: &ReducedModel) -> Result<Self, BenchError> {
+        let moved = pitch_control(model)?;
         let settings = Settings::of(model);
         let whole = settings.equations(model)?;
         let half = settings
@@ -50,7 +52,7 @@ impl EquationCosts {
         Ok(EquationCosts {
             half: RightHandSide::measure(&half, &settings)?,
             whole: RightHandSide::measure(&whole, &settings)?,
-            plain_time_per_second: least_time(1, || fly_plainly(&narrow, &settings))? / DURATION,
+            plain_time_per_second: least_time(1, || fly_plainly(&narrow, moved, &settings))? / DURATION,
             most_multiplications: most_multiplications()?,
         })
     }
@@ -67,12 +69,17 @@ impl RightHandSide {
     }
 }
 
+/// The place of the control that the standard flight moves.
+pub fn pitch_control(model: &ReducedModel) -> Result<usize, BenchError> {
+    model.control_for(TrimRole::Pitch).ok_or_else(|| BenchError::NoPitchControl(model.name.clone()))
+}
+
 /// The state of the trimmed flight and its controls.
 fn trimmed(equations: &EquationsOfMotion, settings: &Settings) -> Result<(Vec<f64>, Controls), BenchError> {
     let trim = equations
         .trim(&settings.trim_condition())
         .map_err(flexible_aircraft::flight::SimulationError::from)?;
-    let controls = trim.controls(equations.engine_count());
+    let controls = trim.controls(equations);
     Ok((trim.state, controls))
 }
 
@@ -89,16 +96,20 @@ pub fn time_of(equations: &EquationsOfMotion, settings: &Settings) -> Result<f64
     Ok(time / EVALUATIONS as f64)
 }
 
-/// The standard flight by the classical Runge–Kutta method.
-fn fly_plainly(equations: &EquationsOfMotion, settings: &Settings) -> Result<Vec<f64>, BenchError> {
+/// The standard flight by the classical Runge–Kutta method, one control moving.
+fn fly_plainly(
+    equations: &EquationsOfMotion,
+    moved: usize,
+    settings: &Settings,
+) -> Result<Vec<f64>, BenchError> {
     let (mut y, mut controls) = trimmed(equations, settings)?;
-    let trim_elevator = controls.elevator;
+    let trimmed = controls.angles[moved];
     let manoeuvre = Manoeuvre::two_three_one_one(-0.05, 0.7, 1.0, 0.05);
     let mut workspace = Workspace::new(equations);
     let n = y.len();
     let (mut stage, mut k, mut sum) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
     for step in 0..(DURATION / PLAIN_STEP) as usize {
-        controls.elevator = trim_elevator + manoeuvre.value(0.01 * (step / 10) as f64);
+        controls.angles[moved] = trimmed + manoeuvre.value(0.01 * (step / 10) as f64);
         stage.copy_from_slice(&y);
         sum.fill(0.0);
         for (weight, next) in [(1.0, 0.5), (2.0, 0.5), (2.0, 1.0), (1.0, 0.0)] {

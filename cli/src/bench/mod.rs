@@ -8,7 +8,7 @@ mod report;
 mod scaling;
 mod standard_flight;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::Args;
@@ -20,16 +20,16 @@ use flexible_aircraft_packaging::{FileError, FmuError};
 
 use crate::files::{Drafts, Overwriting, refuse_overwriting};
 use crate::{diagnostics, terminal, workspace};
-use equations::EquationCosts;
+use equations::{EquationCosts, pitch_control};
 use report::Report;
 use scaling::Scaling;
-use standard_flight::StandardFlight;
+use standard_flight::{Flown, StandardFlight};
 
 /// Options of `flexair bench`.
 #[derive(Args)]
 #[command(
-    after_help = "The aircraft has to be free, with an elevator, a station wing_tip_right, and a mirror plane y = 0: \
-the flight is an elevator 2-3-1-1, and half of the aircraft is timed against the whole"
+    after_help = "The aircraft has to be free, with a control for pitch, a station wing_tip_right, and a mirror plane y = 0: \
+the flight is a 2-3-1-1 of that control, and half of the aircraft is timed against the whole"
 )]
 pub struct BenchOptions {
     /// The FMU to fly, as `flexair package` writes it
@@ -70,19 +70,23 @@ pub enum BenchError {
     /// The aircraft does not fly.
     #[error("{0} is clamped in a wind tunnel: the standard flight needs support = \"free\"")]
     Clamped(String),
+    /// Nothing moves in the standard flight.
+    #[error("{0} has no control with trim = \"pitch\": the standard flight moves it")]
+    NoPitchControl(String),
     /// The FMU lacks what the standard flight moves or watches.
     #[error(
-        "{}: the FMU has no variable `{missing}`; the standard flight needs an elevator and a station wing_tip_right",
+        "{}: the FMU has no variable `{missing}`; the standard flight needs the aircraft's control for pitch and a \
+         station wing_tip_right",
         fmu.display()
     )]
     NoStandardFlight { fmu: PathBuf, missing: String },
     /// Half flew for the whole, or the whole for half.
     #[error(
-        "{} of the aircraft flew where the {} was to be timed, at an aileron of {aileron} rad",
-        if *aileron == 0.0 { "the whole" } else { "half" },
-        if *aileron == 0.0 { "half" } else { "whole" }
+        "{} of the aircraft flew where the {} was to be timed, in a side wind of {side_wind} m/s",
+        if *side_wind == 0.0 { "the whole" } else { "half" },
+        if *side_wind == 0.0 { "half" } else { "whole" }
     )]
-    OtherPart { aileron: f64 },
+    OtherPart { side_wind: f64 },
     /// An output that is an input.
     #[error(transparent)]
     Overwriting(#[from] Overwriting),
@@ -118,10 +122,15 @@ pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
         return Err(BenchError::NoMirrorPlane(aircraft.name));
     }
     let fmu = Fmu::open(&options.fmu)?;
-    check_variables(&options.fmu, &fmu)?;
+    let control = &model.controls[pitch_control(&model)?];
+    let flown = Flown { fmu: &fmu, control: &control.name };
+    if let Some(missing) = flown.missing_variable() {
+        let missing = missing.to_owned();
+        return Err(BenchError::NoStandardFlight { fmu: options.fmu.clone(), missing });
+    }
     let drafts = Drafts::new(outputs)?;
     terminal::note("the standard flight through the C interface …");
-    let flight = StandardFlight::measure(&fmu)?;
+    let flight = StandardFlight::measure(flown)?;
     terminal::note("the right-hand side and the plain method …");
     let equations = EquationCosts::measure(&model)?;
     terminal::note("larger and smaller aircraft …");
@@ -129,17 +138,6 @@ pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
     let report = Report { model: &model, flight, equations, scaling };
     drafts.keep([report.markdown().as_str(), &report.chart().to_svg()])?;
     Ok(terminal::print(&format!("{}\n", report.summary()))?)
-}
-
-/// Whether the FMU has what the standard flight moves and watches.
-fn check_variables(path: &Path, fmu: &Fmu) -> Result<(), BenchError> {
-    let mut needed = standard_flight::NEEDED.into_iter();
-    match needed.find(|name| fmu.variable(name).is_err()) {
-        Some(missing) => {
-            Err(BenchError::NoStandardFlight { fmu: path.to_owned(), missing: missing.to_owned() })
-        }
-        None => Ok(()),
-    }
 }
 
 /// The least time, s, that `work` takes of a few times; the rest is what else the machine does.

@@ -9,7 +9,7 @@ use flexible_aircraft::structure::{ModeCount, ReducedModel, ReducedStrip};
 
 use crate::progress::Progress;
 
-use super::equations::time_of;
+use super::equations::{pitch_control, time_of};
 use super::{BenchError, least_time};
 
 /// Seconds flown for each point.
@@ -95,35 +95,36 @@ fn point(
 ) -> Result<Point, BenchError> {
     let half =
         settings.symmetric_equations(model)?.ok_or_else(|| BenchError::NoMirrorPlane(model.name.clone()))?;
-    let (trimmed, engines) = (Simulation::new(Arc::clone(model), settings, 0.0)?, model.engines.len());
+    let trimmed = Simulation::new(Arc::clone(model), settings, 0.0)?;
     Ok(Point {
         label,
         size,
         half: Costs {
             right_hand_side: time_of(&half, settings)?,
-            time_per_second: flight_time(&trimmed, engines, 0.0)?,
+            time_per_second: flight_time(&trimmed, model, 0.0)?,
         },
         whole: Costs {
             right_hand_side: time_of(&settings.equations(model)?, settings)?,
-            time_per_second: flight_time(&trimmed, engines, UNNOTICEABLE)?,
+            time_per_second: flight_time(&trimmed, model, UNNOTICEABLE)?,
         },
     })
 }
 
-/// An aileron angle, rad, that moves nothing but has the whole aircraft fly: it is more than rounding.
+/// A wind from the side, m/s, that moves nothing but has the whole aircraft fly.
 const UNNOTICEABLE: f64 = 1e-12;
 
 /// Processor time for a second of flight, s.
-fn flight_time(trimmed: &Simulation, engines: usize, aileron: f64) -> Result<f64, BenchError> {
+fn flight_time(trimmed: &Simulation, model: &ReducedModel, side_wind: f64) -> Result<f64, BenchError> {
+    let (moved, steady) = (pitch_control(model)?, Inputs::zero(model));
     let time = least_time(3, || {
-        let (mut flight, mut inputs) = (trimmed.clone(), Inputs::zero(engines));
-        inputs.aileron = aileron;
+        let (mut flight, mut inputs) = (trimmed.clone(), steady.clone());
+        inputs.wind.y = side_wind;
         for step in 0..(SECONDS * 100.0) as u32 {
-            inputs.elevator = -0.01 * f64::from(step % 2);
-            flight.set_inputs(&inputs, &Inputs::zero(engines));
+            inputs.controls[moved] = -0.01 * f64::from(step % 2);
+            flight.set_inputs(&inputs, &steady);
             flight.advance_to(0.01 * f64::from(step + 1))?;
-            if flight.is_symmetric() != (aileron == 0.0) {
-                return Err(BenchError::OtherPart { aileron });
+            if flight.is_symmetric() != (side_wind == 0.0) {
+                return Err(BenchError::OtherPart { side_wind });
             }
             std::hint::black_box(flight.outputs());
         }
@@ -171,11 +172,18 @@ mod tests {
         let model = Arc::new(ReducedModel::new(&Aircraft::read(&path).unwrap(), 2).unwrap());
         let settings = Settings::of(&model);
         let trimmed = Simulation::new(Arc::clone(&model), &settings, 0.0).unwrap();
-        for aileron in [0.0, UNNOTICEABLE] {
-            flight_time(&trimmed, model.engines.len(), aileron).unwrap();
+        for side_wind in [0.0, UNNOTICEABLE] {
+            flight_time(&trimmed, &model, side_wind).unwrap();
         }
-        // Rounding does not bring it out of symmetry: what would be timed is half of it.
-        let refused = flight_time(&trimmed, model.engines.len(), 1e-300).unwrap_err().to_string();
-        assert!(refused.contains("half of the aircraft flew where the whole was to be timed"), "{refused}");
+        // Of an aircraft that has already left symmetry, what would be timed is all of it.
+        let (mut aside, mut wind) = (trimmed.clone(), Inputs::zero(&model));
+        wind.wind.y = 1.0;
+        aside.set_inputs(&wind, &Inputs::zero(&model));
+        aside.advance_to(0.01).unwrap();
+        let refused = flight_time(&aside, &model, 0.0).unwrap_err().to_string();
+        assert!(
+            refused.contains("the whole of the aircraft flew where the half was to be timed"),
+            "{refused}"
+        );
     }
 }

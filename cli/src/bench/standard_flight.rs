@@ -1,5 +1,6 @@
 //! The standard flight through the C interface: generic business jet, nominal stiffness, exact model, 12 modes of both
-//! families, 5 inflow states, 127 m/s, elevator 2-3-1-1 of [5.2], 15 s, communication step of 10 ms.
+//! families, 5 inflow states, 127 m/s, elevator 2-3-1-1 of [5.2] by whichever control it has for pitch, 15 s, communication
+//! step of 10 ms.
 
 use std::time::Instant;
 
@@ -26,8 +27,21 @@ const USUAL_TOLERANCE: f64 = 1e-5;
 /// What is compared: pitch, a wing tip, the load factor.
 const WATCHED: [&str; 3] = ["attitude.pitch", "deflection.wing_tip_right.up", "load_factor.z"];
 
-/// All that the FMU needs: what is moved and what is watched.
-pub const NEEDED: [&str; 4] = ["elevator", WATCHED[0], WATCHED[1], WATCHED[2]];
+/// What flies.
+#[derive(Clone, Copy)]
+pub struct Flown<'f> {
+    pub fmu: &'f Fmu,
+    /// The control that moves.
+    pub control: &'f str,
+}
+
+impl Flown<'_> {
+    /// A variable that the flight moves or watches and the FMU lacks.
+    pub fn missing_variable(&self) -> Option<&str> {
+        let needed = std::iter::once(self.control).chain(WATCHED);
+        needed.into_iter().find(|name| self.fmu.variable(name).is_err())
+    }
+}
 
 /// One tolerance.
 pub struct Accuracy {
@@ -50,12 +64,12 @@ pub struct Latency {
 }
 
 impl Latency {
-    fn measure(fmu: &Fmu, parts: u32) -> Result<Self, BenchError> {
+    fn measure(flown: Flown, parts: u32) -> Result<Self, BenchError> {
         const FLIGHTS: usize = 5;
         let (mut least, mut longest) = (Vec::new(), 0.0_f64);
         for flight in 0..FLIGHTS {
             let mut times = Vec::with_capacity(least.len());
-            fly(fmu, USUAL_TOLERANCE, parts, |seconds| times.push(seconds))?;
+            fly(flown, USUAL_TOLERANCE, parts, |seconds| times.push(seconds))?;
             if flight == 0 {
                 longest = times.iter().copied().fold(0.0, f64::max);
                 least.clone_from(&times);
@@ -85,14 +99,14 @@ pub struct StandardFlight {
 
 impl StandardFlight {
     /// Flies.
-    pub fn measure(fmu: &Fmu) -> Result<Self, BenchError> {
+    pub fn measure(flown: Flown) -> Result<Self, BenchError> {
         // The reference, two latencies and the bits.
         let progress = Progress::new(TOLERANCES.len() + 4, "measurements");
-        let exact = fly(fmu, REFERENCE_TOLERANCE, 1, |_| {})?;
+        let exact = fly(flown, REFERENCE_TOLERANCE, 1, |_| {})?;
         progress.advance();
         let mut accuracies = Vec::new();
         for tolerance in TOLERANCES {
-            let flights = (0..5).map(|_| fly(fmu, tolerance, 1, |_| {})).collect::<Result<Vec<_>, _>>()?;
+            let flights = (0..5).map(|_| fly(flown, tolerance, 1, |_| {})).collect::<Result<Vec<_>, _>>()?;
             let time = flights.iter().fold(f64::INFINITY, |least, flight| least.min(flight.time));
             let errors = errors(&flights[0].history, &exact.history);
             accuracies.push(Accuracy { tolerance, time_per_second: time / DURATION, errors });
@@ -100,15 +114,15 @@ impl StandardFlight {
         }
         let latency = |parts| {
             progress.advance();
-            Latency::measure(fmu, parts)
+            Latency::measure(flown, parts)
         };
         let latencies = [1, 10].map(latency).into_iter().collect::<Result<_, _>>()?;
         let bits =
             |flight: Flight| flight.history.into_iter().map(|row| row.map(f64::to_bits)).collect::<Vec<_>>();
         let same_bits =
-            bits(fly(fmu, USUAL_TOLERANCE, 1, |_| {})?) == bits(fly(fmu, USUAL_TOLERANCE, 10, |_| {})?);
-        let instantiation = least_time(5, || Ok(fmu.instantiate("bench").map(drop)?))?;
-        let mut aircraft = fmu.instantiate("bench")?;
+            bits(fly(flown, USUAL_TOLERANCE, 1, |_| {})?) == bits(fly(flown, USUAL_TOLERANCE, 10, |_| {})?);
+        let instantiation = least_time(5, || Ok(flown.fmu.instantiate("bench").map(drop)?))?;
+        let mut aircraft = flown.fmu.instantiate("bench")?;
         let trim = least_time(5, || {
             aircraft.reset()?;
             Ok(aircraft.initialise(0.0, None)?)
@@ -125,10 +139,11 @@ pub struct Flight {
     time: f64,
 }
 
-/// Flies with so many communication steps in 10 ms, at the beginning of which the elevator moves, and tells `timed` how
+/// Flies with so many communication steps in 10 ms, at the beginning of which the control moves, and tells `timed` how
 /// long each step took, s.
-pub fn fly(fmu: &Fmu, tolerance: f64, parts: u32, mut timed: impl FnMut(f64)) -> Result<Flight, FmuError> {
-    let (elevator, watched) = ([fmu.variable("elevator")?], fmu.variables(&WATCHED)?);
+pub fn fly(flown: Flown, tolerance: f64, parts: u32, mut timed: impl FnMut(f64)) -> Result<Flight, FmuError> {
+    let Flown { fmu, control } = flown;
+    let (control, watched) = ([fmu.variable(control)?], fmu.variables(&WATCHED)?);
     let manoeuvre = Manoeuvre::two_three_one_one(-0.05, 0.7, 1.0, 0.05);
     let mut aircraft = fmu.instantiate("bench")?;
     aircraft.initialise(0.0, Some(tolerance))?;
@@ -140,7 +155,7 @@ pub fn fly(fmu: &Fmu, tolerance: f64, parts: u32, mut timed: impl FnMut(f64)) ->
             let time = 0.01 * f64::from(index) + step * f64::from(part);
             let begin = Instant::now();
             if part == 0 {
-                aircraft.set_real(&elevator, &[manoeuvre.value(time)])?;
+                aircraft.set_real(&control, &[manoeuvre.value(time)])?;
             }
             aircraft.do_step(time, step)?;
             timed(begin.elapsed().as_secs_f64());

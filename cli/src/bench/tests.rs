@@ -3,7 +3,7 @@ use std::path::Path;
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{Package, Platform};
 
-use super::standard_flight::{errors, fly};
+use super::standard_flight::{Flown, errors, fly};
 
 /// The FMU's default.
 const TOLERANCE: f64 = 1e-5;
@@ -25,12 +25,13 @@ fn jet() -> (tempfile::TempDir, Fmu) {
 #[test]
 fn the_standard_flight_keeps_its_tolerance_and_its_bits() {
     let (_folder, fmu) = jet();
-    let exact = fly(&fmu, 1e-10, 1, |_| {}).unwrap();
-    let usual = fly(&fmu, TOLERANCE, 1, |_| {}).unwrap();
+    let flown = Flown { fmu: &fmu, control: "elevator" };
+    let exact = fly(flown, 1e-10, 1, |_| {}).unwrap();
+    let usual = fly(flown, TOLERANCE, 1, |_| {}).unwrap();
     let found = errors(&usual.history, &exact.history);
     assert!(found.iter().all(|error| *error < 1e-5 && *error > 0.0), "{found:?}");
     let mut steps = 0;
-    let in_parts = fly(&fmu, TOLERANCE, 10, |_| steps += 1).unwrap();
+    let in_parts = fly(flown, TOLERANCE, 10, |_| steps += 1).unwrap();
     assert_eq!(steps, 15_000);
     assert_eq!(usual.history, in_parts.history);
 }

@@ -37,12 +37,12 @@ pub fn warnings(analysis: &Analysis) -> Vec<String> {
     let exceeded = &analysis.sweep.limits_exceeded;
     let mut kinds: Vec<(LimitedQuantity, Bound)> = Vec::new();
     for (_, LimitExceeded { quantity, limit, .. }) in exceeded {
-        if !kinds.contains(&(*quantity, *limit)) {
-            kinds.push((*quantity, *limit));
+        if !kinds.iter().any(|kind| (&kind.0, &kind.1) == (quantity, limit)) {
+            kinds.push((quantity.clone(), *limit));
         }
     }
-    let warning = |kind: &(LimitedQuantity, Bound)| {
-        let alike = exceeded.iter().filter(|(_, other)| (other.quantity, other.limit) == *kind);
+    let warning = |(quantity, limit): &(LimitedQuantity, Bound)| {
+        let alike = exceeded.iter().filter(|(_, other)| (&other.quantity, &other.limit) == (quantity, limit));
         let count = alike.clone().count();
         let (airspeed, farthest) = alike.max_by(|a, b| a.1.value.abs().total_cmp(&b.1.value.abs()))?;
         let more = if count > 1 { format!(" (so at {count} airspeeds)") } else { String::new() };

@@ -5,7 +5,7 @@
 //! at 177.8 m/s, 1.4 × 127.
 
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::flight::{Inputs, ModeSelection, Settings};
+use flexible_aircraft::flight::{ModeSelection, Settings};
 use flexible_aircraft::structure::ReducedModel;
 
 use crate::manoeuvre::Manoeuvre;
@@ -61,14 +61,6 @@ impl Surface {
             // Negative is trailing edge up: nose-up.
             Surface::Elevator => Manoeuvre::two_three_one_one(-AMPLITUDE, 0.7, START, LAG),
             Surface::Rudder => Manoeuvre::doublet(AMPLITUDE, 2.0, START, LAG),
-        }
-    }
-
-    /// Puts an angle, or its rate, into the inputs.
-    pub fn set(self, inputs: &mut Inputs, value: f64) {
-        match self {
-            Surface::Elevator => inputs.elevator = value,
-            Surface::Rudder => inputs.rudder = value,
         }
     }
 }

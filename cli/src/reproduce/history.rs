@@ -3,12 +3,13 @@
 use std::fmt::Write;
 use std::sync::Arc;
 
+use flexible_aircraft::aircraft::TrimRole;
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Inputs, Outputs, Simulation, SimulationError};
 use flexible_aircraft::structure::ReducedModel;
 
 use super::Error;
-use super::cases::Flight;
+use super::cases::{Flight, Surface};
 
 /// Duration of all flights, s: the thesis' axes.
 pub const DURATION: f64 = 15.0;
@@ -151,16 +152,18 @@ impl Sample {
     }
 }
 
-/// Where an aircraft has the two tips of Table 5.1, among its stations.
+/// Where an aircraft has the two tips of Table 5.1, among its stations, and what moves it, among its controls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Tips {
+pub struct Places {
     wing: usize,
     tail: usize,
+    pitch_control: usize,
+    yaw_control: usize,
 }
 
-impl Tips {
+impl Places {
     /// # Errors
-    /// When the aircraft has no such stations.
+    /// When the aircraft has no such stations or controls.
     pub fn of(model: &ReducedModel) -> Result<Self, Error> {
         let find = |name: &'static str| {
             let place = model.stations.iter().position(|station| station.name == name);
@@ -174,7 +177,21 @@ impl Tips {
                     .join(", "),
             })
         };
-        Ok(Tips { wing: find("wing_tip_right")?, tail: find("htail_tip_right")? })
+        let control = |role, name| model.control_for(role).ok_or(Error::NoControl { role: name });
+        Ok(Places {
+            wing: find("wing_tip_right")?,
+            tail: find("htail_tip_right")?,
+            pitch_control: control(TrimRole::Pitch, "pitch")?,
+            yaw_control: control(TrimRole::Yaw, "yaw")?,
+        })
+    }
+
+    /// The control that a surface is moved by.
+    fn control(self, surface: Surface) -> usize {
+        match surface {
+            Surface::Elevator => self.pitch_control,
+            Surface::Rudder => self.yaw_control,
+        }
     }
 }
 
@@ -191,9 +208,9 @@ pub struct History {
 
 impl History {
     /// Flies until the end or as far as the model is valid.
-    pub fn fly(model: &Arc<ReducedModel>, tips: Tips, flight: Flight, duration: f64) -> Self {
+    pub fn fly(model: &Arc<ReducedModel>, places: Places, flight: Flight, duration: f64) -> Self {
         let mut samples = Vec::new();
-        let end = record(model, tips, flight, duration, &mut samples).err();
+        let end = record(model, places, flight, duration, &mut samples).err();
         History { flight, samples, end }
     }
 
@@ -217,7 +234,7 @@ impl History {
 
 fn record(
     model: &Arc<ReducedModel>,
-    tips: Tips,
+    places: Places,
     flight: Flight,
     duration: f64,
     samples: &mut Vec<Sample>,
@@ -225,15 +242,14 @@ fn record(
     let surface = flight.case.surface();
     let manoeuvre = surface.manoeuvre();
     let mut simulation = Simulation::new(Arc::clone(model), &flight.settings(model), 0.0)?;
-    let (mut inputs, mut rates) = (Inputs::zero(model.engines.len()), Inputs::zero(model.engines.len()));
+    let (mut inputs, mut rates, moved) = (Inputs::zero(model), Inputs::zero(model), places.control(surface));
     let steps = (duration / STEP).round() as u32;
     for step in 0..=steps {
         let time = STEP * f64::from(step);
         let (angle, next) = (manoeuvre.value(time), manoeuvre.value(time + STEP));
-        surface.set(&mut inputs, angle);
-        surface.set(&mut rates, (next - angle) / STEP);
+        (inputs.controls[moved], rates.controls[moved]) = (angle, (next - angle) / STEP);
         simulation.set_inputs(&inputs, &rates);
-        samples.push(sample(time, angle, simulation.outputs(), tips));
+        samples.push(sample(time, angle, simulation.outputs(), places));
         if step < steps {
             simulation.advance_to(time + STEP)?;
         }
@@ -241,7 +257,7 @@ fn record(
     Ok(())
 }
 
-fn sample(time: f64, input: f64, outputs: &Outputs, tips: Tips) -> Sample {
+fn sample(time: f64, input: f64, outputs: &Outputs, places: Places) -> Sample {
     let Outputs { velocity, rate, attitude, acceleration, deflections, .. } = outputs;
     let up = |station: usize| -deflections[station].displacement.z;
     let values = Quantity::ALL.map(|quantity| match quantity {
@@ -257,8 +273,8 @@ fn sample(time: f64, input: f64, outputs: &Outputs, tips: Tips) -> Sample {
         Quantity::AccelerationX => acceleration.x,
         Quantity::AccelerationY => acceleration.y,
         Quantity::AccelerationZ => acceleration.z,
-        Quantity::WingTip => up(tips.wing),
-        Quantity::TailTip => up(tips.tail),
+        Quantity::WingTip => up(places.wing),
+        Quantity::TailTip => up(places.tail),
     });
     Sample { time, input, values }
 }

@@ -22,7 +22,7 @@ use crate::progress::Progress;
 use crate::{ReproduceOptions, diagnostics, terminal};
 use cases::{Case, Flight, Surface};
 use figures::{GROUPS, Group};
-use history::{DURATION, History, Tips};
+use history::{DURATION, History, Places};
 use plots::Plot;
 use table::Table;
 
@@ -40,6 +40,8 @@ pub enum Error {
     Clamped(String),
     #[error("station {station} is missing, whose deflection Table 5.1 lists; the aircraft has: {found}")]
     NoStation { station: &'static str, found: String },
+    #[error("no control has trim = \"{role}\", and the flights move one for pitch and one for yaw")]
+    NoControl { role: &'static str },
     #[error(transparent)]
     Overwriting(#[from] Overwriting),
     #[error(transparent)]
@@ -96,10 +98,10 @@ pub fn run(options: &ReproduceOptions) -> Result<(), Error> {
 
 /// All flights, as many at once as there are cores, in their order.
 fn fly(model: &Arc<ReducedModel>, flights: &[Flight]) -> Result<Vec<History>, Error> {
-    let tips = Tips::of(model)?;
+    let places = Places::of(model)?;
     let progress = Progress::new(flights.len(), "flights");
     let fly = |&flight: &Flight| {
-        let history = History::fly(model, tips, flight, DURATION);
+        let history = History::fly(model, places, flight, DURATION);
         progress.advance();
         history
     };
@@ -183,8 +185,8 @@ mod tests {
         let file = include_str!("../../../aircraft/generic-business-jet.toml");
         let aircraft = Aircraft::parse(file, "generic-business-jet.toml").unwrap();
         let model = Arc::new(ReducedModel::new(&aircraft, 12).unwrap());
-        let tips = Tips::of(&model).unwrap();
-        let fly = |&flight: &Flight| History::fly(&model, tips, flight, 0.1);
+        let places = Places::of(&model).unwrap();
+        let fly = |&flight: &Flight| History::fly(&model, places, flight, 0.1);
         let histories: Vec<History> = Flight::all().iter().map(fly).collect();
         let reproduction = Reproduction::new(&aircraft, &histories);
         let (names, contents) = (file_names(), contents(&reproduction, &histories));

@@ -229,7 +229,7 @@ mod tests {
 
     use super::*;
     use crate::reproduce::cases::{Case, Flight, UNSTEADY};
-    use crate::reproduce::history::{History, Quantity, Tips};
+    use crate::reproduce::history::{History, Places, Quantity};
 
     /// One second of one flight: enough for the trim and for a page.
     fn reproduction() -> &'static Reproduction {
@@ -240,7 +240,7 @@ mod tests {
             let model = Arc::new(ReducedModel::new(&aircraft, ReducedModel::USUAL_MODES).unwrap());
             let flight =
                 Flight { case: Case::ElevatorTenth, fidelity: Fidelity::Exact, inflow_states: UNSTEADY };
-            let mut history = History::fly(&model, Tips::of(&model).unwrap(), flight, 2.0);
+            let mut history = History::fly(&model, Places::of(&model).unwrap(), flight, 2.0);
             assert_eq!(history.end, None);
             assert_eq!(history.samples.len(), 201);
             // The first pulse is nose-up.

@@ -50,7 +50,7 @@ impl<'s> Flight<'s> {
                 _ => None,
             })
             .unzip();
-        let [mut inputs, mut rates] = [Inputs::zero(model.engines.len()), Inputs::zero(model.engines.len())];
+        let [mut inputs, mut rates] = [Inputs::zero(&model), Inputs::zero(&model)];
         let reduced = Arc::clone(&model);
         let mut simulation = Simulation::new(model, settings, schedule.start())?;
         if let Some(warning) = LimitExceeded::warning(simulation.limits_exceeded(), &reduced, settings) {

@@ -7,10 +7,14 @@ use flexible_aircraft::structure::ReducedModel;
 
 use super::*;
 
-fn variables() -> VariableTable {
+fn small_aircraft() -> ReducedModel {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/small-aircraft.toml");
     let aircraft = Aircraft::read(&path).unwrap();
-    VariableTable::new(&ReducedModel::new(&aircraft, 0).unwrap())
+    ReducedModel::new(&aircraft, 0).unwrap()
+}
+
+fn variables() -> VariableTable {
+    VariableTable::new(&small_aircraft())
 }
 
 fn schedule(text: &str) -> Schedule {
@@ -27,9 +31,9 @@ fn values_and_rates_reach_the_inputs_that_the_columns_name() {
         "\u{feff}time, der(elevator) ,wind_down,\"elevator\"\r\n0,1,2,0.3\r\n\r\n0.5,4,5,\"0.6\"\r\n",
     );
     assert_eq!(times(&schedule, None), [0.0, 0.5]);
-    let (mut inputs, mut rates) = (Inputs::zero(0), Inputs::zero(0));
+    let [mut inputs, mut rates] = [Inputs::zero(&small_aircraft()), Inputs::zero(&small_aircraft())];
     schedule.write(1, &mut inputs, &mut rates);
-    assert_eq!((inputs.elevator, inputs.wind.z, rates.elevator), (0.6, 5.0, 4.0));
+    assert_eq!((inputs.controls[0], inputs.wind.z, rates.controls[0]), (0.6, 5.0, 4.0));
 }
 
 #[test]
