@@ -37,7 +37,7 @@ fn evaluate(arch: Arch, fidelity: Fidelity, half: bool) -> Vec<u64> {
     let mut state: Vec<f64> = (0..equations.layout().len()).map(|i| libm::sin(i as f64)).collect();
     state[equations.layout().velocity().start] = 127.0;
     let mut rates = vec![0.0; state.len()];
-    equations.rates(&state, &Controls::neutral(2), &mut rates, &mut Workspace::new(&equations));
+    equations.rates(&state, &equations.neutral_controls(), &mut rates, &mut Workspace::new(&equations));
     rates.into_iter().map(f64::to_bits).collect()
 }
 
@@ -105,8 +105,8 @@ fn with_lifting_body(mut model: ReducedModel) -> ReducedModel {
 
 fn half_moves_as(whole_model: &ReducedModel) {
     let half = SymmetricHalf::find(whole_model).unwrap();
-    let mut controls = Controls::neutral(2);
-    (controls.elevator, controls.aileron_symmetric, controls.thrust) = (-0.2, 0.05, vec![2e4; 2]);
+    let mut controls = equations.neutral_controls();
+    (controls.angles[ELEVATOR], controls.angles[AILERON_SYMMETRIC], controls.thrust) = (-0.2, 0.05, vec![2e4; 2]);
     (controls.wind, controls.wind_rate) = (Vector3::new(3.0, 0.0, -4.0), Vector3::new(1.0, 0.0, 2.0));
     for fidelity in Fidelity::ALL {
         let whole = EquationsOfMotion::new(whole_model, &configuration(fidelity));
@@ -164,11 +164,11 @@ fn steering_gives_the_same_bits_as_a_new_evaluation() {
         let mut state: Vec<f64> = (0..equations.layout().len()).map(|i| libm::sin(i as f64)).collect();
         state[equations.layout().velocity().start] = 127.0;
         let (mut rates, mut workspace) = (vec![0.0; state.len()], Workspace::new(&equations));
-        let mut controls = Controls::neutral(2);
+        let mut controls = equations.neutral_controls();
         equations.rates(&state, &controls, &mut rates, &mut workspace);
         let before = rates.clone();
-        (controls.elevator, controls.aileron, controls.aileron_symmetric) = (0.1, -0.05, 0.02);
-        (controls.rudder, controls.thrust) = (0.03, vec![1e4, 2e4]);
+        (controls.angles[ELEVATOR], controls.angles[AILERON], controls.angles[AILERON_SYMMETRIC]) = (0.1, -0.05, 0.02);
+        (controls.angles[RUDDER], controls.thrust) = (0.03, vec![1e4, 2e4]);
         equations.steer(&controls, &mut rates, &mut workspace);
         let steered = rates.clone();
         equations.rates(&state, &controls, &mut rates, &mut Workspace::new(&equations));
@@ -187,7 +187,7 @@ fn counted_multiplications_grow_by_the_same_number_with_every_group_of_strips() 
         let mut state = vec![0.0; equations.layout().len()];
         state[equations.layout().attitude().start] = 1.0;
         state[equations.layout().velocity().start] = 127.0;
-        equations.multiplications(&state, &Controls::neutral(2))
+        equations.multiplications(&state, &equations.neutral_controls())
     };
     let [none, one, two, three] = [0, 1, 2, 3].map(count);
     assert_eq!([two - one, three - two], [one - none; 2]);

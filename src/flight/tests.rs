@@ -23,7 +23,7 @@ fn a_flight_goes_on_after_a_year_with_the_bits_of_its_first_second() {
     let now = Moment::after_start(year, 0.0);
     old.path.stand([(now, 1), (now, 1)]);
     old.steering.since = now;
-    let rates = Inputs { elevator: -0.3, wind_rate: Vector3::new(0.0, 0.0, 2.0), ..Inputs::zero(2) };
+    let rates = Inputs { elevator: -0.3, wind_rate: Vector3::new(0.0, 0.0, 2.0), ..Inputs::zero(jet()) };
     for i in 0..60 {
         let inputs = Inputs { elevator: 1e-3 * f64::from(i), ..rates.clone() };
         for (flight, since) in [(&mut young, 0.0), (&mut old, year)] {
@@ -44,7 +44,7 @@ fn wind_ahead(heading: f64) -> Vector3<f64> {
 fn wind_along_the_heading_leaves_half_the_aircraft_flying_whatever_the_heading() {
     let north = {
         let mut north = flight(&Settings::of(jet()));
-        north.set_inputs(&Inputs { wind: wind_ahead(0.0), ..Inputs::zero(2) }, &Inputs::zero(2));
+        north.set_inputs(&Inputs { wind: wind_ahead(0.0), ..Inputs::zero(jet()) }, &Inputs::zero(jet()));
         north.advance_to(0.2).unwrap();
         north.outputs().clone()
     };
@@ -52,7 +52,7 @@ fn wind_along_the_heading_leaves_half_the_aircraft_flying_whatever_the_heading()
         let heading = f64::from(degrees).to_radians();
         let wind = wind_ahead(heading);
         let mut flight = flight(&Settings { heading, ..Settings::of(jet()) });
-        let at_rest = Inputs::zero(2);
+        let at_rest = Inputs::zero(jet());
         flight.set_inputs(&Inputs { wind, ..at_rest.clone() }, &at_rest);
         flight.advance_to(0.2).unwrap();
         assert!(flight.is_symmetric(), "{degrees} degrees");
@@ -79,13 +79,13 @@ fn thrusts_and_surfaces_that_differ_by_rounding_leave_half_the_aircraft_flying()
         let mut flight = flight(&settings);
         let trim = *flight.trim();
         let absolute = match input_reference {
-            InputReference::Trim => Inputs::zero(2),
+            InputReference::Trim => Inputs::zero(jet()),
             InputReference::Absolute => {
-                Inputs { elevator: trim.elevator, thrust: vec![trim.thrust; 2], ..Inputs::zero(2) }
+                Inputs { elevator: trim.pitch_control, thrust: vec![trim.thrust; 2], ..Inputs::zero(jet()) }
             }
         };
         let mut set_and_fly = |change: fn(&mut Inputs, &mut Inputs), end: f64| {
-            let (mut inputs, mut rates) = (absolute.clone(), Inputs::zero(2));
+            let (mut inputs, mut rates) = (absolute.clone(), Inputs::zero(jet()));
             change(&mut inputs, &mut rates);
             flight.set_inputs(&inputs, &rates);
             flight.advance_to(end).unwrap();
@@ -97,7 +97,7 @@ fn thrusts_and_surfaces_that_differ_by_rounding_leave_half_the_aircraft_flying()
             0.2
         ));
         assert!(set_and_fly(|_, rates| rates.thrust = vec![0.1 + 0.2, 0.3], 0.3));
-        assert!(set_and_fly(|inputs, _| (inputs.aileron, inputs.rudder) = (2e-16, -4e-16), 0.4));
-        assert!(!set_and_fly(|inputs, _| inputs.rudder = 1e-12, 0.5));
+        assert!(set_and_fly(|inputs, _| (inputs.controls[AILERON], inputs.controls[RUDDER]) = (2e-16, -4e-16), 0.4));
+        assert!(!set_and_fly(|inputs, _| inputs.controls[RUDDER] = 1e-12, 0.5));
     }
 }

@@ -7,6 +7,12 @@ use crate::flight::{Inputs, Settings};
 
 use super::*;
 
+/// Places of the jet's controls among its inputs.
+pub(crate) const ELEVATOR: usize = 0;
+pub(crate) const AILERON: usize = 1;
+pub(crate) const AILERON_SYMMETRIC: usize = 2;
+pub(crate) const RUDDER: usize = 3;
+
 /// The shipped jet.
 pub(crate) fn jet() -> &'static ReducedModel {
     static JET: OnceLock<ReducedModel> = OnceLock::new();
@@ -154,7 +160,7 @@ fn every_parameter_reads_back_what_was_set() {
 
 #[test]
 fn every_input_has_its_own_place() {
-    let mut inputs = Inputs::zero(2);
+    let mut inputs = Inputs::zero(jet());
     let slots: Vec<_> = table()
         .iter()
         .filter_map(|(_, variable)| if let Slot::Input(slot) = variable.slot { Some(slot) } else { None })

@@ -53,10 +53,10 @@ fn a_second_library_for_a_platform_is_refused() {
 
 /// Surfaces, thrust and wind, all moving.
 fn inputs_at(time: f64) -> Inputs {
-    let mut inputs = Inputs::zero(2);
-    inputs.elevator = -0.03 * (2.0 * time).sin();
-    inputs.aileron = 0.02 * (1.3 * time).sin();
-    inputs.rudder = 0.01 * (0.9 * time).sin();
+    let mut inputs = Inputs::zero(&jet());
+    inputs.controls[ELEVATOR] = -0.03 * (2.0 * time).sin();
+    inputs.controls[AILERON] = 0.02 * (1.3 * time).sin();
+    inputs.controls[RUDDER] = 0.01 * (0.9 * time).sin();
     inputs.thrust.copy_from_slice(&[1e3 * time.sin(), -1e3 * time.sin()]);
     inputs.wind.z = -2.0 * (1.0 - time.cos());
     inputs
@@ -85,12 +85,12 @@ fn fmu_and_rust_library_give_the_same_bits() {
     for index in 0..200 {
         let time = f64::from(index) * step;
         let now = inputs_at(time);
-        let mut values = vec![now.elevator, now.aileron, now.rudder];
+        let mut values = vec![now.controls[ELEVATOR], now.controls[AILERON], now.controls[RUDDER]];
         values.extend(&now.thrust);
         values.push(now.wind.z);
         instance.set_real(&inputs, &values).unwrap();
         instance.do_step(time, step).unwrap();
-        flight.set_inputs(&now, &Inputs::zero(2));
+        flight.set_inputs(&now, &Inputs::zero(&jet()));
         flight.advance_to(time + step).unwrap();
 
         let (mut of_fmu, mut q_of_fmu) = ([0.0; 5], [0.0; MODE_COUNT]);

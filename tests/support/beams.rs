@@ -72,6 +72,7 @@ impl Cantilever {
             airspeed: 127.0,
             altitude: 7620.0,
             limits: Limits::default(),
+            controls: Vec::new(),
             tunnel_air: None,
             mount: Vector3::zeros(),
             nodes: (0..=elements).map(|i| self.axis * (i as f64 * step)).collect(),

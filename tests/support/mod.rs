@@ -22,6 +22,21 @@ pub fn jet() -> Arc<ReducedModel> {
     }))
 }
 
+/// Places of the jet's controls among its inputs.
+pub const ELEVATOR: usize = 0;
+pub const AILERON: usize = 1;
+pub const AILERON_SYMMETRIC: usize = 2;
+pub const RUDDER: usize = 3;
+
+/// Inputs at zero but for the angles of some controls.
+pub fn angles(model: &ReducedModel, moved: &[(usize, f64)]) -> Inputs {
+    let mut inputs = Inputs::zero(model);
+    for &(control, angle) in moved {
+        inputs.controls[control] = angle;
+    }
+    inputs
+}
+
 /// The jet's stations, in the order of its file.
 pub fn station(name: &str) -> usize {
     jet().stations.iter().position(|station| station.name == name).unwrap()
@@ -66,7 +81,7 @@ pub fn fly(
 ) -> Vec<Outputs> {
     const STEP: f64 = 0.01;
     let mut simulation = Simulation::new(jet(), settings, 0.0).unwrap();
-    let (mut inputs, rates) = (Inputs::zero(2), Inputs::zero(2));
+    let (mut inputs, rates) = (Inputs::zero(&jet()), Inputs::zero(&jet()));
     let mut filtered = 0.0;
     let mut history = vec![simulation.outputs().clone()];
     for step in 0..(seconds / STEP).round() as usize {

@@ -181,11 +181,7 @@ impl Instant<'_> {
     /// CLδ c1 δ and CLδ c4 δ of a strip.
     fn flap_lift(&self, strip: &ReducedStrip) -> FlapLift {
         let Some(flap) = &strip.flap else { return FlapLift { lift: 0.0, moment: 0.0 } };
-        let (gains, controls) = (&flap.gains, self.controls);
-        let angle = gains.elevator * controls.elevator
-            + gains.aileron * controls.aileron
-            + gains.aileron_symmetric * controls.aileron_symmetric
-            + gains.rudder * controls.rudder;
+        let angle: f64 = flap.gains.iter().zip(&self.controls.angles).map(|(gain, angle)| gain * angle).sum();
         let hinge = libm::acos(2.0 * flap.hinge - 1.0);
         let (sin, cos) = libm::sincos(hinge);
         FlapLift {

@@ -1,7 +1,7 @@
 //! One aerofoil strip on an aircraft without mass or modes, whose motion a test prescribes: loads are the forces
 //! on ν = [v; ω; q̇] without the part that is proportional to accelerations.
 
-use flexible_aircraft::aircraft::{ControlGains, Flap, Limits, Support};
+use flexible_aircraft::aircraft::{Bounds, Control, Flap, Limits, Support};
 use flexible_aircraft::equations::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{ModalIntegrals, ModeShapes, ReducedModel, ReducedStrip, StrainEnergy};
 use nalgebra::{Matrix3, Vector3};
@@ -19,7 +19,7 @@ pub const SPEED: f64 = 20.0;
 pub struct PrescribedStrip {
     equations: EquationsOfMotion,
     workspace: Workspace,
-    /// Surfaces; the elevator turns the flap.
+    /// Two; the first turns the flap.
     pub controls: Controls,
     /// All states of the equations; the motion is written into them.
     pub state: Vec<f64>,
@@ -42,7 +42,7 @@ impl PrescribedStrip {
         let flap = Flap {
             lift_slope: std::f64::consts::TAU,
             hinge,
-            gains: ControlGains { elevator: 1.0, ..ControlGains::default() },
+            gains: vec![1.0, 0.0],
         };
         let mut strip = ReducedStrip {
             component: "strip".to_owned(),
@@ -66,7 +66,7 @@ impl PrescribedStrip {
         state[equations.layout().attitude().start] = 1.0;
         state[equations.layout().velocity().start] = SPEED;
         let workspace = Workspace::new(&equations);
-        PrescribedStrip { equations, workspace, controls: Controls::neutral(0), state }
+        PrescribedStrip { workspace, controls: equations.neutral_controls(), state, equations }
     }
 
     /// Prescribes w = n·V (m/s) and Ω (rad/s).
@@ -100,6 +100,17 @@ fn configuration(inflow_states: usize) -> Configuration {
     }
 }
 
+/// A control without limits or role.
+fn control(name: &str) -> Control {
+    Control {
+        name: name.to_owned(),
+        description: "Flap angle".to_owned(),
+        positive: "trailing edge down".to_owned(),
+        limits: Bounds::of_usual_control(),
+        role: None,
+    }
+}
+
 /// Nothing but a strip.
 fn model(strip: ReducedStrip) -> ReducedModel {
     ReducedModel {
@@ -126,6 +137,7 @@ fn model(strip: ReducedStrip) -> ReducedModel {
         },
         strain_energy: StrainEnergy::zero(0),
         strips: vec![strip],
+        controls: ["first", "second"].map(control).to_vec(),
         engines: Vec::new(),
         stations: Vec::new(),
     }

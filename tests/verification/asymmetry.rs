@@ -60,11 +60,11 @@ fn a_trace_of_asymmetry_changes_the_trim_by_a_trace_with_any_number_of_modes() {
         let found = trim(&lopsided, &settings(&lopsided));
         let differences = [
             found.pitch - symmetric.pitch,
-            found.elevator - symmetric.elevator,
+            found.pitch_control - symmetric.pitch_control,
             1e-5 * (found.thrust - symmetric.thrust),
             found.roll,
-            found.aileron,
-            found.rudder,
+            found.roll_control,
+            found.yaw_control,
         ];
         assert!(
             differences.iter().all(|difference| difference.abs() < 1e-7),
@@ -97,7 +97,7 @@ fn gravity_thrust_and_the_air_balance_the_trimmed_aircraft_in_all_six_directions
     let settings = Settings { fidelity: Fidelity::Rigid, inflow_states: 0, ..Settings::of(&model) };
     let equations = settings.equations(&model).unwrap();
     let trim = equations.trim(&settings.trim_condition()).unwrap();
-    let (controls, rates) = (trim.controls(2), vec![0.0; trim.state.len()]);
+    let (controls, rates) = (trim.controls(&equations), vec![0.0; trim.state.len()]);
     let instant = Instant { equations: &equations, controls: &controls, state: &trim.state, rates: &rates };
     let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
     let mut act = |place: &Vector3<f64>, acting: Vector3<f64>| {
@@ -110,7 +110,7 @@ fn gravity_thrust_and_the_air_balance_the_trimmed_aircraft_in_all_six_directions
         act(&strip.position, load.force);
         twisting += load.span * load.moment;
     }
-    let TrimPoint { roll, pitch, aileron, rudder, .. } = trim.point;
+    let TrimPoint { roll, pitch, roll_control: aileron, yaw_control: rudder, .. } = trim.point;
     let down = Rotation3::from_euler_angles(roll, pitch, 0.0).inverse() * Vector3::z();
     for bay in &aircraft.bays {
         let [from, to] = aircraft.beams[bay.attachment.beam].nodes.map(|node| aircraft.nodes[node]);
@@ -139,7 +139,7 @@ fn a_jet_with_a_load_on_one_wing_trims_level_and_flies_straight_for_a_minute() {
         assert!((begin.attitude - Vector3::new(point.roll, point.pitch, 0.0)).amax() < 1e-14);
         assert!(
             begin.air.sideslip.abs() < 1e-14
-                && (begin.aileron, begin.rudder) == (point.aileron, point.rudder)
+                && (begin.roll_control, begin.yaw_control) == (point.roll_control, point.yaw_control)
         );
         let seconds = if fidelity == Fidelity::Exact { 60.0 } else { 5.0 };
         flight.advance_to(seconds).unwrap();
@@ -174,23 +174,24 @@ fn the_outputs_name_the_lateral_trim_and_inputs_add_to_it() {
     for (name, value) in [
         ("trim.roll", point.roll),
         ("trim.beta", 0.0),
-        ("trim.aileron", point.aileron),
-        ("trim.rudder", point.rudder),
+        ("trim.roll_control", point.roll_control),
+        ("trim.yaw_control", point.yaw_control),
         ("attitude.roll", point.roll),
-        ("surface.aileron", point.aileron),
-        ("surface.rudder", point.rudder),
+        ("surface.aileron", point.roll_control),
+        ("surface.rudder", point.yaw_control),
     ] {
         assert!((read(&mut flight, name) - value).abs() < 1e-15, "{name}");
     }
-    let still = Inputs::zero(2);
-    flight.set_inputs(&Inputs { aileron: 0.01, rudder: -0.02, ..Inputs::zero(2) }, &still);
-    assert!((read(&mut flight, "surface.aileron") - point.aileron - 0.01).abs() < 1e-15);
-    assert!((read(&mut flight, "surface.rudder") - point.rudder + 0.02).abs() < 1e-15);
+    let still = Inputs::zero(&jet());
+    flight.set_inputs(&angles(&jet(), &[(AILERON, 0.01), (RUDDER, -0.02)]), &still);
+    assert!((read(&mut flight, "surface.aileron") - point.roll_control - 0.01).abs() < 1e-15);
+    assert!((read(&mut flight, "surface.rudder") - point.yaw_control + 0.02).abs() < 1e-15);
 
     let absolute = Settings { input_reference: InputReference::Absolute, ..Settings::of(&model) };
     let mut flight = Simulation::new(Arc::clone(&model), &absolute, 0.0).unwrap();
-    let TrimPoint { elevator, aileron, rudder, thrust, .. } = point;
-    let trimmed = Inputs { elevator, aileron, rudder, thrust: vec![thrust; 2], ..Inputs::zero(2) };
+    let TrimPoint { pitch_control, roll_control, yaw_control, thrust, .. } = point;
+    let trimmed = [(ELEVATOR, pitch_control), (AILERON, roll_control), (RUDDER, yaw_control)];
+    let trimmed = Inputs { thrust: vec![thrust; 2], ..angles(&jet(), &trimmed) };
     flight.set_inputs(&trimmed, &still);
     flight.advance_to(2.0).unwrap();
     assert!((flight.outputs().attitude.x - point.roll).abs() < 1e-9);
@@ -203,7 +204,7 @@ fn an_engine_off_the_centre_line_is_balanced_by_the_rudder() {
     let settings = Settings::of(&model);
     let point = trim(&model, &settings);
     // The thrust is too far to the right and yaws to the left: the rudder yaws right, the wing's lift goes against its force.
-    assert!(point.rudder > 1e-3, "{point:?}");
+    assert!(point.yaw_control > 1e-3, "{point:?}");
     assert!(imbalance(&model, &settings) < 1e-6);
 }
 
@@ -212,10 +213,10 @@ fn without(aileron: bool, rudder: bool) -> ReducedModel {
     let mut model = loaded_jet(300.0, 5.0);
     for flap in model.strips.iter_mut().filter_map(|strip| strip.flap.as_mut()) {
         if aileron {
-            flap.gains.aileron = 0.0;
+            flap.gains[AILERON] = 0.0;
         }
         if rudder {
-            flap.gains.rudder = 0.0;
+            flap.gains[RUDDER] = 0.0;
         }
     }
     model
@@ -227,7 +228,7 @@ fn where_a_control_is_missing_the_aircraft_slips() {
         let settings = Settings::of(&model);
         let point = trim(&model, &settings);
         assert!(point.sideslip.abs() > 1e-4, "{missing}: {point:?}");
-        assert!(if missing == "rudder" { point.rudder == 0.0 } else { point.aileron == 0.0 });
+        assert!(if missing == "rudder" { point.yaw_control == 0.0 } else { point.roll_control == 0.0 });
         assert!(imbalance(&model, &settings) < 1e-6, "{missing}");
     }
 }
@@ -236,7 +237,7 @@ fn where_a_control_is_missing_the_aircraft_slips() {
 fn without_aileron_and_rudder_the_unbalanced_moments_are_named() {
     let model = without(true, true);
     let error = Simulation::new(Arc::new(model.clone()), &Settings::of(&model), 0.0).unwrap_err().to_string();
-    assert!(error.contains("has neither aileron nor rudder"), "{error}");
+    assert!(error.contains("has no control with trim = \"roll\" or \"yaw\""), "{error}");
     let after = error.split("a rolling moment of ").nth(1).unwrap();
     let rolling: f64 = after.split(' ').next().unwrap().parse().unwrap();
     // 300 kg at 5 m, pitched by 0.14 rad; the elastic wing gives way by some centimetres.
@@ -255,9 +256,9 @@ fn with_one_engine_out_the_trim_is_that_of_an_independent_code() {
         (point.angle_of_attack(), 0.140035),
         (point.roll, -0.030648),
         (point.pitch, 0.139970),
-        (point.elevator, -0.245381),
-        (point.aileron, -0.010583),
-        (point.rudder, -0.333767),
+        (point.pitch_control, -0.245381),
+        (point.roll_control, -0.010583),
+        (point.yaw_control, -0.333767),
         (point.thrust, 47_766.7),
     ];
     for (found, expected) in expected {

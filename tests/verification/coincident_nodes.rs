@@ -49,7 +49,7 @@ fn aircraft_whose_parts_touch_trim_with_symmetric_modes_as_with_all() {
         let trim = |selection, count| {
             let settings = settings(&model, selection, count);
             let flight = Simulation::new(Arc::clone(&model), &settings, 0.0).unwrap();
-            [flight.trim().pitch, flight.trim().elevator]
+            [flight.trim().pitch, flight.trim().pitch_control]
         };
         let (half, whole) =
             (trim(ModeSelection::Symmetric, symmetric), trim(ModeSelection::All, model.modes.len()));
@@ -64,8 +64,8 @@ fn aircraft_whose_parts_touch_trim_with_symmetric_modes_as_with_all() {
 fn flight(model: &Arc<ReducedModel>, aileron: f64) -> Outputs {
     let settings = settings(model, ModeSelection::All, 12);
     let mut flight = Simulation::new(Arc::clone(model), &settings, 0.0).unwrap();
-    let inputs = Inputs { elevator: 0.03, aileron, ..Inputs::zero(1) };
-    flight.set_inputs(&inputs, &Inputs::zero(1));
+    let [elevator, roll] = ["elevator", "aileron"].map(|name| model.control(name).unwrap());
+    flight.set_inputs(&angles(model, &[(elevator, 0.03), (roll, aileron)]), &Inputs::zero(model));
     flight.advance_to(1.0).unwrap();
     assert_eq!(flight.is_symmetric(), aileron == 0.0);
     flight.outputs().clone()

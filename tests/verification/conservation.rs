@@ -44,7 +44,7 @@ fn violent_state(equations: &EquationsOfMotion) -> Vec<f64> {
 /// Plain Runge–Kutta steps of 0.2 ms over 5 s: their error is below 1e-10.
 fn fly(equations: &EquationsOfMotion, state: &mut [f64]) -> f64 {
     const STEP: f64 = 2e-4;
-    let (mut workspace, controls) = (Workspace::new(equations), Controls::neutral(equations.engine_count()));
+    let (mut workspace, controls) = (Workspace::new(equations), equations.neutral_controls());
     let mut slopes: [Vec<f64>; 4] = std::array::from_fn(|_| vec![0.0; state.len()]);
     let jet = jet();
     let tip = jet.stations[station("wing_tip_right")].shapes.translation[2 * jet.modes.len()..].iter();

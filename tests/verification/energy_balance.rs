@@ -85,9 +85,9 @@ fn balance(fidelity: Fidelity) -> (f64, f64) {
     let mut workspace = Workspace::new(&equations);
     let mut slope = |time: f64, state: &DVector<f64>| {
         let wave = libm::sin(std::f64::consts::TAU * 0.5 * time);
-        let mut controls = Controls::neutral(2);
-        (controls.elevator, controls.aileron, controls.rudder) =
-            (trim.point.elevator - 0.05 * wave, 0.03 * wave, 0.02 * wave);
+        let mut controls = equations.neutral_controls();
+        (controls.angles[ELEVATOR], controls.angles[AILERON], controls.angles[RUDDER]) =
+            (trim.point.pitch_control - 0.05 * wave, 0.03 * wave, 0.02 * wave);
         controls.thrust.fill(trim.point.thrust * (1.0 + 0.3 * wave));
         let mut rates = vec![0.0; state.len()];
         // The last entry is the work.
@@ -133,9 +133,9 @@ fn instantaneous(fidelity: Fidelity) -> f64 {
         ] {
             state[range].iter_mut().for_each(|x| *x *= scale);
         }
-        let mut controls = Controls::neutral(2);
-        (controls.elevator, controls.aileron, controls.rudder) = (0.2 * next(), 0.2 * next(), 0.2 * next());
-        controls.aileron_symmetric = 0.2 * next();
+        let mut controls = equations.neutral_controls();
+        (controls.angles[ELEVATOR], controls.angles[AILERON], controls.angles[RUDDER]) = (0.2 * next(), 0.2 * next(), 0.2 * next());
+        controls.angles[AILERON_SYMMETRIC] = 0.2 * next();
         controls.thrust.fill(3e4 * next());
         let mut rates = vec![0.0; state.len()];
         equations.rates(&state, &controls, &mut rates, &mut workspace);

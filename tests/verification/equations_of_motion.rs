@@ -39,7 +39,7 @@ fn momentum(particles: &Particles, q: &[f64], nu: &[f64], row: usize) -> f64 {
 /// What is left of each row, relative to the largest of the row's terms.
 fn residuals(equations: &EquationsOfMotion, particles: &Particles, state: &[f64]) -> Vec<f64> {
     let mut workspace = Workspace::new(equations);
-    let controls = Controls::neutral(equations.engine_count());
+    let controls = equations.neutral_controls();
     equations.rates(state, &controls, &mut vec![0.0; state.len()], &mut workspace);
     let (nu, nu_dot) = (velocities(equations, state), workspace.accelerations().to_vec());
     let (q, q_dot) = (state[equations.layout().coordinates()].to_vec(), nu[6..].to_vec());

@@ -17,7 +17,7 @@ const FLEXIBLE: [Fidelity; 4] = [
 ];
 
 fn elevator(inputs: &mut Inputs, angle: f64) {
-    inputs.elevator = angle;
+    inputs.controls[ELEVATOR] = angle;
 }
 
 /// Flies nose-up from the start, a million times stiffer, and gives the largest differences to the rigid

@@ -12,7 +12,7 @@ use super::record::Record;
 fn a_mirrored_rudder_gives_the_mirrored_flight() {
     let flight = |sign: f64| {
         let settings = Settings { stiffness_scale: 0.1, ..Settings::of(&jet()) };
-        fly(&settings, 8.0, doublet, |inputs, angle| inputs.rudder = sign * angle)
+        fly(&settings, 8.0, doublet, |inputs, angle| inputs.controls[RUDDER] = sign * angle)
     };
     let mut largest = [0.0_f64; 5];
     for (right, left) in flight(1.0).iter().zip(flight(-1.0)) {
@@ -45,7 +45,7 @@ fn a_mirrored_rudder_gives_the_mirrored_flight() {
 fn both_ailerons_down_bend_both_wings_up_alike() {
     let settings = Settings::of(&jet());
     let neutral = Simulation::new(jet(), &settings, 0.0).unwrap().outputs().clone();
-    let lifted = fly(&settings, 0.5, |_| 0.05, |inputs, angle| inputs.aileron_symmetric = angle);
+    let lifted = fly(&settings, 0.5, |_| 0.05, |inputs, angle| inputs.controls[AILERON_SYMMETRIC] = angle);
     let last = lifted.last().unwrap();
     for tip in ["wing_tip_right", "wing_tip_left"] {
         assert!(up(last, tip) > up(&neutral, tip), "{tip}");
@@ -58,11 +58,11 @@ fn both_ailerons_down_bend_both_wings_up_alike() {
 #[test]
 fn a_rudder_to_the_right_yaws_and_an_aileron_to_the_right_rolls_right() {
     let settings = Settings::of(&jet());
-    let yawed = fly(&settings, 2.0, |_| 0.02, |inputs, angle| inputs.rudder = angle);
+    let yawed = fly(&settings, 2.0, |_| 0.02, |inputs, angle| inputs.controls[RUDDER] = angle);
     assert!(yawed[199].attitude.z > 1e-3, "{:?}", yawed[199].attitude);
-    let rolled = fly(&settings, 2.0, |_| 0.02, |inputs, angle| inputs.aileron = angle);
+    let rolled = fly(&settings, 2.0, |_| 0.02, |inputs, angle| inputs.controls[AILERON] = angle);
     assert!(rolled[199].attitude.x > 1e-3, "{:?}", rolled[199].attitude);
-    let pitched = fly(&settings, 2.0, |_| 0.02, |inputs, angle| inputs.elevator = angle);
+    let pitched = fly(&settings, 2.0, |_| 0.02, |inputs, angle| inputs.controls[ELEVATOR] = angle);
     assert!(pitched[199].attitude.y < pitched[0].attitude.y - 1e-3, "{:?}", pitched[199].attitude);
 }
 
@@ -92,19 +92,19 @@ fn absolute_inputs_at_the_trim_values_are_the_trimmed_flight() {
     let settings = Settings { input_reference: InputReference::Absolute, ..Settings::of(&jet()) };
     let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
     let trim = *flight.trim();
-    let mut inputs = Inputs::zero(2);
-    inputs.elevator = trim.elevator;
+    let mut inputs = Inputs::zero(&jet());
+    inputs.controls[ELEVATOR] = trim.pitch_control;
     inputs.thrust.fill(trim.thrust);
-    flight.set_inputs(&inputs, &Inputs::zero(2));
+    flight.set_inputs(&inputs, &Inputs::zero(&jet()));
     flight.advance_to(10.0).unwrap();
     assert!((flight.outputs().attitude.y - trim.pitch).abs() < 1e-9);
 }
 
 #[test]
 fn the_heading_only_turns_the_flight() {
-    let north = fly(&Settings::of(&jet()), 4.0, two_three_one_one, |inputs, angle| inputs.elevator = angle);
+    let north = fly(&Settings::of(&jet()), 4.0, two_three_one_one, |inputs, angle| inputs.controls[ELEVATOR] = angle);
     let settings = Settings { heading: 2.0, ..Settings::of(&jet()) };
-    let turned = fly(&settings, 4.0, two_three_one_one, |inputs, angle| inputs.elevator = angle);
+    let turned = fly(&settings, 4.0, two_three_one_one, |inputs, angle| inputs.controls[ELEVATOR] = angle);
     let (sin, cos) = libm::sincos(2.0);
     let (mut position, mut velocity) = (0.0_f64, 0.0_f64);
     for (north, turned) in north.iter().zip(&turned) {
@@ -130,10 +130,10 @@ fn the_heading_only_turns_the_flight() {
 fn one_long_step_and_many_short_ones_give_the_same_bits() {
     let flight = |steps_per_centisecond: u32| {
         let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
-        let (mut inputs, rates) = (Inputs::zero(2), Inputs::zero(2));
+        let (mut inputs, rates) = (Inputs::zero(&jet()), Inputs::zero(&jet()));
         for centisecond in 0..300 {
             let time = f64::from(centisecond) * 0.01;
-            inputs.elevator = two_three_one_one(time);
+            inputs.controls[ELEVATOR] = two_three_one_one(time);
             for step in 1..=steps_per_centisecond {
                 flight.set_inputs(&inputs, &rates);
                 flight.advance_to(time + 0.01 * f64::from(step) / f64::from(steps_per_centisecond)).unwrap();
@@ -149,10 +149,10 @@ fn one_long_step_and_many_short_ones_give_the_same_bits() {
 #[test]
 fn a_restored_snapshot_continues_with_the_same_bits_and_damage_is_refused() {
     let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
-    let mut inputs = Inputs::zero(2);
-    inputs.rudder = 0.02;
+    let mut inputs = Inputs::zero(&jet());
+    inputs.controls[RUDDER] = 0.02;
     inputs.wind = Vector3::new(1.0, 2.0, -3.0);
-    flight.set_inputs(&inputs, &Inputs { rudder: 0.001, ..Inputs::zero(2) });
+    flight.set_inputs(&inputs, &angles(&jet(), &[(RUDDER, 0.001)]));
     flight.advance_to(1.2345).unwrap();
     let mut bytes = Vec::new();
     flight.snapshot(&mut bytes);
@@ -182,9 +182,9 @@ fn a_restored_snapshot_continues_with_the_same_bits_and_damage_is_refused() {
 fn a_steady_wind_carries_the_trimmed_flight_along() {
     // The wind builds up so slowly that the aircraft follows it.
     let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
-    let mut inputs = Inputs::zero(2);
+    let mut inputs = Inputs::zero(&jet());
     inputs.wind.z = -5.0;
-    flight.set_inputs(&inputs, &Inputs::zero(2));
+    flight.set_inputs(&inputs, &Inputs::zero(&jet()));
     let hit = flight.outputs().clone();
     assert!((hit.air.angle_of_attack - hit.attitude.y - libm::atan(5.0 / 127.0)).abs() < 1e-3);
     flight.advance_to(0.3).unwrap();
@@ -201,10 +201,10 @@ fn a_steady_wind_carries_the_trimmed_flight_along() {
 #[test]
 fn leaving_the_models_validity_is_an_error_and_leaves_the_flight_as_it_was() {
     let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
-    let mut inputs = Inputs::zero(2);
+    let mut inputs = Inputs::zero(&jet());
     flight.advance_to(0.5).unwrap();
     inputs.wind.x = 300.0;
-    flight.set_inputs(&inputs, &Inputs::zero(2));
+    flight.set_inputs(&inputs, &Inputs::zero(&jet()));
     let before: Outputs = flight.outputs().clone();
     let snapshot = |flight: &Simulation| {
         let mut bytes = Vec::new();
@@ -220,20 +220,20 @@ fn leaving_the_models_validity_is_an_error_and_leaves_the_flight_as_it_was() {
         assert_eq!(*flight.outputs(), before);
         assert_eq!(snapshot(&flight), bytes);
     }
-    flight.set_inputs(&Inputs::zero(2), &Inputs::zero(2));
+    flight.set_inputs(&Inputs::zero(&jet()), &Inputs::zero(&jet()));
     flight.advance_to(1.0).unwrap();
     assert!(flight.is_symmetric());
 
     // Where the whole aircraft takes over in the refused step, and where the step begins inside a cell.
-    inputs.aileron = 0.05;
-    flight.set_inputs(&inputs, &Inputs::zero(2));
+    inputs.controls[AILERON] = 0.05;
+    flight.set_inputs(&inputs, &Inputs::zero(&jet()));
     let bytes = snapshot(&flight);
     flight.advance_to(1.01).unwrap_err();
     assert!(flight.is_symmetric());
     assert_eq!(snapshot(&flight), bytes);
-    let mut rates = Inputs::zero(2);
+    let mut rates = Inputs::zero(&jet());
     rates.wind.x = 3e4;
-    flight.set_inputs(&Inputs::zero(2), &rates);
+    flight.set_inputs(&Inputs::zero(&jet()), &rates);
     flight.advance_to(1.001).unwrap();
     let bytes = snapshot(&flight);
     flight.advance_to(1.01).unwrap_err();
@@ -244,7 +244,7 @@ fn leaving_the_models_validity_is_an_error_and_leaves_the_flight_as_it_was() {
 fn every_number_of_inflow_states_flies_and_they_converge() {
     let flight = |inflow_states| {
         let settings = Settings { inflow_states, ..Settings::of(&jet()) };
-        let history = fly(&settings, 4.0, two_three_one_one, |inputs, angle| inputs.elevator = angle);
+        let history = fly(&settings, 4.0, two_three_one_one, |inputs, angle| inputs.controls[ELEVATOR] = angle);
         history.iter().map(|outputs| outputs.load_factor.z).fold(0.0, f64::max)
     };
     let peaks: Vec<f64> = (0..=8).map(flight).collect();
@@ -261,7 +261,7 @@ fn every_number_of_inflow_states_flies_and_they_converge() {
 fn pitch_wing_tip_and_load_factor_are_as_close_as_the_tolerance_asks() {
     let flight = |tolerance| {
         let settings = Settings { tolerance, ..Settings::of(&jet()) };
-        fly(&settings, 5.0, two_three_one_one, |inputs, angle| inputs.elevator = angle)
+        fly(&settings, 5.0, two_three_one_one, |inputs, angle| inputs.controls[ELEVATOR] = angle)
     };
     let tight = flight(1e-10);
     let peak = |quantity: fn(&Outputs) -> f64| {

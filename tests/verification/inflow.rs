@@ -207,7 +207,7 @@ fn a_flap_lifts_and_pitches_as_thin_aerofoil_theory_says() {
     for (hinge, axis) in [(0.5, 0.0), (0.7, -0.3), (0.8, 0.2), (0.9, -0.5)] {
         let mut strip = PrescribedStrip::new(0, axis, 0.0, hinge);
         let angle = 0.1;
-        strip.controls.elevator = angle;
+        strip.controls.angles[0] = angle;
         let (force, _) = strip.evaluate();
         let c: f64 = 2.0 * hinge - 1.0;
         let root = libm::sqrt(1.0 - c * c);

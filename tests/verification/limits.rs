@@ -10,7 +10,7 @@ use crate::support::{eight_symmetric, jet};
 /// What a trim of the jet is warned of: the quantities and the words.
 fn warnings(settings: &Settings) -> Vec<(LimitedQuantity, String)> {
     let flight = Simulation::new(jet(), settings, 0.0).unwrap();
-    flight.limits_exceeded().iter().map(|exceeded| (exceeded.quantity, exceeded.to_string())).collect()
+    flight.limits_exceeded().iter().map(|exceeded| (exceeded.quantity.clone(), exceeded.to_string())).collect()
 }
 
 /// The jet's nominal trim is within the usual limits; at 55 m/s it needs more elevator than a circle has.
@@ -19,15 +19,15 @@ fn a_trim_that_nobody_could_fly_is_warned_of_and_stands() {
     assert_eq!(warnings(&Settings::of(&jet())), []);
     let slow = Settings { airspeed: 55.0, ..Settings::of(&jet()) };
     let mut flight = Simulation::new(jet(), &slow, 0.0).unwrap();
-    let elevator = flight.trim().elevator;
+    let elevator = flight.trim().pitch_control;
     let expected = format!(
         "elevator {elevator:.4} rad ({:.1}°) is below -0.5236 rad (-30.0°), the usual limit, for the aircraft file gives none",
         elevator.to_degrees()
     );
     let found = warnings(&slow);
-    assert!(found.contains(&(LimitedQuantity::Elevator, expected)), "{found:?}");
+    assert!(found.contains(&(LimitedQuantity::Control("elevator".to_owned()), expected)), "{found:?}");
     assert!(found.iter().any(|(quantity, _)| *quantity == LimitedQuantity::AngleOfAttack), "{found:?}");
-    assert_eq!(flight.outputs().elevator, elevator);
+    assert_eq!(flight.outputs().controls[ELEVATOR], elevator);
 }
 
 /// 0.7 of the speed of sound at 7620 m, 308.1 m/s by the standard atmosphere, is 215.7 m/s.
@@ -49,7 +49,7 @@ fn mach_0_7_is_worth_a_warning() {
 fn limits_of_the_aircraft_file_count_in_place_of_the_usual_ones_and_change_no_flight() {
     let settings = eight_symmetric();
     let mut limited = (*jet()).clone();
-    limited.limits.elevator = Bounds { minimum: Bound::Given(-0.2), maximum: Bound::Given(0.2) };
+    limited.controls[ELEVATOR].limits = Bounds { minimum: Bound::Given(-0.2), maximum: Bound::Given(0.2) };
     limited.limits.thrust.maximum = Bound::Given(20_000.0);
     let mut flights = [jet(), Arc::new(limited)].map(|model| Simulation::new(model, &settings, 0.0).unwrap());
     let texts = flights[1].limits_exceeded().iter().map(ToString::to_string).collect::<Vec<_>>();

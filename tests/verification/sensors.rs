@@ -41,10 +41,10 @@ impl Sample {
 fn five_instants() -> Vec<Outputs> {
     let settings = Settings { stiffness_scale: 0.1, tolerance: 1e-11, ..Settings::of(&jet()) };
     let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
-    let mut inputs = Inputs::zero(2);
-    (inputs.elevator, inputs.aileron, inputs.rudder) = (-0.05, 0.03, 0.02);
+    let mut inputs = Inputs::zero(&jet());
+    (inputs.controls[ELEVATOR], inputs.controls[AILERON], inputs.controls[RUDDER]) = (-0.05, 0.03, 0.02);
     inputs.wind = Vector3::new(2.0, 5.0, -3.0);
-    flight.set_inputs(&inputs, &Inputs::zero(2));
+    flight.set_inputs(&inputs, &Inputs::zero(&jet()));
     let instants = (-2..=2).map(|instant| {
         flight.advance_to(1.2 + f64::from(instant) * STEP).unwrap();
         flight.outputs().clone()

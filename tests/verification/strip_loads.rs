@@ -21,8 +21,9 @@ fn aircraft(altered: bool) -> ReducedModel {
             strip.zero_lift_moment = 0.1 * next();
             strip.leading_edge_suction = 0.5 + 0.5 * next();
             if let Some(flap) = &mut strip.flap {
-                let gains = &mut flap.gains;
-                (gains.elevator, gains.aileron, gains.rudder) = (next(), next(), next());
+                for control in [ELEVATOR, AILERON, RUDDER] {
+                    flap.gains[control] = next();
+                }
             }
         }
     }
@@ -53,9 +54,9 @@ fn disturbed(equations: &EquationsOfMotion, seed: u64) -> (Vec<f64>, Controls) {
     let attitude = &mut state[layout.attitude()];
     let norm = attitude.iter().map(|x| x * x).sum::<f64>().sqrt();
     attitude.iter_mut().for_each(|x| *x /= norm);
-    let mut controls = Controls::neutral(2);
-    (controls.elevator, controls.aileron, controls.rudder) = (0.3 * next(), 0.3 * next(), 0.3 * next());
-    controls.aileron_symmetric = 0.3 * next();
+    let mut controls = equations.neutral_controls();
+    (controls.angles[ELEVATOR], controls.angles[AILERON], controls.angles[RUDDER]) = (0.3 * next(), 0.3 * next(), 0.3 * next());
+    controls.angles[AILERON_SYMMETRIC] = 0.3 * next();
     controls.wind = Vector3::new(next(), next(), next()) * 10.0;
     controls.wind_rate = Vector3::new(next(), next(), next()) * 20.0;
     (state, controls)

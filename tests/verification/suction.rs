@@ -27,10 +27,10 @@ fn chord_forces(Steady { suction, camber, controls, incidence }: &Steady) -> [f6
     let mut strip = PrescribedStrip::altered(0, -0.3, *suction, 0.75, |strip| {
         strip.zero_lift_offset = *camber;
         if let Some(flap) = &mut strip.flap {
-            flap.gains.rudder = -0.4;
+            flap.gains[1] = -0.4;
         }
     });
-    [strip.controls.elevator, strip.controls.rudder] = *controls;
+    strip.controls.angles.copy_from_slice(controls);
     strip.move_with(SPEED * incidence, 0.0);
     let ([x, z, _], _) = strip.evaluate();
     [x, -z]
@@ -111,9 +111,9 @@ fn with_the_same_zero_lift_line_any_camber_trims_at_the_same_thrust() {
 fn a_cambered_aircraft_without_thrust_loses_energy() {
     let model = with_camber(1.0, 3.0_f64.to_radians());
     let mut flight = Simulation::new(model.into(), &Settings::of(&jet()), 0.0).unwrap();
-    let mut inputs = Inputs::zero(2);
+    let mut inputs = Inputs::zero(&jet());
     inputs.thrust.fill(-flight.trim().thrust);
-    flight.set_inputs(&inputs, &Inputs::zero(2));
+    flight.set_inputs(&inputs, &Inputs::zero(&jet()));
     // h + V²/2g, m.
     let height = |flight: &mut Simulation| {
         let outputs = flight.outputs();
@@ -143,9 +143,9 @@ fn yaw_of_ailerons(suction: f64) -> f64 {
     let trim = trimmed.trim(&Settings::of(&jet()).trim_condition()).unwrap();
     let equations = EquationsOfMotion::new(&with_camber(suction, 0.0), &configuration);
     let (sin, cos) = libm::sincos(trim.point.pitch);
-    let mut controls = trim.controls(2);
+    let mut controls = trim.controls(&equations);
     let mut yaw = |aileron: f64| {
-        controls.aileron = aileron;
+        controls.angles[AILERON] = aileron;
         let (mut rates, mut workspace) = (vec![0.0; trim.state.len()], Workspace::new(&equations));
         equations.rates(&trim.state, &controls, &mut rates, &mut workspace);
         workspace.forces()[5] * cos - workspace.forces()[3] * sin

@@ -17,8 +17,8 @@ const NOTHING: f64 = 1e-14;
 /// A symmetric manoeuvre, flown by half the aircraft or by all of it.
 fn manoeuvre(settings: &Settings, aileron: f64) -> Vec<Outputs> {
     fly(settings, 6.0, two_three_one_one, |inputs, angle| {
-        (inputs.elevator, inputs.aileron) = (angle, aileron);
-        (inputs.aileron_symmetric, inputs.wind.z) = (-angle, 20.0 * angle);
+        (inputs.controls[ELEVATOR], inputs.controls[AILERON]) = (angle, aileron);
+        (inputs.controls[AILERON_SYMMETRIC], inputs.wind.z) = (-angle, 20.0 * angle);
     })
 }
 
@@ -81,9 +81,9 @@ fn half_the_aircraft_flies_as_the_whole_one_does() {
 }
 
 fn set(flight: &mut Simulation, change: impl FnOnce(&mut Inputs)) {
-    let mut inputs = Inputs::zero(2);
+    let mut inputs = Inputs::zero(&jet());
     change(&mut inputs);
-    flight.set_inputs(&inputs, &Inputs::zero(2));
+    flight.set_inputs(&inputs, &Inputs::zero(&jet()));
 }
 
 #[test]
@@ -94,12 +94,12 @@ fn whatever_acts_on_one_side_alone_makes_the_whole_aircraft_fly() {
         flight.advance_to(0.02).unwrap();
         flight.is_symmetric()
     };
-    assert!(flies_as_half(|inputs| inputs.elevator = 0.01));
-    assert!(flies_as_half(|inputs| inputs.aileron_symmetric = 0.01));
+    assert!(flies_as_half(|inputs| inputs.controls[ELEVATOR] = 0.01));
+    assert!(flies_as_half(|inputs| inputs.controls[AILERON_SYMMETRIC] = 0.01));
     assert!(flies_as_half(|inputs| inputs.thrust.fill(500.0)));
     assert!(flies_as_half(|inputs| (inputs.wind.x, inputs.wind.z) = (2.0, -1.0)));
-    assert!(!flies_as_half(|inputs| inputs.aileron = 0.01));
-    assert!(!flies_as_half(|inputs| inputs.rudder = 0.01));
+    assert!(!flies_as_half(|inputs| inputs.controls[AILERON] = 0.01));
+    assert!(!flies_as_half(|inputs| inputs.controls[RUDDER] = 0.01));
     assert!(!flies_as_half(|inputs| inputs.thrust[1] = 500.0));
     assert!(!flies_as_half(|inputs| inputs.wind.y = 1.0));
 }
@@ -109,12 +109,12 @@ fn reading_what_one_side_would_do_changes_nothing_of_what_follows() {
     let flight = |looks: bool| {
         let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
         flight.advance_to(0.015).unwrap();
-        set(&mut flight, |inputs| inputs.aileron = 0.1);
+        set(&mut flight, |inputs| inputs.controls[AILERON] = 0.1);
         if looks {
             let rolling = flight.outputs().sensors.clone();
             assert_ne!(rolling[0].specific_force.z, rolling[1].specific_force.z);
         }
-        set(&mut flight, |inputs| inputs.elevator = 0.02);
+        set(&mut flight, |inputs| inputs.controls[ELEVATOR] = 0.02);
         flight.advance_to(0.1).unwrap();
         assert!(flight.is_symmetric());
         flight.outputs().clone()
@@ -125,10 +125,10 @@ fn reading_what_one_side_would_do_changes_nothing_of_what_follows() {
 #[test]
 fn the_whole_aircraft_goes_on_where_the_half_stood() {
     let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
-    set(&mut flight, |inputs| (inputs.elevator, inputs.wind.z) = (-0.03, -2.0));
+    set(&mut flight, |inputs| (inputs.controls[ELEVATOR], inputs.wind.z) = (-0.03, -2.0));
     flight.advance_to(0.777).unwrap();
     let half = flight.outputs().clone();
-    set(&mut flight, |inputs| (inputs.elevator, inputs.wind.z, inputs.aileron) = (-0.03, -2.0, NOTHING));
+    set(&mut flight, |inputs| (inputs.controls[ELEVATOR], inputs.wind.z, inputs.controls[AILERON]) = (-0.03, -2.0, NOTHING));
     let seen = flight.outputs().clone();
     flight.advance_to(0.777 + 1e-5).unwrap();
     assert!(!flight.is_symmetric());
@@ -163,12 +163,12 @@ fn bring_the_half_back(settings: &Settings, grows: bool) {
     let mut bytes = Vec::new();
     flight.snapshot(&mut bytes);
     let go_on = |flight: &mut Simulation| {
-        set(flight, |inputs| inputs.elevator = 0.02);
+        set(flight, |inputs| inputs.controls[ELEVATOR] = 0.02);
         flight.advance_to(1.0).unwrap();
         flight.outputs().clone()
     };
     let straight = go_on(&mut flight);
-    set(&mut flight, |inputs| inputs.rudder = 0.05);
+    set(&mut flight, |inputs| inputs.controls[RUDDER] = 0.05);
     flight.advance_to(1.505).unwrap();
     assert!(!flight.is_symmetric());
     assert_eq!(flight.snapshot_size() > bytes.len(), grows);
@@ -183,7 +183,7 @@ fn half_of_a_clamped_aircraft_swings_as_the_whole_one_does() {
     let settings = Settings { airspeed: 60.0, heading: 2.0, tolerance: 1e-8, ..Settings::of(&jet()) };
     let swing = |aileron: f64| {
         let mut flight = Simulation::new(Arc::clone(&model), &settings, 0.0).unwrap();
-        set(&mut flight, |inputs| (inputs.wind.z, inputs.aileron) = (-3.0, aileron));
+        set(&mut flight, |inputs| (inputs.wind.z, inputs.controls[AILERON]) = (-3.0, aileron));
         flight.advance_to(1.0).unwrap();
         assert_eq!(flight.is_symmetric(), aileron == 0.0);
         flight.outputs().clone()

@@ -106,7 +106,7 @@ fn fly(model: ReducedModel) {
     assert!(model_description::write(&model).contains(&guid(&model)));
     let settings = Settings { mode_count: model.modes.len(), ..Settings::of(&model) };
     let (inputs, zero) =
-        (Inputs { elevator: 0.01, ..Inputs::zero(model.engines.len()) }, Inputs::zero(model.engines.len()));
+        (Inputs::zero(&model), Inputs::zero(&model));
     if let Ok(mut flight) = Simulation::new(Arc::new(model), &settings, 0.0) {
         flight.set_inputs(&inputs, &zero);
         let _ = flight.advance_to(0.012);
