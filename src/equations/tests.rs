@@ -106,7 +106,8 @@ fn with_lifting_body(mut model: ReducedModel) -> ReducedModel {
 fn half_moves_as(whole_model: &ReducedModel) {
     let half = SymmetricHalf::find(whole_model).unwrap();
     let mut controls = equations.neutral_controls();
-    (controls.angles[ELEVATOR], controls.angles[AILERON_SYMMETRIC], controls.thrust) = (-0.2, 0.05, vec![2e4; 2]);
+    (controls.angles[ELEVATOR], controls.angles[AILERON_SYMMETRIC], controls.thrust) =
+        (-0.2, 0.05, vec![2e4; 2]);
     (controls.wind, controls.wind_rate) = (Vector3::new(3.0, 0.0, -4.0), Vector3::new(1.0, 0.0, 2.0));
     for fidelity in Fidelity::ALL {
         let whole = EquationsOfMotion::new(whole_model, &configuration(fidelity));
@@ -167,7 +168,8 @@ fn steering_gives_the_same_bits_as_a_new_evaluation() {
         let mut controls = equations.neutral_controls();
         equations.rates(&state, &controls, &mut rates, &mut workspace);
         let before = rates.clone();
-        (controls.angles[ELEVATOR], controls.angles[AILERON], controls.angles[AILERON_SYMMETRIC]) = (0.1, -0.05, 0.02);
+        (controls.angles[ELEVATOR], controls.angles[AILERON], controls.angles[AILERON_SYMMETRIC]) =
+            (0.1, -0.05, 0.02);
         (controls.angles[RUDDER], controls.thrust) = (0.03, vec![1e4, 2e4]);
         equations.steer(&controls, &mut rates, &mut workspace);
         let steered = rates.clone();

@@ -3,11 +3,10 @@
 use nalgebra::Vector3;
 
 use crate::equations::Controls;
-use crate::plant::TrimPoint;
+use crate::plant::{Course, TrimPoint};
 use crate::structure::ReducedModel;
-use crate::symmetry::EvenControls;
+use crate::symmetry::Actions;
 
-use super::course::{Course, ROUNDING};
 use super::inputs::Inputs;
 use super::moment::Moment;
 use super::settings::{InputReference, Settings};
@@ -68,31 +67,6 @@ impl Steering {
             && self.winds_after(elapsed).iter().all(|wind| wind.iter().all(|number| number.is_finite()))
     }
 
-    /// Whether everything acts alike on both sides, but for rounding, and will; `images` has the mirror image of each
-    /// engine, `controls` says when they act alike.
-    pub fn is_symmetric(&self, (images, controls): (&[usize], &EvenControls)) -> bool {
-        let Steering { inputs, rates, reference: (angles, trimmed), .. } = self;
-        let are_alike = |a: f64, b: f64| (a - b).abs() <= ROUNDING * a.abs().max(b.abs());
-        let mut engines = images.iter().enumerate();
-        let balanced = |least: f64| move |[sum, size]: [f64; 2]| sum.abs() <= ROUNDING * size.max(least);
-        controls.sums(|control| angles[control] + inputs.controls[control]).all(balanced(1.0))
-            && controls.sums(|control| rates.controls[control]).all(balanced(0.0))
-            && self.winds().into_iter().all(|wind| wind.y == 0.0)
-            && engines.all(|(engine, &image)| {
-                are_alike(trimmed + inputs.thrust[engine], trimmed + inputs.thrust[image])
-                    && are_alike(rates.thrust[engine], rates.thrust[image])
-            })
-    }
-
-    /// Along the course: the wind when it was set, m/s, its rate, m/s², and the rate of that, m/s³.
-    fn winds(&self) -> [Vector3<f64>; 3] {
-        let Steering { inputs, rates, course, .. } = self;
-        // Each by itself, for the rounding of a sum may be more than a part of the sum.
-        let [wind, given, input, change] =
-            [inputs.wind, rates.wind, inputs.wind_rate, rates.wind_rate].map(|wind| course.along(&wind));
-        [wind, given + input, change]
-    }
-
     /// Along the course: the wind a time (s) after it was set, m/s, and its rate, m/s².
     fn winds_after(&self, elapsed: f64) -> [Vector3<f64>; 2] {
         let [wind, rate, change] = self.winds();
@@ -115,5 +89,25 @@ impl Steering {
             *acting = thrust + input + elapsed * rate;
         }
         [controls.wind, controls.wind_rate] = self.winds_after(elapsed);
+    }
+}
+
+impl Actions for Steering {
+    fn angle(&self, control: usize) -> [f64; 2] {
+        let Steering { inputs, rates, reference: (angles, _), .. } = self;
+        [angles[control] + inputs.controls[control], rates.controls[control]]
+    }
+
+    fn thrust(&self, engine: usize) -> [f64; 2] {
+        let Steering { inputs, rates, reference: (_, thrust), .. } = self;
+        [thrust + inputs.thrust[engine], rates.thrust[engine]]
+    }
+
+    fn winds(&self) -> [Vector3<f64>; 3] {
+        let Steering { inputs, rates, course, .. } = self;
+        // Each by itself, for the rounding of a sum may be more than a part of the sum.
+        let [wind, given, input, change] =
+            [inputs.wind, rates.wind, inputs.wind_rate, rates.wind_rate].map(|wind| course.along(&wind));
+        [wind, given + input, change]
     }
 }

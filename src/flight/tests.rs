@@ -97,7 +97,10 @@ fn thrusts_and_surfaces_that_differ_by_rounding_leave_half_the_aircraft_flying()
             0.2
         ));
         assert!(set_and_fly(|_, rates| rates.thrust = vec![0.1 + 0.2, 0.3], 0.3));
-        assert!(set_and_fly(|inputs, _| (inputs.controls[AILERON], inputs.controls[RUDDER]) = (2e-16, -4e-16), 0.4));
+        assert!(set_and_fly(
+            |inputs, _| (inputs.controls[AILERON], inputs.controls[RUDDER]) = (2e-16, -4e-16),
+            0.4
+        ));
         assert!(!set_and_fly(|inputs, _| inputs.controls[RUDDER] = 1e-12, 0.5));
     }
 }

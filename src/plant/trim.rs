@@ -6,10 +6,7 @@
 //! of thrust: the aircraft glides, in balance where it is, in denser and denser air.
 
 use crate::aircraft::{Control, TrimRole};
-use crate::equations::{Controls, EquationsOfMotion};
-
-use super::trim_error::TrimError;
-use super::trim_search::Search;
+use crate::equations::Controls;
 
 /// The flight condition to be trimmed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,6 +45,8 @@ pub struct TrimPoint {
 pub struct Trim {
     /// What holds it.
     pub point: TrimPoint,
+    /// Under which it flies, in still air.
+    pub controls: Controls,
     /// The complete state, wake at rest.
     pub state: Vec<f64>,
     /// What the search changed, in its own units and order.
@@ -111,37 +110,6 @@ impl TrimPoint {
         } else {
             format!(", climb angle {climb_angle:.5} rad")
         }
-    }
-}
-
-impl Trim {
-    /// The controls of the trimmed flight of some equations, in still air.
-    pub fn controls(&self, equations: &EquationsOfMotion) -> Controls {
-        let mut controls = equations.neutral_controls();
-        controls.take_trim(&self.point, equations);
-        controls
-    }
-}
-
-impl Controls {
-    /// Takes the angles and the thrust of a trim of some equations.
-    pub(super) fn take_trim(&mut self, point: &TrimPoint, equations: &EquationsOfMotion) {
-        for (angle, trimmed) in self.angles.iter_mut().zip(point.angles(equations.controls())) {
-            *angle = trimmed;
-        }
-        self.thrust.fill(point.thrust);
-    }
-}
-
-impl EquationsOfMotion {
-    /// Finds steady straight flight, without sideslip where the controls for roll and yaw can hold it, and q at which all accelerations vanish, thrust equal on all
-    /// engines. A clamped aircraft keeps its attitude; only q is found.
-    ///
-    /// # Errors
-    /// When Newton's method finds no such state.
-    pub fn trim(&self, condition: &TrimCondition) -> Result<Trim, Box<TrimError>> {
-        let steady = self.with_steady_inflow();
-        Ok(Search::find(&steady, *condition)?.trim_of(self))
     }
 }
 

@@ -2,9 +2,8 @@
 
 use nalgebra::Vector3;
 
-use crate::equations::EquationsOfMotion;
 use crate::kinematics::combine;
-use crate::plant::Trim;
+use crate::plant::{Plant, Trim};
 use crate::structure::{ReducedModel, ReducedStrip};
 
 /// The shape and attitude of an aircraft in trim.
@@ -17,11 +16,11 @@ pub(super) struct Equilibrium {
 }
 
 impl Equilibrium {
-    pub fn new(model: &ReducedModel, equations: &EquationsOfMotion, trim: &Trim) -> Self {
-        let layout = equations.layout();
+    pub fn new(model: &ReducedModel, plant: &Plant, trim: &Trim) -> Self {
+        let layout = plant.layout();
         let q = &trim.state[layout.coordinates()];
         let mut angles = trim.state[layout.attitude()].to_vec();
-        angles.extend(trim.point.angles(equations.controls()));
+        angles.extend(&trim.controls.angles);
         let displacement = |strip: &ReducedStrip| combine(&strip.shapes.translation, q);
         Equilibrium { displacements: model.strips.iter().map(displacement).collect(), angles }
     }

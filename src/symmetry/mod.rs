@@ -1,7 +1,12 @@
-//! The aircraft whose motion is its own mirror image: half of it flies for the whole (physics.md §1).
+//! Symmetry: the one room that knows that half the aircraft can fly for the whole (physics.md §1).
 
 mod even_controls;
+mod forms;
 mod half;
+mod plants;
+mod unfolding;
 
 pub use even_controls::EvenControls;
+pub use forms::{Form, Forms};
 pub use half::{Counterpart, SymmetricHalf};
+pub use plants::{Actions, Plants, Trimmed};

@@ -2,8 +2,8 @@
 
 use crate::aircraft::TrimRole;
 use crate::equations::Fidelity;
-use crate::flight::{InputReference, Inputs, ModeSelection, Outputs, Settings};
-use crate::plant::TrimPoint;
+use crate::flight::{InputReference, Inputs, ModeSelection, Settings};
+use crate::plant::{Outputs, TrimPoint};
 
 /// The value of a variable.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -39,11 +39,7 @@ impl PrescribedStrip {
         hinge: f64,
         alter: impl FnOnce(&mut ReducedStrip),
     ) -> Self {
-        let flap = Flap {
-            lift_slope: std::f64::consts::TAU,
-            hinge,
-            gains: vec![1.0, 0.0],
-        };
+        let flap = Flap { lift_slope: std::f64::consts::TAU, hinge, gains: vec![1.0, 0.0] };
         let mut strip = ReducedStrip {
             component: "strip".to_owned(),
             position: Vector3::zeros(),

@@ -1,7 +1,8 @@
 //! Flights of the whole jet: symmetry, steadiness, determinism, wind.
 
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::flight::{InputReference, Inputs, Outputs, Settings, Simulation};
+use flexible_aircraft::flight::{InputReference, Inputs, Settings, Simulation};
+use flexible_aircraft::plant::Outputs;
 use nalgebra::Vector3;
 
 use crate::support::{doublet, fly, jet, two_three_one_one, up};
@@ -102,7 +103,8 @@ fn absolute_inputs_at_the_trim_values_are_the_trimmed_flight() {
 
 #[test]
 fn the_heading_only_turns_the_flight() {
-    let north = fly(&Settings::of(&jet()), 4.0, two_three_one_one, |inputs, angle| inputs.controls[ELEVATOR] = angle);
+    let north =
+        fly(&Settings::of(&jet()), 4.0, two_three_one_one, |inputs, angle| inputs.controls[ELEVATOR] = angle);
     let settings = Settings { heading: 2.0, ..Settings::of(&jet()) };
     let turned = fly(&settings, 4.0, two_three_one_one, |inputs, angle| inputs.controls[ELEVATOR] = angle);
     let (sin, cos) = libm::sincos(2.0);
@@ -244,7 +246,8 @@ fn leaving_the_models_validity_is_an_error_and_leaves_the_flight_as_it_was() {
 fn every_number_of_inflow_states_flies_and_they_converge() {
     let flight = |inflow_states| {
         let settings = Settings { inflow_states, ..Settings::of(&jet()) };
-        let history = fly(&settings, 4.0, two_three_one_one, |inputs, angle| inputs.controls[ELEVATOR] = angle);
+        let history =
+            fly(&settings, 4.0, two_three_one_one, |inputs, angle| inputs.controls[ELEVATOR] = angle);
         history.iter().map(|outputs| outputs.load_factor.z).fold(0.0, f64::max)
     };
     let peaks: Vec<f64> = (0..=8).map(flight).collect();

@@ -10,7 +10,11 @@ use crate::support::{eight_symmetric, jet};
 /// What a trim of the jet is warned of: the quantities and the words.
 fn warnings(settings: &Settings) -> Vec<(LimitedQuantity, String)> {
     let flight = Simulation::new(jet(), settings, 0.0).unwrap();
-    flight.limits_exceeded().iter().map(|exceeded| (exceeded.quantity.clone(), exceeded.to_string())).collect()
+    flight
+        .limits_exceeded()
+        .iter()
+        .map(|exceeded| (exceeded.quantity.clone(), exceeded.to_string()))
+        .collect()
 }
 
 /// The jet's nominal trim is within the usual limits; at 55 m/s it needs more elevator than a circle has.

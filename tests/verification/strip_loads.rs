@@ -55,7 +55,8 @@ fn disturbed(equations: &EquationsOfMotion, seed: u64) -> (Vec<f64>, Controls) {
     let norm = attitude.iter().map(|x| x * x).sum::<f64>().sqrt();
     attitude.iter_mut().for_each(|x| *x /= norm);
     let mut controls = equations.neutral_controls();
-    (controls.angles[ELEVATOR], controls.angles[AILERON], controls.angles[RUDDER]) = (0.3 * next(), 0.3 * next(), 0.3 * next());
+    (controls.angles[ELEVATOR], controls.angles[AILERON], controls.angles[RUDDER]) =
+        (0.3 * next(), 0.3 * next(), 0.3 * next());
     controls.angles[AILERON_SYMMETRIC] = 0.3 * next();
     controls.wind = Vector3::new(next(), next(), next()) * 10.0;
     controls.wind_rate = Vector3::new(next(), next(), next()) * 20.0;

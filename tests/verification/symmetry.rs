@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Support;
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::flight::{Inputs, Outputs, Settings, Simulation};
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+use flexible_aircraft::plant::Outputs;
 use flexible_aircraft::structure::ReducedModel;
 
 use crate::support::{fly, jet, two_three_one_one, up};
@@ -128,7 +129,9 @@ fn the_whole_aircraft_goes_on_where_the_half_stood() {
     set(&mut flight, |inputs| (inputs.controls[ELEVATOR], inputs.wind.z) = (-0.03, -2.0));
     flight.advance_to(0.777).unwrap();
     let half = flight.outputs().clone();
-    set(&mut flight, |inputs| (inputs.controls[ELEVATOR], inputs.wind.z, inputs.controls[AILERON]) = (-0.03, -2.0, NOTHING));
+    set(&mut flight, |inputs| {
+        (inputs.controls[ELEVATOR], inputs.wind.z, inputs.controls[AILERON]) = (-0.03, -2.0, NOTHING)
+    });
     let seen = flight.outputs().clone();
     flight.advance_to(0.777 + 1e-5).unwrap();
     assert!(!flight.is_symmetric());

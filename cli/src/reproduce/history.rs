@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use flexible_aircraft::aircraft::TrimRole;
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::flight::{Inputs, Outputs, Simulation, SimulationError};
+use flexible_aircraft::flight::{Inputs, Simulation, SimulationError};
+use flexible_aircraft::plant::Outputs;
 use flexible_aircraft::structure::ReducedModel;
 
 use super::Error;

@@ -105,8 +105,7 @@ fn each<S: Strategy>(cases: u32, strategy: S, check: impl Fn(S::Value)) {
 fn fly(model: ReducedModel) {
     assert!(model_description::write(&model).contains(&guid(&model)));
     let settings = Settings { mode_count: model.modes.len(), ..Settings::of(&model) };
-    let (inputs, zero) =
-        (Inputs::zero(&model), Inputs::zero(&model));
+    let (inputs, zero) = (Inputs::zero(&model), Inputs::zero(&model));
     if let Ok(mut flight) = Simulation::new(Arc::new(model), &settings, 0.0) {
         flight.set_inputs(&inputs, &zero);
         let _ = flight.advance_to(0.012);
