@@ -3,13 +3,12 @@
 use nalgebra::Vector3;
 use pulp::Arch;
 
-use crate::aircraft::{ControlGains, Flap};
+use crate::aircraft::Flap;
 use crate::math::LANES;
 use crate::structure::ReducedModel;
 use crate::symmetry::{Counterpart, SymmetricHalf};
-use crate::variables::tests::jet;
+use crate::variables::tests::{AILERON, AILERON_SYMMETRIC, ELEVATOR, RUDDER, jet};
 
-use super::controls::Controls;
 use super::fidelity::Fidelity;
 use super::layout::StateLayout;
 use super::of_motion::{Configuration, EquationsOfMotion};
@@ -91,7 +90,8 @@ fn with_lifting_body(mut model: ReducedModel) -> ReducedModel {
     model.strips.retain(|strip| strip.position.y.abs() < outermost - 1e-6);
     let mut altered = 0;
     for strip in model.strips.iter_mut().filter(|strip| strip.position.y == 0.0 && strip.span.y.abs() > 0.9) {
-        let gains = ControlGains { elevator: 0.5, aileron_symmetric: -0.3, ..ControlGains::default() };
+        let mut gains = vec![0.0; 4];
+        (gains[ELEVATOR], gains[AILERON_SYMMETRIC]) = (0.5, -0.3);
         strip.flap = Some(Flap { lift_slope: 4.0, hinge: 0.7, gains });
         strip.zero_lift_offset = 0.03;
         strip.zero_lift_moment = -0.05;
@@ -105,12 +105,12 @@ fn with_lifting_body(mut model: ReducedModel) -> ReducedModel {
 
 fn half_moves_as(whole_model: &ReducedModel) {
     let half = SymmetricHalf::find(whole_model).unwrap();
-    let mut controls = equations.neutral_controls();
-    (controls.angles[ELEVATOR], controls.angles[AILERON_SYMMETRIC], controls.thrust) =
-        (-0.2, 0.05, vec![2e4; 2]);
-    (controls.wind, controls.wind_rate) = (Vector3::new(3.0, 0.0, -4.0), Vector3::new(1.0, 0.0, 2.0));
     for fidelity in Fidelity::ALL {
         let whole = EquationsOfMotion::new(whole_model, &configuration(fidelity));
+        let mut controls = whole.neutral_controls();
+        (controls.angles[ELEVATOR], controls.angles[AILERON_SYMMETRIC]) = (-0.2, 0.05);
+        controls.thrust.fill(2e4);
+        (controls.wind, controls.wind_rate) = (Vector3::new(3.0, 0.0, -4.0), Vector3::new(1.0, 0.0, 2.0));
         let halved = half.equations(&configuration(fidelity));
         let q: Vec<f64> = (0..halved.layout().modes()).map(|mode| 20.0 / (1.0 + mode as f64)).collect();
         let mut whole_q = vec![0.0; whole.layout().modes()];

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use crate::variables::tests::jet;
+use crate::variables::tests::{AILERON, ELEVATOR, RUDDER, jet};
 
 use super::inputs::Inputs;
 use super::moment::Moment;
@@ -23,9 +23,11 @@ fn a_flight_goes_on_after_a_year_with_the_bits_of_its_first_second() {
     let now = Moment::after_start(year, 0.0);
     old.path.stand([(now, 1), (now, 1)]);
     old.steering.since = now;
-    let rates = Inputs { elevator: -0.3, wind_rate: Vector3::new(0.0, 0.0, 2.0), ..Inputs::zero(jet()) };
+    let mut rates = Inputs { wind_rate: Vector3::new(0.0, 0.0, 2.0), ..Inputs::zero(jet()) };
+    rates.controls[ELEVATOR] = -0.3;
     for i in 0..60 {
-        let inputs = Inputs { elevator: 1e-3 * f64::from(i), ..rates.clone() };
+        let mut inputs = rates.clone();
+        inputs.controls[ELEVATOR] = 1e-3 * f64::from(i);
         for (flight, since) in [(&mut young, 0.0), (&mut old, year)] {
             flight.set_inputs(&inputs, &rates);
             flight.step(since + 0.01 * f64::from(i), 0.01).unwrap();
@@ -80,9 +82,11 @@ fn thrusts_and_surfaces_that_differ_by_rounding_leave_half_the_aircraft_flying()
         let trim = *flight.trim();
         let absolute = match input_reference {
             InputReference::Trim => Inputs::zero(jet()),
-            InputReference::Absolute => {
-                Inputs { elevator: trim.pitch_control, thrust: vec![trim.thrust; 2], ..Inputs::zero(jet()) }
-            }
+            InputReference::Absolute => Inputs {
+                controls: trim.angles(&jet().controls).collect(),
+                thrust: vec![trim.thrust; 2],
+                ..Inputs::zero(jet())
+            },
         };
         let mut set_and_fly = |change: fn(&mut Inputs, &mut Inputs), end: f64| {
             let (mut inputs, mut rates) = (absolute.clone(), Inputs::zero(jet()));

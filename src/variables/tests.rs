@@ -1,7 +1,7 @@
 use std::collections::HashSet;
 use std::sync::OnceLock;
 
-use crate::aircraft::Aircraft;
+use crate::aircraft::{Aircraft, TAKEN, TAKEN_BY_TRIM, TrimRole};
 use crate::equations::Fidelity;
 use crate::flight::{Inputs, Settings};
 
@@ -63,6 +63,52 @@ fn the_jet_has_exactly_the_variables_of_the_contract() {
     expected.sort();
     found.sort();
     assert_eq!(found, expected);
+}
+
+/// What the aircraft reader refuses as the name of a control is what other variables have, and the time.
+#[test]
+fn names_that_no_control_can_have_are_those_of_other_variables() {
+    let glider = ReducedModel { engines: Vec::new(), ..jet().clone() };
+    let tables = [jet(), &glider].map(VariableTable::new);
+    let names = tables.iter().flat_map(|table| table.iter().map(|(_, variable)| variable.name.as_str()));
+    let names: HashSet<&str> = names.collect();
+    let is_controls = |name: &str| jet().control(name).is_some();
+    let of_engine = |name: &str| name.starts_with("thrust_");
+    let plain =
+        names.iter().filter(|name| !name.contains(['.', '[']) && !is_controls(name) && !of_engine(name));
+    let taken: HashSet<&str> = plain.copied().chain(["time"]).collect();
+    assert_eq!(taken, TAKEN.iter().copied().collect());
+    let of_trims = names.iter().filter_map(|name| name.strip_prefix("trim."));
+    let of_trims: HashSet<&str> = of_trims.filter(|name| !is_controls(name)).collect();
+    assert_eq!(of_trims, TAKEN_BY_TRIM.iter().copied().collect());
+}
+
+#[test]
+fn controls_bring_variables_by_their_names_and_only_those_with_roles_stand_in_the_trim() {
+    let mut model = jet().clone();
+    model.controls[1].name = "canard".to_owned();
+    (model.controls[1].description, model.controls[1].positive) =
+        ("V-tail angle".to_owned(), "nose-up".to_owned());
+    model.controls[0].role = None;
+    (model.controls[1].role, model.controls[3].role) = (Some(TrimRole::Pitch), None);
+    let table = VariableTable::new(&model);
+    let described =
+        |name: &str| table.reference(name).map(|reference| table.get(reference).unwrap().description.clone());
+    assert_eq!(described("canard").as_deref(), Some("V-tail angle, positive nose-up"));
+    assert_eq!(described("surface.canard").as_deref(), Some("Acting V-tail angle, trim included"));
+    assert_eq!(described("trim.canard").as_deref(), Some("V-tail angle of the trim found at initialisation"));
+    assert_eq!(described("surface.elevator").as_deref(), Some("Acting elevator deflection, trim included"));
+    for gone in ["aileron", "surface.aileron", "trim.elevator", "trim.aileron", "trim.rudder"] {
+        assert_eq!(described(gone), None, "{gone}");
+    }
+    // Without a role nothing of the trim acts by it.
+    let initial = |control| !table.initial_dependencies(OutputSlot::Control(control)).is_empty();
+    assert_eq!([0, 1, 2, 3].map(initial), [true; 4]);
+    let parameters = |control| {
+        let known = table.initial_dependencies(OutputSlot::Control(control));
+        known.iter().filter(|known| matches!(table.get(**known).unwrap().slot, Slot::Parameter(_))).count()
+    };
+    assert_eq!([0, 1, 2, 3].map(parameters), [0, 7, 0, 0]);
 }
 
 #[test]

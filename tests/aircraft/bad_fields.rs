@@ -133,7 +133,7 @@ fn missing_top_field() {
     assert_messages(
         &[("support = \"free\"\n", "")],
         &[
-            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, inflow_states, airspeed_m_s, altitude_m, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, limits, component, engine, station",
+            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, inflow_states, airspeed_m_s, altitude_m, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, limits, control, component, engine, station",
         ],
     );
 }
@@ -277,14 +277,17 @@ fn a_trim_where_nothing_flies() {
 
 #[test]
 fn limits_of_nothing_beyond_all_or_upside_down() {
-    let limits = "inflow_states = 5\nlimits = { maximum_mach = 0, surface = { flaps = {}, elevator = { minimum_deg = 20, \
-                  maximum_deg = -20 }, rudder = { maximum_deg = 91 } }, maximum_alpha = 3 }";
-    let error = super::edited(&[("inflow_states = 5", limits)]).expect_err("bad limits").to_string();
+    let limits = "inflow_states = 5\nlimits = { maximum_mach = 0, maximum_alpha = 3 }";
+    let edits = [
+        ("inflow_states = 5", limits),
+        ("positive = \"nose-down\"", "positive = \"nose-down\"\nminimum_deg = 20\nmaximum_deg = -20"),
+        ("positive = \"nose right\"", "positive = \"nose right\"\nmaximum_deg = 91"),
+    ];
+    let error = super::edited(&edits).expect_err("bad limits").to_string();
     for message in [
         "limits.maximum_mach: found 0; a Mach number above 0 up to 10 is allowed",
-        "limits.surface.flaps: found the unknown field \"flaps\"; allowed here: elevator, aileron, aileron_symmetric, rudder",
-        "limits.surface.elevator.maximum_deg: found minimum_deg = 20 and maximum_deg = -20; maximum_deg > minimum_deg is allowed",
-        "limits.surface.rudder.maximum_deg: found 91; an angle in degrees from -90 to 90 is allowed",
+        "control.elevator.maximum_deg: found minimum_deg = 20 and maximum_deg = -20; maximum_deg > minimum_deg is allowed",
+        "control.rudder.maximum_deg: found 91; an angle in degrees from -90 to 90 is allowed",
         "limits.maximum_alpha: found the unknown field \"maximum_alpha\"; allowed here: minimum_angle_of_attack_deg, ",
     ] {
         assert!(error.contains(message), "{message}\n{error}");

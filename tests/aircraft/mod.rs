@@ -3,6 +3,7 @@
 
 mod bad_airframes;
 mod bad_fields;
+mod controls;
 mod good_files;
 mod jet;
 mod mirrors;
@@ -12,6 +13,9 @@ use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 
 /// A small aircraft in which every part of the format occurs.
 const GOOD: &str = include_str!("../data/small-aircraft.toml");
+
+/// The place of its ailerons among its controls.
+const AILERON: usize = 1;
 
 /// The good file with the first occurrence of some texts replaced.
 fn edited(edits: &[(&str, &str)]) -> Result<Aircraft, AircraftFileError> {

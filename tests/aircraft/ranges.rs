@@ -6,7 +6,7 @@ use flexible_aircraft::aircraft::{Aircraft, Strip};
 use flexible_aircraft::flight::{Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 
-use super::{assert_messages, edited};
+use super::{AILERON, assert_messages, edited};
 
 /// The small aircraft with five elements, at none of whose nodes the ranges end.
 const FIVE: (&str, &str) = ("elements = 4", "elements = 5");
@@ -128,7 +128,7 @@ fn a_flap_that_ends_within_an_element_moves_its_part_of_it() {
     };
     let moved = |controls: &str| {
         let aircraft = with_surfaces(&surface(controls));
-        let gain = |strip: &Strip| strip.flap.unwrap().gains.aileron;
+        let gain = |strip: &Strip| strip.flap.as_ref().unwrap().gains[AILERON];
         let strips = strips(&aircraft);
         near(area(strips.iter().copied())[0], 5.0);
         assert!(strips.iter().all(|(_, strip)| [0.0, -1.0].contains(&gain(strip))), "{strips:?}");

@@ -11,6 +11,8 @@ use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{FmuError, Package, PackageError, Platform};
 
+use crate::support::{AILERON, ELEVATOR, RUDDER, jet};
+
 const MODE_COUNT: usize = ReducedModel::USUAL_MODES;
 
 fn jet_file() -> PathBuf {

@@ -10,8 +10,8 @@ use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::{Slot, VariableTable};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-use crate::support::jet;
 use crate::support::plain_loads::Instant;
+use crate::support::{AILERON, ELEVATOR, RUDDER, angles, jet};
 
 /// The shipped jet, changed by the caller.
 fn changed_jet(change: impl FnOnce(&mut Aircraft)) -> Aircraft {
@@ -140,7 +140,8 @@ fn a_jet_with_a_load_on_one_wing_trims_level_and_flies_straight_for_a_minute() {
         assert!((begin.attitude - Vector3::new(point.roll, point.pitch, 0.0)).amax() < 1e-14);
         assert!(
             begin.air.sideslip.abs() < 1e-14
-                && (begin.roll_control, begin.yaw_control) == (point.roll_control, point.yaw_control)
+                && (begin.controls[AILERON], begin.controls[RUDDER])
+                    == (point.roll_control, point.yaw_control)
         );
         let seconds = if fidelity == Fidelity::Exact { 60.0 } else { 5.0 };
         flight.advance_to(seconds).unwrap();

@@ -8,6 +8,8 @@ use flexible_aircraft::plant::Outputs;
 use flexible_aircraft::structure::{ModeFamily, ReducedModel};
 use flexible_aircraft::symmetry::{Counterpart, SymmetricHalf};
 
+use crate::support::angles;
+
 const BIPLANE: &str = include_str!("../data/braced-biplane.toml");
 const TWIN_BOOM: &str = include_str!("../data/twin-boom.toml");
 

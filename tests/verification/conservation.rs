@@ -1,8 +1,6 @@
 //! In vacuum and without gravity E and I conserve energy and momentum, CL and RL do not (physics.md §2).
 
-use flexible_aircraft::equations::{
-    Configuration, Controls, EquationsOfMotion, Fidelity, Mechanics, Workspace,
-};
+use flexible_aircraft::equations::{Configuration, EquationsOfMotion, Fidelity, Mechanics, Workspace};
 use flexible_aircraft::structure::ReducedModel;
 use nalgebra::Vector3;
 

@@ -11,7 +11,7 @@ use flexible_aircraft::structure::{ReducedEngine, ReducedModel};
 use nalgebra::{DVector, DVectorView, Vector3};
 
 use crate::support::plain_loads::{Instant, point};
-use crate::support::{derivative, jet, random};
+use crate::support::{AILERON, AILERON_SYMMETRIC, ELEVATOR, RUDDER, derivative, jet, random};
 
 use super::record::Record;
 

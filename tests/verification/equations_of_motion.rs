@@ -10,7 +10,7 @@
 //! with L = Σ ½ m |v + ω×R + ψq̇|² − U(q) differentiated numerically. T is quadratic in ν and in q, U quartic in
 //! q, so five-point differences are exact but for rounding; U itself is checked in `strain_energy.rs`.
 
-use flexible_aircraft::equations::{Controls, EquationsOfMotion, Fidelity, Workspace};
+use flexible_aircraft::equations::{EquationsOfMotion, Fidelity, Workspace};
 use nalgebra::Vector3;
 
 use crate::support::derivative;

@@ -5,7 +5,7 @@ use flexible_aircraft::flight::{Inputs, Settings};
 use nalgebra::Complex;
 
 use crate::support::linearised::{eigenvalue_near, state_matrix};
-use crate::support::{eight_symmetric, fly, jet, two_three_one_one, up};
+use crate::support::{ELEVATOR, eight_symmetric, fly, jet, two_three_one_one, up};
 
 use super::record::Record;
 

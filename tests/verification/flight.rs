@@ -5,7 +5,9 @@ use flexible_aircraft::flight::{InputReference, Inputs, Settings, Simulation};
 use flexible_aircraft::plant::Outputs;
 use nalgebra::Vector3;
 
-use crate::support::{doublet, fly, jet, two_three_one_one, up};
+use crate::support::{
+    AILERON, AILERON_SYMMETRIC, ELEVATOR, RUDDER, angles, doublet, fly, jet, two_three_one_one, up,
+};
 
 use super::record::Record;
 

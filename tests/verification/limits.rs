@@ -5,7 +5,7 @@ use std::sync::Arc;
 use flexible_aircraft::aircraft::{Bound, Bounds, Support, TunnelAir};
 use flexible_aircraft::flight::{LimitExceeded, LimitedQuantity, Settings, Simulation};
 
-use crate::support::{eight_symmetric, jet};
+use crate::support::{ELEVATOR, eight_symmetric, jet};
 
 /// What a trim of the jet is warned of: the quantities and the words.
 fn warnings(settings: &Settings) -> Vec<(LimitedQuantity, String)> {
@@ -87,14 +87,14 @@ fn negative_thrust_is_beyond_the_usual_limits_and_any_positive_one_is_not() {
 fn a_clamped_aircraft_is_warned_of_the_flow_alone() {
     let mut clamped = (*jet()).clone();
     (clamped.support, clamped.mount.y) = (Support::Clamped, 0.3);
-    (clamped.limits.thrust.minimum, clamped.limits.elevator.minimum) =
+    (clamped.limits.thrust.minimum, clamped.controls[ELEVATOR].limits.minimum) =
         (Bound::Given(100.0), Bound::Given(0.1));
     clamped.tunnel_air = Some(TunnelAir { density: 1.2, temperature: 288.15 });
     let settings = Settings { airspeed: 60.0, ..Settings::of(&clamped) };
     let flight = Simulation::new(Arc::new(clamped.clone()), &settings, 0.0).unwrap();
     let exceeded = flight.limits_exceeded();
     assert_eq!(
-        exceeded.iter().map(|exceeded| exceeded.quantity).collect::<Vec<_>>(),
+        exceeded.iter().map(|exceeded| exceeded.quantity.clone()).collect::<Vec<_>>(),
         [LimitedQuantity::AngleOfAttack]
     );
     let warning = LimitExceeded::warning(exceeded, &clamped, &settings).unwrap();

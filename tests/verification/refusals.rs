@@ -6,7 +6,7 @@ use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::flight::{ModeSelection, Settings, Simulation};
 use flexible_aircraft::structure::{ModeCount, ModeFamily, ModeKind, ReducedModel, StructureError};
 
-use crate::support::jet;
+use crate::support::{ELEVATOR, jet};
 
 /// The small aircraft of the aircraft-file tests, changed by the caller.
 fn small(change: impl FnOnce(&mut Aircraft)) -> Aircraft {

@@ -5,7 +5,7 @@ use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::plant::Outputs;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-use crate::support::{jet, station};
+use crate::support::{AILERON, ELEVATOR, RUDDER, jet, station};
 
 use super::record::Record;
 

@@ -18,7 +18,7 @@
 use std::f64::consts::TAU;
 
 use flexible_aircraft::aircraft::{Limits, Support};
-use flexible_aircraft::equations::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
+use flexible_aircraft::equations::{Configuration, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{
     ModalIntegrals, ModeShapes, ReducedModel, ReducedStation, StrainEnergy, Structure,
 };
@@ -97,6 +97,7 @@ fn model(elements: usize) -> ReducedModel {
         integrals: ModalIntegrals::new(&structure, &shapes),
         strain_energy: StrainEnergy::new(&structure, &shapes),
         strips: Vec::new(),
+        controls: Vec::new(),
         engines: Vec::new(),
         stations: vec![ReducedStation {
             name: "tip".to_owned(),
@@ -154,7 +155,7 @@ impl<'a> Spinning<'a> {
         state[layout.coordinates()].copy_from_slice(q.as_slice());
         state[layout.coordinate_rates()].copy_from_slice(q_dot.as_slice());
         let mut rates = vec![0.0; layout.len()];
-        self.equations.rates(&state, &Controls::neutral(0), &mut rates, &mut self.workspace);
+        self.equations.rates(&state, &self.equations.neutral_controls(), &mut rates, &mut self.workspace);
         let (n, integrals) = (q.len(), &self.model.integrals);
         DVector::from_fn(n, |a, _| {
             let mut h = integrals.angular_momentum[a].z;

@@ -6,7 +6,7 @@ use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
 use nalgebra::Vector3;
 
 use crate::support::plain_loads::{Instant, point};
-use crate::support::{derivative, jet, random};
+use crate::support::{AILERON, AILERON_SYMMETRIC, ELEVATOR, RUDDER, derivative, jet, random};
 
 use super::record::Record;
 

@@ -9,7 +9,7 @@ use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
 use nalgebra::Vector3;
 
 use crate::support::strip::{PrescribedStrip, SEMICHORD, SPEED};
-use crate::support::{eight_symmetric, jet};
+use crate::support::{AILERON, eight_symmetric, jet};
 
 use super::record::Record;
 
@@ -144,7 +144,7 @@ fn yaw_of_ailerons(suction: f64) -> f64 {
     let trim = trimmed.trim(&Settings::of(&jet()).trim_condition()).unwrap();
     let equations = EquationsOfMotion::new(&with_camber(suction, 0.0), &configuration);
     let (sin, cos) = libm::sincos(trim.point.pitch);
-    let mut controls = trim.controls(&equations);
+    let mut controls = trim.controls.clone();
     let mut yaw = |aileron: f64| {
         controls.angles[AILERON] = aileron;
         let (mut rates, mut workspace) = (vec![0.0; trim.state.len()], Workspace::new(&equations));

@@ -8,7 +8,7 @@ use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::plant::Outputs;
 use flexible_aircraft::structure::ReducedModel;
 
-use crate::support::{fly, jet, two_three_one_one, up};
+use crate::support::{AILERON, AILERON_SYMMETRIC, ELEVATOR, RUDDER, fly, jet, two_three_one_one, up};
 
 use super::record::Record;
 

@@ -102,13 +102,14 @@ fn a_gust_shakes_the_wing_and_it_settles_again() {
     let mut flight = Simulation::new(wing(), &settings(20.0), 0.0).unwrap();
     let tip = |flight: &mut Simulation| -flight.outputs().deflections[0].displacement.z;
     let steady = tip(&mut flight);
-    let mut gust = Inputs::zero(0);
+    let calm = Inputs::zero(&wing());
+    let mut gust = calm.clone();
     gust.wind.z = -1.0;
-    flight.set_inputs(&gust, &Inputs::zero(0));
+    flight.set_inputs(&gust, &calm);
     flight.advance_to(0.2).unwrap();
     let shaken = tip(&mut flight);
     assert!(shaken > 1.2 * steady, "{shaken} {steady}");
-    flight.set_inputs(&Inputs::zero(0), &Inputs::zero(0));
+    flight.set_inputs(&calm, &calm);
     flight.advance_to(30.0).unwrap();
     assert!((tip(&mut flight) / steady - 1.0).abs() < 1e-3);
 }
@@ -155,12 +156,12 @@ fn a_wing_in_still_air_swings_with_the_mass_of_the_air_around_it() {
 
     // Shaken by a puff of air it swings on at that frequency, in air that now and then comes from behind.
     let mut flight = Simulation::new(Arc::clone(&still), &settings, 0.0).unwrap();
-    let puff = |rate: f64| Inputs { wind: Vector3::new(0.0, 0.0, rate), ..Inputs::zero(0) };
-    flight.set_inputs(&Inputs::zero(0), &puff(-18.0));
+    let puff = |rate: f64| Inputs { wind: Vector3::new(0.0, 0.0, rate), ..Inputs::zero(&still) };
+    flight.set_inputs(&Inputs::zero(&still), &puff(-18.0));
     flight.advance_to(0.05).unwrap();
     flight.set_inputs(&puff(-0.9), &puff(18.0));
     flight.advance_to(0.1).unwrap();
-    flight.set_inputs(&Inputs::zero(0), &Inputs::zero(0));
+    flight.set_inputs(&Inputs::zero(&still), &Inputs::zero(&still));
     let mut crossings = Vec::new();
     let mut before = 0.0;
     for step in 1..=3000 {
