@@ -1,5 +1,6 @@
 //! The equations of motion of the flexible aircraft at five fidelity levels [2; physics.md §2–5].
 
+mod acting;
 mod around;
 mod controls;
 #[cfg(test)]

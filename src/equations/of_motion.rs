@@ -57,8 +57,8 @@ pub struct EquationsOfMotion {
     /// 2ζω_k.
     pub(crate) damping: Vec<f64>,
     pub(crate) strips: Strips,
-    controls: Vec<Control>,
-    engines: Engines,
+    pub(super) controls: Vec<Control>,
+    pub(super) engines: Engines,
     pub(crate) inflow: PetersInflow,
     pub(crate) tunnel_flow: Vector3<f64>,
     /// `None`: the standard atmosphere.
@@ -178,26 +178,6 @@ impl EquationsOfMotion {
     /// Free flight or wind tunnel.
     pub fn support(&self) -> Support {
         self.support
-    }
-
-    /// What moves the flaps, in the order of [`Controls::angles`].
-    pub fn controls(&self) -> &[Control] {
-        &self.controls
-    }
-
-    /// All controls neutral, no thrust, in still air.
-    pub fn neutral_controls(&self) -> Controls {
-        Controls {
-            angles: vec![0.0; self.controls.len()],
-            thrust: vec![0.0; self.engines.len()],
-            wind: Vector3::zeros(),
-            wind_rate: Vector3::zeros(),
-        }
-    }
-
-    /// Number of engines.
-    pub fn engine_count(&self) -> usize {
-        self.engines.len()
     }
 
     /// Number of strips.

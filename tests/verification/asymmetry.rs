@@ -176,8 +176,8 @@ fn the_outputs_name_the_lateral_trim_and_inputs_add_to_it() {
     for (name, value) in [
         ("trim.roll", point.roll),
         ("trim.beta", 0.0),
-        ("trim.roll_control", point.roll_control),
-        ("trim.yaw_control", point.yaw_control),
+        ("trim.aileron", point.roll_control),
+        ("trim.rudder", point.yaw_control),
         ("attitude.roll", point.roll),
         ("surface.aileron", point.roll_control),
         ("surface.rudder", point.yaw_control),

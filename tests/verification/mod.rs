@@ -4,6 +4,7 @@ mod asymmetry;
 mod beam;
 mod coincident_nodes;
 mod conservation;
+mod controls;
 mod eigenvalues;
 mod energy_balance;
 mod equations_of_motion;
