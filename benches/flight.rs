@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::dynamics::Workspace;
-use flexible_aircraft::simulation::{Inputs, Settings, Simulation};
+use flexible_aircraft::equations::Workspace;
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 
 fn jet() -> Arc<ReducedModel> {

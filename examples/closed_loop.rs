@@ -18,7 +18,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::simulation::{Inputs, Outputs, Settings, Simulation};
+use flexible_aircraft::flight::{Inputs, Outputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 
 /// Communication step, s, and their number.

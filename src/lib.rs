@@ -9,27 +9,33 @@
 //!
 //! | module | takes | gives |
 //! | --- | --- | --- |
+//! | [`math`] | numbers | vectors, matrices, rotations |
 //! | [`aircraft`] | an aircraft file (TOML) | [`aircraft::Aircraft`], every element, bay, strip and engine |
 //! | [`structure`] | `Aircraft` | [`structure::ReducedModel`], all that the flight needs |
-//! | [`aerodynamics`] | a strip's local flow | its inflow, lift, moment, drag |
-//! | [`dynamics`] | `ReducedModel`, state, inputs | accelerations, trim |
-//! | [`simulation`] | `ReducedModel`, settings | a flight in time |
+//! | [`air`] | an altitude, a point | the state of the air and how it moves |
+//! | [`kinematics`] | q, q̇, the motion of the body axes | where sections are and how they move |
+//! | [`strips`] | sections in the air | their inflow, loads, apparent mass |
+//! | [`equations`] | `ReducedModel`, state, controls | accelerations at five fidelity levels |
+//! | [`plant`] | the equations | trims, linear motion, sensors |
+//! | [`symmetry`] | `ReducedModel` | its half, which flies for the whole while motion is symmetric |
+//! | [`flight`] | `ReducedModel`, settings | a flight in time |
 //! | [`stability`] | `ReducedModel`, settings | flutter and divergence over a range of airspeeds |
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
 //! | `fmi2` | everything above | the C ABI (feature `fmi`) |
 
-pub mod aerodynamics;
+pub mod air;
 pub mod aircraft;
-mod arithmetic;
-mod columns;
-pub mod dynamics;
+pub mod equations;
+pub mod flight;
 #[cfg(feature = "fmi")]
 pub mod fmi2;
-mod lane_vectors;
-mod lanes;
+pub mod kinematics;
+pub mod math;
+pub mod plant;
 #[cfg_attr(not(feature = "fmi"), expect(dead_code, reason = "the states of instances ask for more"))]
 mod sealed;
-pub mod simulation;
 pub mod stability;
+pub mod strips;
 pub mod structure;
+pub mod symmetry;
 pub mod variables;

@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::fmi2;
-use flexible_aircraft::simulation::{Inputs, Settings, Simulation};
+use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 use twox_hash::XxHash3_128;
 

@@ -45,8 +45,8 @@ pub(crate) use branches::Branches;
 pub use error::{AircraftFileError, Diagnostic, Problem};
 pub use limits::{Bound, Bounds, Limits};
 pub use model::{
-    AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, ControlGains, Engine, Flap, MassBay, ModeBasis,
-    Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
+    AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, ControlGains, Engine, Flap, MOST_INFLOW_STATES,
+    MassBay, ModeBasis, Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
 };
 
 impl Aircraft {

@@ -55,6 +55,9 @@ pub const TUNNEL_SPEEDS: RangeInclusive<f64> = 0.0..=400.0;
 /// Altitudes at which an aircraft may be trimmed, m: the standard atmosphere's two layers.
 pub const ALTITUDES: RangeInclusive<f64> = -1000.0..=20_000.0;
 
+/// Most inflow states of a strip: beyond, the coefficients of the inflow model lose their digits.
+pub const MOST_INFLOW_STATES: usize = 8;
+
 /// A whole aircraft, expanded. Built by [`Aircraft::read`](super::Aircraft) from an aircraft file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Aircraft {

@@ -12,7 +12,7 @@ use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
 use super::law::Law;
 use super::limit_tables::read_limits;
-use super::model::{ModeBasis, Support};
+use super::model::{MOST_INFLOW_STATES, ModeBasis, Support};
 use super::schema::{
     Along, ComponentSpec, ControlSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, InertiaSpec,
     Input, MassPartSpec, ParentSpec, PointMassesSpec, STIFFNESS, StationSpec, SurfaceSpec,
@@ -106,7 +106,10 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     let stations: Vec<_> = table.tables("station", STATION).iter().map(read_station).collect();
     Some(FileSpec {
         gravity: table.number_or("gravity_m_s2", &GRAVITY, 9.80665),
-        inflow_states: table.optional("inflow_states").and_then(|v| v.integer(0..9)).unwrap_or(5),
+        inflow_states: table
+            .optional("inflow_states")
+            .and_then(|v| v.integer(0..MOST_INFLOW_STATES + 1))
+            .unwrap_or(5),
         airspeed: table
             .optional("airspeed_m_s")
             .and_then(|v| v.located(|v| v.number(&AIRSPEED)))

@@ -6,13 +6,14 @@
 
 use std::f64::consts::TAU;
 
+use crate::flight::{Neighbours, Settings};
+use crate::plant::{WIDTHS, slope};
+use crate::variables::{InputSlot, OutputSlot, ParameterSlot, Slot, Value};
+
 use super::instance::{Instance, Refusal};
 use super::life_cycle::State;
 use super::types::ValueReference;
 use super::values::Family;
-use crate::dynamics::{WIDTHS, slope};
-use crate::simulation::{Neighbours, Settings};
-use crate::variables::{InputSlot, OutputSlot, ParameterSlot, Slot, Value};
 
 /// Changes over which the outputs bend little, yet far beyond rounding: rad, N, m/s, m/s², m, rad, parts of the parameter.
 const SURFACE_CHANGE: f64 = 0.01;

@@ -4,14 +4,15 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use crate::aircraft::Support;
+use crate::flight::{Inputs, LATEST, LimitExceeded, Neighbours, Settings, Simulation, resolution};
+use crate::structure::{ReducedModel, StructureError};
+use crate::variables::{Slot, VariableTable};
+
 use super::life_cycle::{Function, State};
 use super::logger::Logger;
 use super::types::Status;
 use super::{RESOURCE_FILE, guid_of, identity, resource};
-use crate::aircraft::Support;
-use crate::simulation::{Inputs, LATEST, LimitExceeded, Neighbours, Settings, Simulation, resolution};
-use crate::structure::{ReducedModel, StructureError};
-use crate::variables::{Slot, VariableTable};
 
 /// Why a call is refused, and with which status.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,4 +1,4 @@
-//! The FMI 2.0 co-simulation interface: a thin C shell over [`Simulation`](crate::simulation::Simulation).
+//! The FMI 2.0 co-simulation interface: a thin C shell over [`Simulation`](crate::flight::Simulation).
 //!
 //! | module | its one idea |
 //! | --- | --- |

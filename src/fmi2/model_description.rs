@@ -5,13 +5,14 @@ use std::io;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 
-use super::logger::Category;
-use super::{MODEL_IDENTIFIER, guid};
-use crate::simulation::Settings;
+use crate::flight::Settings;
 use crate::structure::ReducedModel;
 use crate::variables::{
     DisplayUnit, EnumerationType, OutputSlot, Slot, Type, Unit, Value, Variability, Variable, VariableTable,
 };
+
+use super::logger::Category;
+use super::{MODEL_IDENTIFIER, guid};
 
 /// Length of the default experiment, s: the flights of the thesis.
 const STOP_TIME: f64 = 15.0;

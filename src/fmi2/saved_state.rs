@@ -5,11 +5,12 @@
 //! the inputs too, or where there is no flight yet inputs and their rates. The identity changes with aircraft, variables
 //! and version, so foreign bytes are noticed without a version number of their own.
 
+use crate::flight::{Inputs, Settings, Simulation};
+use crate::sealed::{self, BrokenSeal, Mark, Reader};
+use crate::variables::{Slot, Type, Value};
+
 use super::instance::{Experiment, Instance, Refusal, is_time};
 use super::life_cycle::State;
-use crate::sealed::{self, BrokenSeal, Mark, Reader};
-use crate::simulation::{Inputs, Settings, Simulation};
-use crate::variables::{Slot, Type, Value};
 
 /// What `fmi2FMUstate` points to.
 ///

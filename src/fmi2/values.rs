@@ -2,11 +2,12 @@
 //!
 //! Everything about a call is checked before anything is changed.
 
+use crate::flight::Settings;
+use crate::variables::{InputSlot, ParameterSlot, Slot, Type, Value, Variable};
+
 use super::instance::{Instance, Refusal};
 use super::life_cycle::State;
 use super::types::ValueReference;
-use crate::simulation::Settings;
-use crate::variables::{InputSlot, ParameterSlot, Slot, Type, Value, Variable};
 
 /// Which variables a function reads or writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

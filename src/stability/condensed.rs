@@ -13,7 +13,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
-use crate::dynamics::{StateMatrix, Unknown};
+use crate::plant::{StateMatrix, Unknown};
 
 /// Iterations in which a near root is found, or none.
 const MAX_ITERATIONS: usize = 12;

@@ -2,7 +2,9 @@
 
 use nalgebra::Vector3;
 
-use crate::dynamics::{EquationsOfMotion, Trim, combine};
+use crate::equations::EquationsOfMotion;
+use crate::kinematics::combine;
+use crate::plant::Trim;
 use crate::structure::{ReducedModel, ReducedStrip};
 
 /// The shape and attitude of an aircraft in trim.

@@ -5,7 +5,7 @@
 //! Of a continuous change between two airspeeds less and less is left in the half of the interval that has most of it,
 //! when it is halved again and again; a jump stays whole.
 
-use crate::simulation::SimulationError;
+use crate::flight::SimulationError;
 
 use super::equilibrium::Equilibrium;
 use super::points::Family;

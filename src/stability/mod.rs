@@ -1,6 +1,6 @@
 //! Flutter and divergence: how the roots of the linearised motion move as the airspeed grows.
 //!
-//! At each airspeed of a range the aircraft is trimmed and [linearised](crate::dynamics::StateMatrix). Its
+//! At each airspeed of a range the aircraft is trimmed and [linearised](crate::plant::StateMatrix). Its
 //! roots are told apart by following each from speed to speed, never by sorting them: `condensed` eliminates
 //! the wake from the eigenvalue problem and finds a root near a known one, `continuation` follows a root with
 //! steps as small as its shape demands, `tracks` does so over the range and finds where roots become unstable,

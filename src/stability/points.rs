@@ -5,8 +5,9 @@ use std::thread;
 
 use nalgebra::Complex;
 
-use crate::dynamics::{EigenvaluesNotFound, EquationsOfMotion, StateMatrix, Trim, Unknown};
-use crate::simulation::{LimitExceeded, Settings, SimulationError};
+use crate::equations::EquationsOfMotion;
+use crate::flight::{LimitExceeded, Settings, SimulationError};
+use crate::plant::{EigenvaluesNotFound, StateMatrix, Trim, Unknown};
 use crate::structure::ReducedModel;
 
 use super::condensed::Condensed;

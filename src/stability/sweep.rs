@@ -4,8 +4,8 @@
 
 use nalgebra::Complex;
 
-use crate::dynamics::Unknown;
-use crate::simulation::{LimitExceeded, Settings, SimulationError};
+use crate::flight::{LimitExceeded, Settings, SimulationError};
+use crate::plant::Unknown;
 use crate::structure::ReducedModel;
 
 use super::losses::{At, EquilibriumLoss};

@@ -5,8 +5,7 @@
 
 use nalgebra::Vector3;
 
-use crate::aerodynamics::PetersInflow;
-use crate::aircraft::{ALTITUDES, Support};
+use crate::aircraft::{ALTITUDES, MOST_INFLOW_STATES, Support};
 use crate::sealed::hash;
 
 use super::{ModeShapes, ReducedModel, StructureError};
@@ -79,7 +78,7 @@ impl ReducedModel {
             && (self.support == Support::Clamped
                 || self.tunnel_air.is_none() && self.mount == Vector3::zeros())
             && self.limits.are_finite()
-            && self.inflow_states <= PetersInflow::MAX_STATES
+            && self.inflow_states <= MOST_INFLOW_STATES
             && self.strips.iter().all(|strip| {
                 positive(strip.semichord)
                     && strip.zero_lift_moment.is_finite()

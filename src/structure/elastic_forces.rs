@@ -10,10 +10,7 @@
 //! mirror plane every monomial with an odd number of antisymmetric modes vanishes: rows are ordered by parity, and
 //! [`Columns`] leaves out what is zero. The plain form is [`StrainEnergy`].
 
-use crate::arithmetic::Arithmetic;
-
-use crate::columns::Columns;
-use crate::lanes::{AlignedNumbers, LANES, zeros};
+use crate::math::{AlignedNumbers, Arithmetic, Columns, LANES, zeros};
 
 use super::StrainEnergy;
 use super::mode::ModeFamily;

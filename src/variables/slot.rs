@@ -1,6 +1,8 @@
 //! Where the value of a variable lives: a typed place in the inputs, the settings or the outputs.
 
-use crate::simulation::{Fidelity, InputReference, Inputs, ModeSelection, Outputs, Settings, TrimPoint};
+use crate::equations::Fidelity;
+use crate::flight::{InputReference, Inputs, ModeSelection, Outputs, Settings};
+use crate::plant::TrimPoint;
 
 /// The value of a variable.
 #[derive(Clone, Copy, Debug, PartialEq)]

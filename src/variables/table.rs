@@ -1,13 +1,14 @@
 //! The rows of the table.
 
+use crate::aircraft::{ALTITUDES, Support};
+use crate::flight::Settings;
+use crate::strips::PetersInflow;
+use crate::structure::ReducedModel;
+
 use super::{
     AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot,
     Type, Unit, Value, Variability, Variable,
 };
-use crate::aerodynamics::PetersInflow;
-use crate::aircraft::{ALTITUDES, Support};
-use crate::simulation::Settings;
-use crate::structure::ReducedModel;
 
 /// All rows for an aircraft, inputs first.
 pub(super) fn rows(model: &ReducedModel) -> Vec<Variable> {

@@ -1,9 +1,11 @@
 use std::collections::HashSet;
 use std::sync::OnceLock;
 
-use super::*;
 use crate::aircraft::Aircraft;
-use crate::simulation::{Fidelity, Inputs, Settings};
+use crate::equations::Fidelity;
+use crate::flight::{Inputs, Settings};
+
+use super::*;
 
 /// The shipped jet.
 pub(crate) fn jet() -> &'static ReducedModel {

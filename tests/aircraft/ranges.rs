@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::{Aircraft, Strip};
-use flexible_aircraft::simulation::{Settings, Simulation};
+use flexible_aircraft::flight::{Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 
 use super::{assert_messages, edited};

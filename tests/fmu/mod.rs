@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::simulation::{Inputs, Settings, Simulation};
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{FmuError, Package, PackageError, Platform};

@@ -1,7 +1,8 @@
 //! The jet linearised at a trim, and single eigenvalues of it.
 
-use flexible_aircraft::dynamics::{EquationsOfMotion, Trim};
-use flexible_aircraft::simulation::{Fidelity, Settings};
+use flexible_aircraft::equations::{EquationsOfMotion, Fidelity};
+use flexible_aircraft::flight::Settings;
+use flexible_aircraft::plant::Trim;
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{eight_symmetric, jet};

@@ -10,7 +10,7 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::simulation::{Inputs, ModeSelection, Outputs, Settings, Simulation};
+use flexible_aircraft::flight::{Inputs, ModeSelection, Outputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 
 /// The generic business jet with as many modes as its FMU has.

@@ -3,8 +3,9 @@
 
 use std::f64::consts::PI;
 
-use flexible_aircraft::aerodynamics::Air;
-use flexible_aircraft::dynamics::{Attitude, Controls, EquationsOfMotion};
+use flexible_aircraft::air::Air;
+use flexible_aircraft::equations::{Controls, EquationsOfMotion};
+use flexible_aircraft::math::Attitude;
 use flexible_aircraft::structure::{ModeShapes, ReducedStrip};
 use nalgebra::{DVectorView, Matrix3xX, Rotation3, Vector3};
 

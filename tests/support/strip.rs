@@ -2,7 +2,7 @@
 //! on ν = [v; ω; q̇] without the part that is proportional to accelerations.
 
 use flexible_aircraft::aircraft::{ControlGains, Flap, Limits, Support};
-use flexible_aircraft::dynamics::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
+use flexible_aircraft::equations::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{ModalIntegrals, ModeShapes, ReducedModel, ReducedStrip, StrainEnergy};
 use nalgebra::{Matrix3, Vector3};
 

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::{Aircraft, Attachment, MassBay};
-use flexible_aircraft::dynamics::TrimPoint;
-use flexible_aircraft::simulation::{Fidelity, InputReference, Inputs, Settings, Simulation};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::flight::{InputReference, Inputs, Settings, Simulation};
+use flexible_aircraft::plant::TrimPoint;
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::{Slot, VariableTable};
 use nalgebra::{Matrix3, Rotation3, Vector3};

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::simulation::{Inputs, ModeSelection, Outputs, Settings, Simulation};
-use flexible_aircraft::structure::{Counterpart, ModeFamily, ReducedModel, SymmetricHalf};
+use flexible_aircraft::flight::{Inputs, ModeSelection, Outputs, Settings, Simulation};
+use flexible_aircraft::structure::{ModeFamily, ReducedModel};
+use flexible_aircraft::symmetry::{Counterpart, SymmetricHalf};
 
 const BIPLANE: &str = include_str!("../data/braced-biplane.toml");
 const TWIN_BOOM: &str = include_str!("../data/twin-boom.toml");

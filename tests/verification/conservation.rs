@@ -1,13 +1,14 @@
 //! In vacuum and without gravity E and I conserve energy and momentum, CL and RL do not (physics.md §2).
 
-use flexible_aircraft::dynamics::{
+use flexible_aircraft::equations::{
     Configuration, Controls, EquationsOfMotion, Fidelity, Mechanics, Workspace,
 };
 use flexible_aircraft::structure::ReducedModel;
 use nalgebra::Vector3;
 
-use super::record::Record;
 use crate::support::{jet, station};
+
+use super::record::Record;
 
 /// The jet with twelve modes, without air and gravity.
 fn in_vacuum(fidelity: Fidelity) -> EquationsOfMotion {

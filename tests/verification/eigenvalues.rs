@@ -1,10 +1,11 @@
 //! Eigenvalues of the trimmed jet are those of physics.md §8 (N = 5, 8 symmetric modes, 127 m/s).
 
-use flexible_aircraft::simulation::Fidelity;
+use flexible_aircraft::equations::Fidelity;
 use nalgebra::Complex;
 
-use super::record::Record;
 use crate::support::linearised::{eigenvalue_near, state_matrix};
+
+use super::record::Record;
 
 /// Published eigenvalues (1/s) with half a unit of their last digit.
 type Published = &'static [(f64, f64, f64)];

@@ -4,15 +4,18 @@
 //! The work is summed strip by strip as physics.md §4 writes the loads, apparent mass included
 //! (`support/plain_loads.rs`).
 
-use flexible_aircraft::dynamics::{
-    Attitude, Configuration, Controls, EquationsOfMotion, Fidelity, Mechanics, TrimCondition, Workspace,
+use flexible_aircraft::equations::{
+    Configuration, Controls, EquationsOfMotion, Fidelity, Mechanics, Workspace,
 };
+use flexible_aircraft::math::Attitude;
+use flexible_aircraft::plant::TrimCondition;
 use flexible_aircraft::structure::{ReducedEngine, ReducedModel};
 use nalgebra::{DVector, DVectorView, Vector3};
 
-use super::record::Record;
 use crate::support::plain_loads::{Instant, point};
 use crate::support::{derivative, jet, random};
+
+use super::record::Record;
 
 /// Power of all loads, W.
 fn power(

@@ -10,12 +10,13 @@
 //! with L = Σ ½ m |v + ω×R + ψq̇|² − U(q) differentiated numerically. T is quadratic in ν and in q, U quartic in
 //! q, so five-point differences are exact but for rounding; U itself is checked in `strain_energy.rs`.
 
-use flexible_aircraft::dynamics::{Controls, EquationsOfMotion, Fidelity, Workspace};
+use flexible_aircraft::equations::{Controls, EquationsOfMotion, Fidelity, Workspace};
 use nalgebra::Vector3;
+
+use crate::support::derivative;
 
 use super::modal_integrals::{Particles, jet_and_particles, random_state, velocities};
 use super::record::Record;
-use crate::support::derivative;
 
 /// `x + s·direction`.
 fn along(x: &[f64], direction: &[f64], s: f64) -> Vec<f64> {

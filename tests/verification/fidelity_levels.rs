@@ -1,11 +1,13 @@
 //! The five levels differ as theory and the thesis say.
 
-use flexible_aircraft::simulation::{Fidelity, Inputs, Settings};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::flight::{Inputs, Settings};
 use nalgebra::Complex;
 
-use super::record::Record;
 use crate::support::linearised::{eigenvalue_near, state_matrix};
 use crate::support::{eight_symmetric, fly, jet, two_three_one_one, up};
+
+use super::record::Record;
 
 const FLEXIBLE: [Fidelity; 4] = [
     Fidelity::Exact,

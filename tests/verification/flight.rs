@@ -1,10 +1,12 @@
 //! Flights of the whole jet: symmetry, steadiness, determinism, wind.
 
-use flexible_aircraft::simulation::{Fidelity, InputReference, Inputs, Outputs, Settings, Simulation};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::flight::{InputReference, Inputs, Outputs, Settings, Simulation};
 use nalgebra::Vector3;
 
-use super::record::Record;
 use crate::support::{doublet, fly, jet, two_three_one_one, up};
+
+use super::record::Record;
 
 #[test]
 fn a_mirrored_rudder_gives_the_mirrored_flight() {

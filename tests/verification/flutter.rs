@@ -3,14 +3,16 @@
 use std::path::Path;
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::dynamics::StateMatrix;
-use flexible_aircraft::simulation::{Fidelity, Settings};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::flight::Settings;
+use flexible_aircraft::plant::StateMatrix;
 use flexible_aircraft::stability::{CrossingKind, LossKind, Onset, Sweep};
 use flexible_aircraft::structure::ReducedModel;
 use nalgebra::{Complex, Matrix2, Vector2};
 
-use super::record::Record;
 use crate::support::{eight_symmetric, jet};
+
+use super::record::Record;
 
 /// Where the standard atmosphere has Patil's 0.0889 kg/m³, m.
 const PATILS_ALTITUDE: f64 = 19_938.0;

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::simulation::{Fidelity, Settings, Simulation};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::flight::{Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::VariableTable;
 

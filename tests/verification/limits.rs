@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::{Bound, Bounds, Support, TunnelAir};
-use flexible_aircraft::simulation::{LimitExceeded, LimitedQuantity, Settings, Simulation};
+use flexible_aircraft::flight::{LimitExceeded, LimitedQuantity, Settings, Simulation};
 
 use crate::support::{eight_symmetric, jet};
 

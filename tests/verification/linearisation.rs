@@ -1,7 +1,7 @@
 //! The state matrix of a trimmed aircraft: kinematics that are known exactly, and what it leaves out.
 
-use flexible_aircraft::dynamics::{StateMatrix, Unknown};
-use flexible_aircraft::simulation::Settings;
+use flexible_aircraft::flight::Settings;
+use flexible_aircraft::plant::{StateMatrix, Unknown};
 
 use crate::support::{eight_symmetric, jet};
 

@@ -2,12 +2,13 @@
 //! summed one by one, at random states of large amplitude [2.2; physics.md §1, §2].
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::dynamics::{Configuration, EquationsOfMotion, Fidelity, Mechanics};
+use flexible_aircraft::equations::{Configuration, EquationsOfMotion, Fidelity, Mechanics};
 use flexible_aircraft::structure::{ModalBasis, ReducedModel, Structure};
 use nalgebra::{DMatrix, Matrix3xX, Vector3};
 
-use super::record::Record;
 use crate::support::random;
+
+use super::record::Record;
 
 /// The jet's particles: mass, place and mode shapes there.
 pub struct Particles(Vec<(f64, Vector3<f64>, Matrix3xX<f64>)>);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::simulation::{ModeSelection, Settings, Simulation};
+use flexible_aircraft::flight::{ModeSelection, Settings, Simulation};
 use flexible_aircraft::structure::{ModeCount, ModeFamily, ModeKind, ReducedModel, StructureError};
 
 use crate::support::jet;
@@ -114,9 +114,9 @@ fn times_at_which_the_grid_has_no_cells_are_refused() {
 fn a_flight_before_time_zero_is_like_any_other() {
     let pitch_after_a_second = |start: f64| {
         let mut flight = Simulation::new(jet(), &Settings::of(&jet()), start).unwrap();
-        let mut inputs = flexible_aircraft::simulation::Inputs::zero(2);
+        let mut inputs = flexible_aircraft::flight::Inputs::zero(2);
         inputs.elevator = 0.02;
-        flight.set_inputs(&inputs, &flexible_aircraft::simulation::Inputs::zero(2));
+        flight.set_inputs(&inputs, &flexible_aircraft::flight::Inputs::zero(2));
         flight.advance_to(start + 1.0).unwrap();
         flight.outputs().attitude.y
     };

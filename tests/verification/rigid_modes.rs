@@ -1,11 +1,13 @@
 //! The phugoid and the short period of the rigid aircraft are those of the textbooks, as far as these go.
 
-use flexible_aircraft::dynamics::{EquationsOfMotion, Fidelity, StateMatrix, Trim, Unknown};
+use flexible_aircraft::equations::{EquationsOfMotion, Fidelity};
+use flexible_aircraft::plant::{StateMatrix, Trim, Unknown};
 use nalgebra::{Complex, DMatrix, Matrix2, Matrix3};
 
-use super::record::Record;
 use crate::support::jet;
 use crate::support::linearised::{eigenvalue_near, trimmed};
+
+use super::record::Record;
 
 const SPEED: f64 = 127.0;
 const ALTITUDE: f64 = 7620.0;

@@ -1,11 +1,12 @@
 //! Sensors at the stations read what a real one fixed to the moving, deformed section would: the second derivative
 //! of its path less gravity, and the spin of its axes, both found here by differentiating the flight's history.
 
-use flexible_aircraft::simulation::{Inputs, Outputs, Settings, Simulation};
+use flexible_aircraft::flight::{Inputs, Outputs, Settings, Simulation};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-use super::record::Record;
 use crate::support::{jet, station};
+
+use super::record::Record;
 
 /// Between the samples, s: the modes of up to 55 rad/s turn by 0.1 rad.
 const STEP: f64 = 2e-3;

@@ -18,15 +18,16 @@
 use std::f64::consts::TAU;
 
 use flexible_aircraft::aircraft::{Limits, Support};
-use flexible_aircraft::dynamics::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
+use flexible_aircraft::equations::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{
     ModalIntegrals, ModeShapes, ReducedModel, ReducedStation, StrainEnergy, Structure,
 };
 use nalgebra::{Complex, DMatrix, DVector, Schur, Vector3};
 
-use super::record::Record;
 use crate::support::beams::{Cantilever, ENDS};
 use crate::support::ritz::{bending_and_shortening, ritz_modes};
+
+use super::record::Record;
 
 const LENGTH: f64 = 10.0;
 const AREA: f64 = 4e-4;

@@ -1,13 +1,14 @@
 //! The loads of all strips are those of the formulas, summed plainly, and ẇ and Ω̇ in them are the true rates of w and Ω
 //! [4.1; physics.md §4].
 
-use flexible_aircraft::dynamics::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
+use flexible_aircraft::equations::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
 use nalgebra::Vector3;
 
-use super::record::Record;
 use crate::support::plain_loads::{Instant, point};
 use crate::support::{derivative, jet, random};
+
+use super::record::Record;
 
 /// The jet with twelve modes; `altered` gives its strips camber, moments at zero lift, suction, and flaps that all
 /// controls turn.

@@ -1,15 +1,16 @@
 //! Leading-edge suction: in steady flow neither camber nor flap propels, and ailerons yaw adversely where suction is lost
 //! [4.1; physics.md §4].
 
-use flexible_aircraft::aerodynamics::Air;
-use flexible_aircraft::dynamics::{Configuration, EquationsOfMotion, Fidelity, Workspace};
-use flexible_aircraft::simulation::{Inputs, Settings, Simulation};
+use flexible_aircraft::air::Air;
+use flexible_aircraft::equations::{Configuration, EquationsOfMotion, Fidelity, Workspace};
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
 use nalgebra::Vector3;
 
-use super::record::Record;
 use crate::support::strip::{PrescribedStrip, SEMICHORD, SPEED};
 use crate::support::{eight_symmetric, jet};
+
+use super::record::Record;
 
 /// A strip in steady flow.
 struct Steady {

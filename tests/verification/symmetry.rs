@@ -3,11 +3,13 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Support;
-use flexible_aircraft::simulation::{Fidelity, Inputs, Outputs, Settings, Simulation};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::flight::{Inputs, Outputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 
-use super::record::Record;
 use crate::support::{fly, jet, two_three_one_one, up};
+
+use super::record::Record;
 
 /// An aileron so small that it moves nothing, but not zero: the whole aircraft flies.
 const NOTHING: f64 = 1e-14;

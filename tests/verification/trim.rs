@@ -1,9 +1,11 @@
 //! The trims are those of Table 5.1 as reproduced by physics.md §8 ("this aircraft").
 
-use flexible_aircraft::simulation::{Fidelity, Settings, Simulation};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::flight::{Settings, Simulation};
+
+use crate::support::{eight_symmetric, jet, up};
 
 use super::record::Record;
-use crate::support::{eight_symmetric, jet, up};
 
 /// A row of physics.md §8: 127 m/s, 7620 m, 8 symmetric modes.
 struct Row {

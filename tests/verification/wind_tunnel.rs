@@ -3,13 +3,15 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::{Aircraft, Support};
-use flexible_aircraft::simulation::{Fidelity, Inputs, Settings, Simulation};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::VariableTable;
 use nalgebra::Vector3;
 
-use super::record::Record;
 use crate::support::jet;
+
+use super::record::Record;
 
 /// A uniform half wing of 6 m, elastic axis and centre of mass at mid-chord.
 const WING: &str = r#"

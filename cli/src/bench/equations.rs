@@ -1,13 +1,14 @@
 //! The right-hand side, and the plain method that all gains are compared with: the classical Runge–Kutta method in
 //! steps of 1 ms, one strip at a time.
 
-use flexible_aircraft::dynamics::{Controls, EquationsOfMotion, Workspace};
-use flexible_aircraft::simulation::Settings;
+use flexible_aircraft::equations::{Controls, EquationsOfMotion, Workspace};
+use flexible_aircraft::flight::Settings;
 use flexible_aircraft::structure::ReducedModel;
+
+use crate::manoeuvre::Manoeuvre;
 
 use super::standard_flight::DURATION;
 use super::{BenchError, least_time};
-use crate::manoeuvre::Manoeuvre;
 
 /// Evaluations that are timed together.
 const EVALUATIONS: usize = 2000;
@@ -70,7 +71,7 @@ impl RightHandSide {
 fn trimmed(equations: &EquationsOfMotion, settings: &Settings) -> Result<(Vec<f64>, Controls), BenchError> {
     let trim = equations
         .trim(&settings.trim_condition())
-        .map_err(flexible_aircraft::simulation::SimulationError::from)?;
+        .map_err(flexible_aircraft::flight::SimulationError::from)?;
     let controls = trim.controls(equations.engine_count());
     Ok((trim.state, controls))
 }

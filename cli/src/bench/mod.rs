@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use clap::Args;
 use flexible_aircraft::aircraft::{Aircraft, Support};
-use flexible_aircraft::simulation::{Settings, SimulationError};
+use flexible_aircraft::flight::{Settings, SimulationError};
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{FileError, FmuError};

@@ -3,12 +3,14 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::simulation::{Fidelity, Inputs, Settings, Simulation};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::{ModeCount, ReducedModel, ReducedStrip};
+
+use crate::progress::Progress;
 
 use super::equations::time_of;
 use super::{BenchError, least_time};
-use crate::progress::Progress;
 
 /// Seconds flown for each point.
 const SECONDS: f64 = 2.0;

@@ -4,9 +4,10 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use flexible_aircraft::aerodynamics::Air;
+use flexible_aircraft::air::Air;
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Support};
-use flexible_aircraft::simulation::{Fidelity, ModeSelection, Settings, SimulationError};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::flight::{ModeSelection, Settings, SimulationError};
 use flexible_aircraft::stability::Sweep;
 use flexible_aircraft::structure::{ModeCount, ModeFamily, ModeKind, ReducedModel, StructureError};
 use flexible_aircraft_packaging::FileError;

@@ -2,7 +2,7 @@
 //!
 //! Shares are those of the energy at nominal stiffness: q̇² + ω²q² of a mode, m v² and J ω² of the rigid motion.
 
-use flexible_aircraft::dynamics::Unknown;
+use flexible_aircraft::plant::Unknown;
 use flexible_aircraft::stability::{Branch, Complex, Root};
 
 use super::Analysis;

@@ -3,12 +3,13 @@
 use std::fmt::Write;
 
 use flexible_aircraft::aircraft::{Bound, Support};
-use flexible_aircraft::simulation::{LimitExceeded, LimitedQuantity};
+use flexible_aircraft::flight::{LimitExceeded, LimitedQuantity};
 use flexible_aircraft::stability::{Crossing, CrossingKind, EquilibriumLoss, LossKind, Onset, UnstableRange};
+
+use crate::numbers::Plain;
 
 use super::Analysis;
 use super::motion::{composition, frequency, name, oscillates_at};
-use crate::numbers::Plain;
 
 /// Airspeeds that were not analysed are named up to this number.
 const MOST_NAMED: usize = 20;

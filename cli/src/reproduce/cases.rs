@@ -4,7 +4,8 @@
 //! and start are ours (physics.md §7). What it captions 203 m/s has V_x ≈ 178 m/s on its axes and was flown
 //! at 177.8 m/s, 1.4 × 127.
 
-use flexible_aircraft::simulation::{Fidelity, Inputs, ModeSelection, Settings};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::flight::{Inputs, ModeSelection, Settings};
 use flexible_aircraft::structure::ReducedModel;
 
 use crate::manoeuvre::Manoeuvre;

@@ -5,14 +5,15 @@
 //! ticks that holds all curves. So the lowest value of each figure lies within one tick above the window's
 //! lower end, the highest within one tick below its upper end: that much is known of the thesis' curves.
 
-use flexible_aircraft::simulation::Fidelity;
+use flexible_aircraft::equations::Fidelity;
+
+use crate::chart::Window;
 
 use super::cases::{Case, Flight, UNSTEADY, symbol};
 use super::history::Quantity::{
     self, AccelerationX, AccelerationY, AccelerationZ, Pitch, RateX, RateY, RateZ, Roll, VelocityX,
     VelocityY, VelocityZ, WingTip, Yaw,
 };
-use crate::chart::Window;
 
 /// Figures of the same flights.
 #[derive(Clone, Copy, Debug, PartialEq)]

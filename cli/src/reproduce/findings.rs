@@ -208,7 +208,7 @@ fn height(values: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use flexible_aircraft::simulation::Fidelity;
+    use flexible_aircraft::equations::Fidelity;
 
     use super::*;
     use crate::reproduce::cases::{Case, Flight, UNSTEADY};

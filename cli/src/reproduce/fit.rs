@@ -2,8 +2,9 @@
 
 use std::fmt;
 
-use super::figures::Figure;
 use crate::chart::{Curve, Window};
+
+use super::figures::Figure;
 
 /// Values this small a share of a tick beyond a tick are on it.
 const ROUNDING: f64 = 1e-6;
@@ -99,7 +100,7 @@ impl fmt::Display for Verdict {
 
 #[cfg(test)]
 mod tests {
-    use flexible_aircraft::simulation::Fidelity;
+    use flexible_aircraft::equations::Fidelity;
 
     use super::*;
     use crate::reproduce::figures::Comparison;

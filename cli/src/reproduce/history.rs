@@ -3,7 +3,8 @@
 use std::fmt::Write;
 use std::sync::Arc;
 
-use flexible_aircraft::simulation::{Fidelity, Inputs, Outputs, Simulation, SimulationError};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::flight::{Inputs, Outputs, Simulation, SimulationError};
 use flexible_aircraft::structure::ReducedModel;
 
 use super::Error;

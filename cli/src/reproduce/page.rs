@@ -2,13 +2,13 @@
 
 use std::fmt::Write;
 
+use crate::chart::{escaped, legend};
+
 use super::cases::symbol;
 use super::figures::Comparison;
-use super::findings;
 use super::fit::Verdict;
 use super::plots::Plot;
-use super::{Reproduction, Section};
-use crate::chart::{escaped, legend};
+use super::{Reproduction, Section, findings};
 
 /// Light and dark by the reader's preference; the drawings are inverted in the dark.
 const STYLE: &str = "
@@ -187,10 +187,10 @@ fn conditions(comparison: Comparison) -> String {
     };
     let (case, flights) = (comparison.case(), comparison.flights());
     let family = match case.modes() {
-        (count, flexible_aircraft::simulation::ModeSelection::All) => {
+        (count, flexible_aircraft::flight::ModeSelection::All) => {
             format!("{count} modes of both families")
         }
-        (count, flexible_aircraft::simulation::ModeSelection::Symmetric) => {
+        (count, flexible_aircraft::flight::ModeSelection::Symmetric) => {
             format!("{count} symmetric modes")
         }
     };
@@ -224,7 +224,7 @@ mod tests {
     use std::sync::{Arc, OnceLock};
 
     use flexible_aircraft::aircraft::Aircraft;
-    use flexible_aircraft::simulation::Fidelity;
+    use flexible_aircraft::equations::Fidelity;
     use flexible_aircraft::structure::ReducedModel;
 
     use super::*;
@@ -249,7 +249,7 @@ mod tests {
                     > history.samples[0].value(Quantity::Pitch) + 0.005
             );
             assert_eq!(history.to_csv().lines().count(), 202);
-            history.end = Some(flexible_aircraft::simulation::SimulationError::NotFinite { time: 2.0 });
+            history.end = Some(flexible_aircraft::flight::SimulationError::NotFinite { time: 2.0 });
             Reproduction::new(&aircraft, &[history])
         })
     }

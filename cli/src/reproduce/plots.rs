@@ -1,12 +1,13 @@
 //! The thesis' figures drawn with our curves.
 
-use flexible_aircraft::simulation::Fidelity;
+use flexible_aircraft::equations::Fidelity;
+
+use crate::chart::{Axis, Chart, Curve, FONT, Mark, Window, escaped, legend};
 
 use super::cases::{Surface, symbol};
 use super::figures::{Comparison, Figure};
 use super::fit::Fit;
 use super::history::{DURATION, History};
-use crate::chart::{Axis, Chart, Curve, FONT, Mark, Window, escaped, legend};
 
 /// A figure with its curves, drawn.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use flexible_aircraft::simulation::Fidelity;
+use flexible_aircraft::equations::Fidelity;
 
 use super::cases::{Case, Flight, UNSTEADY, symbol};
 use super::history::{History, Quantity};

@@ -3,14 +3,15 @@
 use std::io::{self, Write};
 use std::sync::Arc;
 
-use flexible_aircraft::simulation::{Inputs, LimitExceeded, Settings, Simulation, SimulationError};
+use flexible_aircraft::flight::{Inputs, LimitExceeded, Settings, Simulation, SimulationError};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::{OutputSlot, Slot, VariableTable};
 
-use super::schedule::{Point, Schedule};
 use crate::diagnostics;
 use crate::numbers::NumberTable;
 use crate::progress::Progress;
+
+use super::schedule::{Point, Schedule};
 
 /// Why a flight did not reach the end of its schedule.
 #[derive(Debug, thiserror::Error)]

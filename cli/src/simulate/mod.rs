@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use clap::Args;
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
-use flexible_aircraft::simulation::SimulationError;
+use flexible_aircraft::flight::SimulationError;
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::FileError;

@@ -1,6 +1,6 @@
 //! Parameters of the FMU, given as text.
 
-use flexible_aircraft::simulation::{ModeSelection, Settings};
+use flexible_aircraft::flight::{ModeSelection, Settings};
 use flexible_aircraft::structure::{ModeFamily, ReducedModel};
 use flexible_aircraft::variables::{ParameterSlot, Slot, Type, Value, Variable, VariableTable};
 use flexible_aircraft_packaging::probably_meant;
@@ -133,7 +133,7 @@ mod tests {
     use std::path::Path;
 
     use flexible_aircraft::aircraft::Aircraft;
-    use flexible_aircraft::simulation::Fidelity;
+    use flexible_aircraft::equations::Fidelity;
 
     use super::*;
 

@@ -1,7 +1,7 @@
 //! What the inputs do over time: a table of comma-separated values, a communication step from each row to the next.
 
 use csv::{ReaderBuilder, StringRecord, Trim};
-use flexible_aircraft::simulation::Inputs;
+use flexible_aircraft::flight::Inputs;
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::instead_of_degrees;
 

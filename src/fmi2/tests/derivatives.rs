@@ -3,10 +3,11 @@
 
 use nalgebra::{Rotation3, Vector3};
 
+use crate::equations::evaluations;
+use crate::variables::Slot;
+
 use super::state::{Saved, shortest};
 use super::*;
-use crate::dynamics::evaluations;
-use crate::variables::Slot;
 
 impl Fmu {
     pub(super) fn derivatives(

@@ -11,15 +11,16 @@ use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
+use crate::aircraft::{Aircraft, AircraftFileError};
+use crate::flight::{Inputs, Settings, Simulation};
+use crate::fmi2::model_description;
+use crate::sealed::hash;
+use crate::structure::ReducedModel;
+
 use super::endurance::typical_section;
 use super::random::{fit_checksum, instance};
 use super::state::Saved;
 use super::*;
-use crate::aircraft::{Aircraft, AircraftFileError};
-use crate::fmi2::model_description;
-use crate::sealed::hash;
-use crate::simulation::{Inputs, Settings, Simulation};
-use crate::structure::ReducedModel;
 
 /// A change of a sequence of bytes.
 #[derive(Clone, Debug)]

@@ -1,0 +1,54 @@
+//! Energy and momentum of the deformed aircraft, for checks of conservation.
+
+use nalgebra::Vector3;
+use pulp::Scalar;
+
+use crate::kinematics::RigidFreedom;
+use crate::math::{Attitude, SquareMatrix};
+
+use super::inertia::DeformedInertia;
+use super::of_motion::EquationsOfMotion;
+
+/// Energy and momentum at one state, with exact inertia whatever the fidelity level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mechanics {
+    /// ½ νᵀM̂ν, J.
+    pub kinetic_energy: f64,
+    /// The level's own U, J.
+    pub strain_energy: f64,
+    /// Inertial components, kg·m/s.
+    pub linear_momentum: Vector3<f64>,
+    /// About the inertial origin, inertial components, kg·m²/s.
+    pub angular_momentum: Vector3<f64>,
+}
+
+impl Mechanics {
+    /// At a state of the given equations. Allocates.
+    pub fn new(equations: &EquationsOfMotion, state: &[f64]) -> Self {
+        let layout = equations.layout();
+        let q = &state[layout.coordinates()];
+        let mut inertia = DeformedInertia::undeformed(equations.integrals(), RigidFreedom::All);
+        inertia.deform(Scalar::new(), equations.integrals(), q);
+        let size = layout.velocities();
+        let mut mass = SquareMatrix::new(size);
+        inertia.write_mass_matrix(true, &mut mass);
+
+        let velocities: Vec<f64> = [layout.velocity(), layout.rate(), layout.coordinate_rates()]
+            .into_iter()
+            .flat_map(|range| state[range].iter().copied())
+            .collect();
+        let along =
+            |row: &[f64]| row.iter().zip(&velocities).map(|(mass, velocity)| mass * velocity).sum::<f64>();
+        let momenta: Vec<f64> = (0..size).map(|row| along(mass.row(row))).collect();
+        let to_inertial = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial.transpose();
+        let linear_momentum = to_inertial * Vector3::from_column_slice(&momenta[0..3]);
+        let about_origin = to_inertial * Vector3::from_column_slice(&momenta[3..6]);
+        let position = Vector3::from_column_slice(&state[layout.position()]);
+        Mechanics {
+            kinetic_energy: 0.5 * momenta.iter().zip(&velocities).map(|(p, v)| p * v).sum::<f64>(),
+            strain_energy: equations.strain_energy(q),
+            linear_momentum,
+            angular_momentum: about_origin + position.cross(&linear_momentum),
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! The equations of motion of the flexible aircraft at five fidelity levels [2; physics.md §2–5].
+
+mod around;
+mod controls;
+#[cfg(test)]
+pub(crate) mod evaluations;
+mod fidelity;
+mod forces;
+mod inertia;
+mod layout;
+mod mechanics;
+mod of_motion;
+mod propulsion;
+mod structural_forces;
+mod workspace;
+
+pub use controls::Controls;
+pub use fidelity::{Fidelity, Terms};
+pub use layout::StateLayout;
+pub use mechanics::Mechanics;
+pub use of_motion::{Configuration, EquationsOfMotion};
+pub use workspace::Workspace;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,75 @@
+//! Scratch memory of the equations of motion, allocated once.
+
+use crate::math::LinearSystem;
+use crate::strips::StripSums;
+use crate::structure::ElasticScratch;
+
+use super::controls::Controls;
+use super::forces::GeneralisedForces;
+use super::inertia::DeformedInertia;
+use super::of_motion::EquationsOfMotion;
+
+/// Everything that evaluating the equations of motion overwrites.
+#[derive(Clone, Debug)]
+pub struct Workspace {
+    /// Integrals at the present q.
+    pub(crate) inertia: DeformedInertia,
+    /// On ν.
+    pub(crate) forces: GeneralisedForces,
+    /// ∂U/∂q.
+    pub(crate) elastic_force: Vec<f64>,
+    /// For evaluating it.
+    pub(crate) elastic_scratch: ElasticScratch,
+    /// Of the components of ν that move: mass matrix with apparent mass, then its factor.
+    pub(crate) system: LinearSystem,
+    /// Whether it has one.
+    pub(crate) regular: bool,
+    /// Forces on them, then their accelerations.
+    pub(crate) solution: Vec<f64>,
+    /// Loads and apparent mass of the strips.
+    pub(crate) strip_sums: StripSums,
+    /// ν̇ of the last evaluation.
+    pub(crate) accelerations: Vec<f64>,
+}
+
+impl Workspace {
+    /// For the given equations.
+    pub fn new(equations: &EquationsOfMotion) -> Self {
+        let (components, moving) = (equations.layout().velocities(), equations.moving().len());
+        let engines = equations.engine_count();
+        Workspace {
+            inertia: equations.undeformed_inertia(),
+            forces: GeneralisedForces::new(components, equations.flap_factors(), engines),
+            elastic_force: vec![0.0; components - 6],
+            elastic_scratch: equations.elastic_scratch(),
+            system: equations.linear_system(),
+            regular: false,
+            solution: vec![0.0; moving],
+            strip_sums: equations.strip_sums(),
+            accelerations: vec![0.0; components],
+        }
+    }
+
+    /// Sums the forces under given controls on the components of ν that move.
+    pub(crate) fn collect_forces(&mut self, controls: &Controls) {
+        self.forces.sum(controls);
+        for (force, &component) in self.solution.iter_mut().zip(self.strip_sums.moving()) {
+            *force = self.forces.total()[component];
+        }
+    }
+
+    /// ν̇ = [v̇; ω̇; q̈] of the last evaluation.
+    pub fn accelerations(&self) -> &[f64] {
+        &self.accelerations
+    }
+
+    /// Generalised forces on ν of the last evaluation; those of the air on components that cannot move are left out.
+    pub fn forces(&self) -> &[f64] {
+        self.forces.total()
+    }
+
+    /// The first lifting strip that met the air backwards at the last evaluation.
+    pub(crate) fn reversed_strip(&self) -> Option<usize> {
+        self.strip_sums.reversed
+    }
+}

@@ -1,0 +1,117 @@
+//! Where a trim is beyond what the aircraft is flown within. It stands all the same: this is for warnings.
+
+use std::fmt;
+
+use crate::aircraft::{Bound, Limits, Support};
+use crate::equations::EquationsOfMotion;
+use crate::plant::Trim;
+use crate::structure::ReducedModel;
+
+use super::outputs::air_data;
+use super::settings::Settings;
+
+/// A quantity of a trim that is beyond its limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LimitExceeded {
+    /// Which.
+    pub quantity: LimitedQuantity,
+    /// What the trim needs, in the quantity's unit.
+    pub value: f64,
+    /// The end of the range that it is beyond.
+    pub limit: Bound,
+}
+
+/// What limits are for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LimitedQuantity {
+    /// Of the body x axis at O, rad.
+    AngleOfAttack,
+    /// Mach number.
+    Mach,
+    /// Of one engine, N.
+    Thrust,
+    /// rad.
+    Elevator,
+    /// rad.
+    Aileron,
+    /// Of both ailerons together, rad.
+    AileronSymmetric,
+    /// rad.
+    Rudder,
+}
+
+impl LimitExceeded {
+    /// Everything in a trim of some equations that is beyond the limits.
+    pub fn find(limits: &Limits, equations: &EquationsOfMotion, trim: &Trim) -> Vec<LimitExceeded> {
+        let controls = trim.controls(equations.engine_count());
+        let air = air_data(equations, &trim.state, &controls);
+        let met = [
+            (LimitedQuantity::AngleOfAttack, limits.angle_of_attack, air.angle_of_attack),
+            (LimitedQuantity::Mach, limits.mach, air.mach),
+        ];
+        let used = [
+            (LimitedQuantity::Elevator, limits.elevator, controls.elevator),
+            (LimitedQuantity::Aileron, limits.aileron, controls.aileron),
+            (LimitedQuantity::AileronSymmetric, limits.aileron_symmetric, controls.aileron_symmetric),
+            (LimitedQuantity::Rudder, limits.rudder, controls.rudder),
+        ];
+        // The engines share the thrust equally: the first speaks for all.
+        let thrust = controls.thrust.first().map(|&thrust| (LimitedQuantity::Thrust, limits.thrust, thrust));
+        // What is clamped needs neither surfaces nor engines.
+        let is_free = equations.support() == Support::Free;
+        let used = used.into_iter().chain(thrust).filter(|_| is_free);
+        let exceeded = met.into_iter().chain(used).filter_map(|(quantity, bounds, value)| {
+            bounds.exceeded_by(value).map(|limit| LimitExceeded { quantity, value, limit })
+        });
+        exceeded.collect()
+    }
+
+    /// A warning of everything that is beyond the limits at the beginning of a flight, if anything is.
+    pub fn warning(exceeded: &[LimitExceeded], model: &ReducedModel, settings: &Settings) -> Option<String> {
+        let Settings { airspeed, altitude, .. } = settings;
+        let condition = match model.tunnel_air {
+            Some(air) => format!("{airspeed} m/s in air of {} kg/m³", air.density),
+            None => format!("{airspeed} m/s and {altitude} m"),
+        };
+        let list: Vec<String> = exceeded.iter().map(ToString::to_string).collect();
+        (!list.is_empty()).then(|| format!("the trim at {condition} stands, but {}", list.join("; ")))
+    }
+}
+
+impl LimitedQuantity {
+    /// For people.
+    pub fn name(self) -> &'static str {
+        match self {
+            LimitedQuantity::AngleOfAttack => "angle of attack",
+            LimitedQuantity::Mach => "Mach number",
+            LimitedQuantity::Thrust => "thrust per engine",
+            LimitedQuantity::Elevator => "elevator",
+            LimitedQuantity::Aileron => "aileron",
+            LimitedQuantity::AileronSymmetric => "aileron_symmetric",
+            LimitedQuantity::Rudder => "rudder",
+        }
+    }
+
+    /// A value with its unit.
+    pub fn text(self, value: f64) -> String {
+        match self {
+            LimitedQuantity::Mach => format!("{value:.3}"),
+            LimitedQuantity::Thrust => format!("{value:.0} N"),
+            _ => format!("{value:.4} rad ({:.1}°)", value.to_degrees()),
+        }
+    }
+}
+
+impl fmt::Display for LimitExceeded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let LimitExceeded { quantity, value, limit } = self;
+        let bound = limit.value().unwrap_or(f64::NAN);
+        let side = if *value > bound { "above" } else { "below" };
+        let source = match limit {
+            Bound::Given(_) => "the aircraft file's limit",
+            Bound::Usual(_) | Bound::None => "the usual limit, for the aircraft file gives none",
+        };
+        let [value, bound] = [*value, bound].map(|value| quantity.text(value));
+        write!(f, "{} {value} is {side} {bound}, {source}", quantity.name())
+    }
+}

@@ -1,0 +1,31 @@
+//! A flight in time: the thing a user steps.
+
+mod airframe;
+mod amplitudes;
+mod course;
+mod error;
+mod exponential;
+mod inputs;
+mod integrator;
+mod limits;
+mod moment;
+mod neighbours;
+mod outputs;
+mod point;
+mod settings;
+mod simulation;
+mod snapshot;
+mod spectrum;
+mod steering;
+
+pub use error::SimulationError;
+pub use inputs::Inputs;
+pub use limits::{LimitExceeded, LimitedQuantity};
+pub use moment::{LATEST, LONGEST_STEP, resolution};
+pub use neighbours::Neighbours;
+pub use outputs::{AirData, Deflection, Outputs};
+pub use settings::{InputReference, ModeSelection, Settings};
+pub use simulation::Simulation;
+
+#[cfg(test)]
+mod tests;

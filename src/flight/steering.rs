@@ -1,0 +1,120 @@
+//! The inputs as functions of time: values and rates set at an instant, about the trim or absolute.
+
+use nalgebra::Vector3;
+
+use crate::equations::Controls;
+use crate::plant::TrimPoint;
+
+use super::course::{Course, ROUNDING};
+use super::inputs::Inputs;
+use super::moment::Moment;
+use super::settings::{InputReference, Settings};
+
+/// What acts on the aircraft from the last setting of the inputs on.
+#[derive(Clone, Debug)]
+pub struct Steering {
+    /// The trim, to which inputs may add.
+    pub trim: TrimPoint,
+    reference: InputReference,
+    /// The controls' wind is along it.
+    course: Course,
+    /// Values at the time they were set.
+    pub inputs: Inputs,
+    /// Per second.
+    pub rates: Inputs,
+    /// When they were set.
+    pub(super) since: Moment,
+}
+
+impl Steering {
+    /// Hands off, from the start on.
+    pub fn new(trim: TrimPoint, settings: &Settings, engines: usize) -> Self {
+        let (inputs, rates) = (Inputs::zero(engines), Inputs::zero(engines));
+        let course = Course::new(settings.heading);
+        Steering { trim, reference: settings.input_reference, course, inputs, rates, since: Moment::START }
+    }
+
+    /// Sets inputs and rates at a time; returns whether that changes anything.
+    pub(super) fn set(&mut self, inputs: &Inputs, rates: &Inputs, time: Moment) -> bool {
+        let is_steady = self.rates.is_zero() && rates.is_zero() && inputs.wind_rate == Vector3::zeros();
+        if is_steady && self.inputs == *inputs {
+            return false;
+        }
+        self.inputs.clone_from(inputs);
+        self.rates.clone_from(rates);
+        self.since = time;
+        true
+    }
+
+    /// Writes the inputs as they stand at a time: what was set, and what its rates have made of it.
+    pub(super) fn write_inputs(&self, time: Moment, inputs: &mut Inputs) {
+        inputs.clone_from(&self.inputs);
+        inputs.ramp(time.since(self.since), &self.rates);
+    }
+
+    /// Whether all inputs are numbers until a time.
+    pub(super) fn is_finite_until(&self, time: Moment) -> bool {
+        let elapsed = time.since(self.since);
+        let mut values = self.inputs.values().zip(self.rates.values());
+        values.all(|(value, rate)| (value + elapsed * rate).is_finite())
+            && self.winds_after(elapsed).iter().all(|wind| wind.iter().all(|number| number.is_finite()))
+    }
+
+    /// Whether everything acts alike on both sides, but for rounding, and will; `images` has the mirror image of each
+    /// engine.
+    pub fn is_symmetric(&self, images: &[usize]) -> bool {
+        let Steering { inputs, rates, .. } = self;
+        let TrimPoint { aileron, rudder, thrust: trimmed, .. } = self.reference_values();
+        let are_alike = |a: f64, b: f64| (a - b).abs() <= ROUNDING * a.abs().max(b.abs());
+        let mut engines = images.iter().enumerate();
+        (aileron + inputs.aileron).abs().max((rudder + inputs.rudder).abs()) <= ROUNDING
+            && (rates.aileron, rates.rudder) == (0.0, 0.0)
+            && self.winds().into_iter().all(|wind| wind.y == 0.0)
+            && engines.all(|(engine, &image)| {
+                are_alike(trimmed + inputs.thrust[engine], trimmed + inputs.thrust[image])
+                    && are_alike(rates.thrust[engine], rates.thrust[image])
+            })
+    }
+
+    /// Along the course: the wind when it was set, m/s, its rate, m/s², and the rate of that, m/s³.
+    fn winds(&self) -> [Vector3<f64>; 3] {
+        let Steering { inputs, rates, course, .. } = self;
+        // Each by itself, for the rounding of a sum may be more than a part of the sum.
+        let [wind, given, input, change] =
+            [inputs.wind, rates.wind, inputs.wind_rate, rates.wind_rate].map(|wind| course.along(&wind));
+        [wind, given + input, change]
+    }
+
+    /// Along the course: the wind a time (s) after it was set, m/s, and its rate, m/s².
+    fn winds_after(&self, elapsed: f64) -> [Vector3<f64>; 2] {
+        let [wind, rate, change] = self.winds();
+        [wind + (rate + change * (0.5 * elapsed)) * elapsed, rate + change * elapsed]
+    }
+
+    /// To which the inputs add.
+    fn reference_values(&self) -> TrimPoint {
+        match self.reference {
+            InputReference::Trim => self.trim,
+            InputReference::Absolute => TrimPoint::default(),
+        }
+    }
+
+    /// The absolute controls at a time.
+    pub(super) fn write_at(&self, time: Moment, controls: &mut Controls) {
+        self.write_after(time.since(self.since), controls);
+    }
+
+    /// The absolute controls a time (s) after the inputs were set.
+    pub fn write_after(&self, elapsed: f64, controls: &mut Controls) {
+        let Steering { inputs, rates, .. } = self;
+        let TrimPoint { elevator, aileron, rudder, thrust, .. } = self.reference_values();
+        controls.elevator = elevator + inputs.elevator + elapsed * rates.elevator;
+        controls.aileron = aileron + inputs.aileron + elapsed * rates.aileron;
+        controls.aileron_symmetric = inputs.aileron_symmetric + elapsed * rates.aileron_symmetric;
+        controls.rudder = rudder + inputs.rudder + elapsed * rates.rudder;
+        for ((acting, input), rate) in controls.thrust.iter_mut().zip(&inputs.thrust).zip(&rates.thrust) {
+            *acting = thrust + input + elapsed * rate;
+        }
+        [controls.wind, controls.wind_rate] = self.winds_after(elapsed);
+    }
+}

@@ -1,0 +1,9 @@
+//! How the deformed aircraft moves [2.1; physics.md §2].
+
+mod freedom;
+mod rigid_motion;
+mod superposition;
+
+pub(crate) use freedom::RigidFreedom;
+pub use rigid_motion::RigidMotion;
+pub(crate) use superposition::combine;

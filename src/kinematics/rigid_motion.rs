@@ -1,0 +1,12 @@
+//! The motion of the body axes.
+
+use nalgebra::Vector3;
+
+/// v and ω, body axes.
+#[derive(Clone, Copy, Debug)]
+pub struct RigidMotion {
+    /// v, m/s.
+    pub velocity: Vector3<f64>,
+    /// ω, rad/s.
+    pub rate: Vector3<f64>,
+}

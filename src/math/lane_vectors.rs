@@ -1,0 +1,185 @@
+//! Vectors of eight strips side by side: in space, and in the mirror plane y = 0.
+
+use std::ops::{Add, Mul, Sub};
+
+use nalgebra::Vector3;
+use pulp::Scalar;
+
+use super::arithmetic::Arithmetic;
+use super::lanes::{Eight, LANES, Lanes, Place};
+
+/// One vector for each strip of a group.
+#[derive(Clone, Copy, Debug)]
+pub struct EightVectors {
+    /// x components.
+    pub x: Eight,
+    /// y components.
+    pub y: Eight,
+    /// z components.
+    pub z: Eight,
+}
+
+impl EightVectors {
+    /// A vector for each strip.
+    pub fn new(vectors: [Vector3<f64>; LANES]) -> Self {
+        let component = |axis: usize| Eight(vectors.map(|vector| vector[axis]));
+        EightVectors { x: component(0), y: component(1), z: component(2) }
+    }
+}
+
+/// What can be projected on others of its kind and stretched, one for each strip in a register.
+pub trait Arrow<S: Arithmetic>: Copy + Add<Output = Self> + Mul<Lanes<S>, Output = Self> {
+    /// Scalar products.
+    fn dot(&self, other: &Self) -> Lanes<S>;
+}
+
+/// One vector for each strip in a register.
+#[derive(Clone, Copy, Debug)]
+pub struct LaneVector<S: Arithmetic> {
+    /// x components.
+    pub x: Lanes<S>,
+    /// y components.
+    pub y: Lanes<S>,
+    /// z components.
+    pub z: Lanes<S>,
+}
+
+/// One vector in the mirror plane for each strip in a register.
+#[derive(Clone, Copy, Debug)]
+pub struct PlaneVector<S: Arithmetic> {
+    /// x components.
+    pub x: Lanes<S>,
+    /// z components.
+    pub z: Lanes<S>,
+}
+
+impl LaneVector<Scalar> {
+    /// A single vector.
+    pub fn single(vector: &Vector3<f64>) -> Self {
+        LaneVector::splat(Place::single(), vector)
+    }
+
+    /// The single vector.
+    pub fn vector(&self) -> Vector3<f64> {
+        Vector3::new(self.x.numbers()[0], self.y.numbers()[0], self.z.numbers()[0])
+    }
+}
+
+impl<S: Arithmetic> LaneVector<S> {
+    /// The same vector in every lane.
+    #[inline(always)]
+    pub fn splat(place: Place<S>, vector: &Vector3<f64>) -> Self {
+        LaneVector { x: place.splat(vector.x), y: place.splat(vector.y), z: place.splat(vector.z) }
+    }
+
+    /// The vectors at a place of a group.
+    #[inline(always)]
+    pub fn load(place: Place<S>, vectors: &EightVectors) -> Self {
+        LaneVector { x: place.load(&vectors.x), y: place.load(&vectors.y), z: place.load(&vectors.z) }
+    }
+
+    /// Along axis 0 (x), 1 (y) or 2 (z).
+    #[inline(always)]
+    pub fn component(&self, axis: usize) -> Lanes<S> {
+        match axis {
+            0 => self.x,
+            1 => self.y,
+            _ => self.z,
+        }
+    }
+
+    /// Vector products.
+    #[inline(always)]
+    pub fn cross(&self, other: &Self) -> Self {
+        LaneVector {
+            x: self.y * other.z - self.z * other.y,
+            y: self.z * other.x - self.x * other.z,
+            z: self.x * other.y - self.y * other.x,
+        }
+    }
+}
+
+impl<S: Arithmetic> Arrow<S> for LaneVector<S> {
+    #[inline(always)]
+    fn dot(&self, other: &Self) -> Lanes<S> {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+}
+
+impl<S: Arithmetic> Add for LaneVector<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        LaneVector { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
+    }
+}
+
+impl<S: Arithmetic> Sub for LaneVector<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        LaneVector { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
+    }
+}
+
+impl<S: Arithmetic> Mul<Lanes<S>> for LaneVector<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, factor: Lanes<S>) -> Self {
+        LaneVector { x: self.x * factor, y: self.y * factor, z: self.z * factor }
+    }
+}
+
+impl<S: Arithmetic> PlaneVector<S> {
+    /// The same vector in every lane; its y component is left out.
+    #[inline(always)]
+    pub fn splat(place: Place<S>, vector: &Vector3<f64>) -> Self {
+        PlaneVector { x: place.splat(vector.x), z: place.splat(vector.z) }
+    }
+
+    /// The vectors at a place of a group, by their x and z components.
+    #[inline(always)]
+    pub fn load(place: Place<S>, [x, z]: [&Eight; 2]) -> Self {
+        PlaneVector { x: place.load(x), z: place.load(z) }
+    }
+
+    /// Vector products, which point along y.
+    #[inline(always)]
+    pub fn cross(&self, other: &Self) -> Lanes<S> {
+        self.z * other.x - self.x * other.z
+    }
+
+    /// The vector product of a vector along y and these: a quarter turn that takes z to x.
+    #[inline(always)]
+    pub fn turned_by(&self, along_y: Lanes<S>) -> Self {
+        PlaneVector { x: along_y * self.z, z: -(along_y * self.x) }
+    }
+}
+
+impl<S: Arithmetic> Arrow<S> for PlaneVector<S> {
+    #[inline(always)]
+    fn dot(&self, other: &Self) -> Lanes<S> {
+        self.x * other.x + self.z * other.z
+    }
+}
+
+impl<S: Arithmetic> Add for PlaneVector<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        PlaneVector { x: self.x + other.x, z: self.z + other.z }
+    }
+}
+
+impl<S: Arithmetic> Mul<Lanes<S>> for PlaneVector<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, factor: Lanes<S>) -> Self {
+        PlaneVector { x: self.x * factor, z: self.z * factor }
+    }
+}

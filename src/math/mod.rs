@@ -1,0 +1,20 @@
+//! What computes: numbers in registers, vectors and matrices of them, small linear systems, rotations. No aircraft.
+
+mod arithmetic;
+mod attitude;
+mod columns;
+mod lane_vectors;
+mod lanes;
+mod linear_solve;
+mod rotation;
+mod square_matrix;
+
+pub(crate) use arithmetic::{Arithmetic, Counting, Machine, Work};
+pub use attitude::Attitude;
+pub(crate) use attitude::{quaternion_of_euler_angles, quaternion_rate};
+pub(crate) use columns::Columns;
+pub(crate) use lane_vectors::{Arrow, EightVectors, LaneVector, PlaneVector};
+pub(crate) use lanes::{AlignedNumbers, Eight, LANES, Lanes, Place, zeros};
+pub(crate) use linear_solve::{LinearSystem, solve};
+pub(crate) use rotation::{Rotation, turned, turned_about_y};
+pub(crate) use square_matrix::{SPARE, SquareMatrix};

@@ -1,0 +1,210 @@
+//! The equations of motion linearised at a trim: ẋ = A x for small departures from steady flight.
+//!
+//! The derivatives are central differences of fourth order. Their steps are a thousandth of what each unknown
+//! is measured by, where the truncation error (∝ step⁴) and rounding (∝ 1/step) are both near 1e-12 of an
+//! entry; strain energy and inertia are polynomials of q for which the formula is exact.
+//!
+//! **Which unknowns.** Nothing depends on position north and east or on heading: they would only add zero
+//! eigenvalues, and are left out. Height stays, for the air thins with it. Roll and pitch angle stand for the
+//! attitude, since the length of a quaternion is no motion. Of a clamped aircraft the rigid-body unknowns are
+//! constants, and only q, q̇ and the inflow remain.
+
+use nalgebra::linalg::balancing::balance_parlett_reinsch;
+use nalgebra::{Complex, DMatrix, Schur};
+
+use crate::aircraft::Support;
+use crate::equations::{EquationsOfMotion, Workspace};
+use crate::math::{Attitude, quaternion_of_euler_angles};
+
+use super::trim::Trim;
+
+/// Step of the differences, as a share of the magnitude of the unknown.
+const STEP: f64 = 1e-3;
+
+/// The height over which the air changes noticeably, m.
+const ATMOSPHERIC_HEIGHT: f64 = 1e3;
+
+/// Airspeed that velocities are measured by at least, m/s: a wind tunnel may be off.
+const SLOWEST: f64 = 1.0;
+
+/// Relative size at which the eigensolver drops a subdiagonal entry, and larger ones where it does not come to an
+/// end: where many strips are alike, nalgebra's iteration does not at the machine's rounding (2.2e-16).
+const DEFLATIONS: [f64; 4] = [1e-13, 1e-12, 1e-11, 1e-10];
+
+/// Cap on the iterations of the eigensolver, per unknown.
+const MAX_ITERATIONS: usize = 30;
+
+/// An unknown of the linearised motion: a departure from the trim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Unknown {
+    /// Position down, m.
+    Down,
+    /// Roll angle, rad.
+    Roll,
+    /// Pitch angle, rad.
+    Pitch,
+    /// A component of v along body axis 0 (x), 1 (y) or 2 (z), m/s.
+    Velocity(usize),
+    /// A component of ω about body axis 0, 1 or 2, rad/s.
+    Rate(usize),
+    /// q of a mode.
+    Coordinate(usize),
+    /// q̇ of a mode.
+    CoordinateRate(usize),
+    /// An inflow state of a strip, m/s.
+    Inflow {
+        /// Index of the strip.
+        strip: usize,
+        /// Its place in the vector of the flight's states.
+        place: usize,
+    },
+}
+
+/// A of ẋ = A x.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StateMatrix {
+    /// The unknown of each row and column: rigid motion, q, q̇, then the inflow strip by strip, the real and
+    /// the imaginary part of a complex state side by side.
+    pub unknowns: Vec<Unknown>,
+    /// A: row by row the rate of an unknown, SI units.
+    pub matrix: DMatrix<f64>,
+}
+
+/// The eigenvalues of a state matrix did not converge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the eigenvalues of the linearised motion did not converge")]
+pub struct EigenvaluesNotFound;
+
+impl StateMatrix {
+    /// All eigenvalues, 1/s, in no particular order.
+    ///
+    /// # Errors
+    /// When the iteration does not converge.
+    pub fn eigenvalues(&self) -> Result<Vec<Complex<f64>>, EigenvaluesNotFound> {
+        if self.unknowns.is_empty() {
+            return Ok(Vec::new());
+        }
+        let cap = MAX_ITERATIONS * self.unknowns.len();
+        let mut balanced = self.matrix.clone();
+        balance_parlett_reinsch(&mut balanced);
+        let schur = |deflation| Schur::try_new(balanced.clone(), deflation, cap);
+        let schur = DEFLATIONS.into_iter().find_map(schur).ok_or(EigenvaluesNotFound)?;
+        Ok(schur.complex_eigenvalues().iter().copied().collect())
+    }
+}
+
+impl EquationsOfMotion {
+    /// Linearises the equations at a trim of theirs, surfaces and thrust held. Allocates.
+    pub fn linearise(&self, trim: &Trim) -> StateMatrix {
+        let controls = trim.controls(self.engine_count());
+        let unknowns = self.unknowns();
+        let airspeed = self.airspeed(&trim.state, &controls).max(SLOWEST);
+        let mut workspace = Workspace::new(self);
+        let mut rates = vec![0.0; trim.state.len()];
+        let mut rates_at = |unknown: Unknown, departure: f64| -> Vec<f64> {
+            let mut state = trim.state.clone();
+            self.displace(unknown, departure, &mut state);
+            self.rates(&state, &controls, &mut rates, &mut workspace);
+            unknowns.iter().map(|&row| self.rate_of(row, &state, &rates)).collect()
+        };
+        let mut matrix = DMatrix::zeros(unknowns.len(), unknowns.len());
+        for (mut column, &unknown) in matrix.column_iter_mut().zip(&unknowns) {
+            let step = STEP * self.magnitude(unknown, airspeed);
+            let [far_behind, behind, ahead, far_ahead] =
+                [-2.0, -1.0, 1.0, 2.0].map(|steps| rates_at(unknown, steps * step));
+            for (row, derivative) in column.iter_mut().enumerate() {
+                let (near, far) = (ahead[row] - behind[row], far_ahead[row] - far_behind[row]);
+                *derivative = (8.0 * near - far) / (12.0 * step);
+            }
+        }
+        StateMatrix { unknowns, matrix }
+    }
+
+    /// What moves.
+    fn unknowns(&self) -> Vec<Unknown> {
+        let layout = self.layout();
+        let rigid: &[Unknown] = match self.support() {
+            Support::Clamped => &[],
+            Support::Free => &[
+                Unknown::Down,
+                Unknown::Roll,
+                Unknown::Pitch,
+                Unknown::Velocity(0),
+                Unknown::Velocity(1),
+                Unknown::Velocity(2),
+                Unknown::Rate(0),
+                Unknown::Rate(1),
+                Unknown::Rate(2),
+            ],
+        };
+        let inflow = (0..self.strip_count()).flat_map(|strip| {
+            layout
+                .inflow_layout()
+                .of_strip(strip)
+                .into_iter()
+                .map(move |place| Unknown::Inflow { strip, place })
+        });
+        rigid
+            .iter()
+            .copied()
+            .chain((0..layout.modes()).map(Unknown::Coordinate))
+            .chain((0..layout.modes()).map(Unknown::CoordinateRate))
+            .chain(inflow)
+            .collect()
+    }
+
+    /// What an unknown is measured by: the airspeed, 1 rad, 1 rad/s, a deflection of some strip by 1 m or 1 rad.
+    fn magnitude(&self, unknown: Unknown, airspeed: f64) -> f64 {
+        match unknown {
+            Unknown::Down => ATMOSPHERIC_HEIGHT,
+            Unknown::Roll | Unknown::Pitch | Unknown::Rate(_) => 1.0,
+            Unknown::Velocity(_) | Unknown::Inflow { .. } => airspeed,
+            Unknown::Coordinate(_) => self.coordinate_magnitude(),
+            Unknown::CoordinateRate(_) => airspeed * self.coordinate_magnitude(),
+        }
+    }
+
+    /// Adds a departure to one unknown of a state.
+    fn displace(&self, unknown: Unknown, departure: f64, state: &mut [f64]) {
+        let layout = self.layout();
+        let mut turn = |axis: usize| {
+            let mut angles = Attitude::from_quaternion(&state[layout.attitude()]).euler_angles();
+            angles[axis] += departure;
+            state[layout.attitude()].copy_from_slice(&quaternion_of_euler_angles(&angles));
+        };
+        match unknown {
+            Unknown::Roll => turn(0),
+            Unknown::Pitch => turn(1),
+            Unknown::Down => state[layout.position().end - 1] += departure,
+            Unknown::Velocity(axis) => state[layout.velocity().start + axis] += departure,
+            Unknown::Rate(axis) => state[layout.rate().start + axis] += departure,
+            Unknown::Coordinate(mode) => state[layout.coordinates().start + mode] += departure,
+            Unknown::CoordinateRate(mode) => state[layout.coordinate_rates().start + mode] += departure,
+            Unknown::Inflow { place, .. } => state[place] += departure,
+        }
+    }
+
+    /// The rate of an unknown at a state with these rates.
+    fn rate_of(&self, unknown: Unknown, state: &[f64], rates: &[f64]) -> f64 {
+        let layout = self.layout();
+        match unknown {
+            Unknown::Roll => self.tilt_rates(state)[0],
+            Unknown::Pitch => self.tilt_rates(state)[1],
+            Unknown::Down => rates[layout.position().end - 1],
+            Unknown::Velocity(axis) => rates[layout.velocity().start + axis],
+            Unknown::Rate(axis) => rates[layout.rate().start + axis],
+            Unknown::Coordinate(mode) => rates[layout.coordinates().start + mode],
+            Unknown::CoordinateRate(mode) => rates[layout.coordinate_rates().start + mode],
+            Unknown::Inflow { place, .. } => rates[place],
+        }
+    }
+
+    /// Rates of roll and pitch angle, rad/s.
+    fn tilt_rates(&self, state: &[f64]) -> [f64; 2] {
+        let angles = Attitude::from_quaternion(&state[self.layout().attitude()]).euler_angles();
+        let rate = self.motion(state).rate;
+        let ((sin, cos), tan) = (libm::sincos(angles.x), libm::tan(angles.y));
+        let downwards = rate.y * sin + rate.z * cos;
+        [rate.x + downwards * tan, rate.y * cos - rate.z * sin]
+    }
+}

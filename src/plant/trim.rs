@@ -1,0 +1,144 @@
+//! Trim: steady straight flight, without sideslip where aileron and rudder can hold it, or the static deformation in a wind
+//! tunnel [5.1; physics.md §6].
+//!
+//! Pitch, elevator and thrust balance a symmetric aircraft. Where another one would go aside, bank angle, aileron and rudder are
+//! unknowns too, sideslip instead of a control that it has not. Without engines the climb angle takes the place of
+//! thrust: the aircraft glides, in balance where it is, in denser and denser air.
+
+use crate::equations::{Controls, EquationsOfMotion};
+
+use super::trim_error::TrimError;
+use super::trim_search::Search;
+
+/// The flight condition to be trimmed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TrimCondition {
+    /// m/s; in a wind tunnel the equations' tunnel flow replaces it.
+    pub airspeed: f64,
+    /// m.
+    pub altitude: f64,
+    /// Yaw angle, rad.
+    pub heading: f64,
+}
+
+/// What holds an aircraft in steady flight, and how it flies then.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TrimPoint {
+    /// θ, rad.
+    pub pitch: f64,
+    /// φ, rad.
+    pub roll: f64,
+    /// β, rad, positive with the wind from the right.
+    pub sideslip: f64,
+    /// γ of the path, rad, positive upwards; only an aircraft without engines has one.
+    pub climb_angle: f64,
+    /// rad.
+    pub elevator: f64,
+    /// rad.
+    pub aileron: f64,
+    /// rad.
+    pub rudder: f64,
+    /// N per engine.
+    pub thrust: f64,
+}
+
+/// A trimmed flight.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trim {
+    /// What holds it.
+    pub point: TrimPoint,
+    /// The complete state, wake at rest.
+    pub state: Vec<f64>,
+    /// What the search changed, in its own units and order.
+    pub unknowns: Vec<f64>,
+}
+
+impl TrimPoint {
+    /// α, rad: the angle of attack at which the path climbs at γ.
+    ///
+    /// With v = V (cos α cos β, sin β, sin α cos β) in body axes, sin γ = a cos α − b sin α − sin β sin φ cos θ, where
+    /// a = cos β sin θ and b = cos β cos φ cos θ.
+    pub fn angle_of_attack(&self) -> f64 {
+        let TrimPoint { pitch, roll, sideslip, climb_angle, .. } = *self;
+        let ((sin_pitch, cos_pitch), (sin_roll, cos_roll)) = (libm::sincos(pitch), libm::sincos(roll));
+        let (sin_sideslip, cos_sideslip) = libm::sincos(sideslip);
+        let [a, b] = [cos_sideslip * sin_pitch, cos_sideslip * cos_roll * cos_pitch];
+        let climb = libm::sin(climb_angle) + sin_sideslip * sin_roll * cos_pitch;
+        let upright = if roll == 0.0 { pitch } else { libm::atan2(a, b) };
+        upright - libm::asin((climb / libm::hypot(a, b)).clamp(-1.0, 1.0))
+    }
+
+    /// v of a given airspeed in still air, body axes.
+    pub fn velocity(&self, airspeed: f64) -> [f64; 3] {
+        let (sin, cos) = libm::sincos(self.angle_of_attack());
+        let (sin_sideslip, cos_sideslip) = libm::sincos(self.sideslip);
+        [airspeed * cos * cos_sideslip, airspeed * sin_sideslip, airspeed * sin * cos_sideslip]
+    }
+
+    /// The controls of the trimmed flight, in still air.
+    pub fn controls(&self, engines: usize) -> Controls {
+        let TrimPoint { elevator, aileron, rudder, thrust, .. } = *self;
+        let thrust = vec![thrust; engines];
+        Controls { elevator, aileron, rudder, thrust, ..Controls::neutral(0) }
+    }
+
+    /// For people, without what is 0; `engines` says whether there are any.
+    pub fn describe(&self, engines: bool) -> String {
+        let TrimPoint { pitch, roll, sideslip, climb_angle, elevator, aileron, rudder, thrust } = *self;
+        let mut text = format!("pitch {pitch:.5} rad, elevator {elevator:.5} rad");
+        let aside = [("bank angle", roll), ("sideslip", sideslip), ("aileron", aileron), ("rudder", rudder)];
+        for (name, angle) in aside.into_iter().filter(|(_, angle)| angle.abs() >= 5e-6) {
+            text += &format!(", {name} {angle:.5} rad");
+        }
+        text + &if engines {
+            format!(", thrust {thrust:.0} N per engine")
+        } else {
+            format!(", climb angle {climb_angle:.5} rad")
+        }
+    }
+}
+
+impl Trim {
+    /// The controls of the trimmed flight, in still air.
+    pub fn controls(&self, engines: usize) -> Controls {
+        self.point.controls(engines)
+    }
+}
+
+impl EquationsOfMotion {
+    /// Finds steady straight flight, without sideslip where aileron and rudder can hold it, and q at which all accelerations vanish, thrust equal on all
+    /// engines. A clamped aircraft keeps its attitude; only q is found.
+    ///
+    /// # Errors
+    /// When Newton's method finds no such state.
+    pub fn trim(&self, condition: &TrimCondition) -> Result<Trim, Box<TrimError>> {
+        let steady = self.with_steady_inflow();
+        Ok(Search::find(&steady, *condition)?.trim_of(self))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+    use crate::math::{Attitude, quaternion_of_euler_angles};
+
+    #[test]
+    fn the_angle_of_attack_makes_the_path_climb_as_it_should() {
+        let points = [
+            TrimPoint { pitch: 0.14, ..TrimPoint::default() },
+            TrimPoint { pitch: -0.02, climb_angle: -0.11, ..TrimPoint::default() },
+            TrimPoint { pitch: 0.1, roll: 0.3, ..TrimPoint::default() },
+            TrimPoint { pitch: 0.1, roll: -0.2, sideslip: 0.15, climb_angle: 0.05, ..TrimPoint::default() },
+        ];
+        for point in points {
+            let quaternion = quaternion_of_euler_angles(&Vector3::new(point.roll, point.pitch, 0.7));
+            let velocity = Vector3::from(point.velocity(50.0));
+            let path = Attitude::from_quaternion(&quaternion).body_from_inertial.tr_mul(&velocity);
+            assert!((velocity.norm() - 50.0).abs() < 1e-12, "{point:?}");
+            assert!((libm::asin(-path.z / 50.0) - point.climb_angle).abs() < 1e-14, "{point:?}");
+            assert!((libm::asin(velocity.y / 50.0) - point.sideslip).abs() < 1e-14, "{point:?}");
+        }
+    }
+}

@@ -1,0 +1,367 @@
+//! Newton's method for the trim.
+
+use nalgebra::Vector3;
+
+use crate::air::STANDARD_GRAVITY;
+use crate::aircraft::Support;
+use crate::equations::{Controls, EquationsOfMotion, Workspace};
+use crate::math::{Attitude, quaternion_of_euler_angles, solve};
+use crate::strips::{SURFACES, SurfaceKind};
+
+use super::trim::{Trim, TrimCondition, TrimPoint};
+use super::trim_error::{TrimError, TrimFailure};
+
+/// Newton steps before giving up.
+const MAX_STEPS: usize = 60;
+
+/// Newton steps smaller than this (rad, weights, metres of mode) no longer improve the trim.
+const SMALLEST_STEP: f64 = 1e-15;
+
+/// Largest change of an angle in one Newton step, rad.
+const LARGEST_TURN: f64 = 0.2;
+
+/// Accelerations below this are in balance: m/s², rad/s², and modal accelerations relative to the largest
+/// elastic one.
+const BALANCED: f64 = 1e-7;
+
+/// An aircraft that goes aside or turns by less than this, m/s² or rad/s², is symmetric up to rounding.
+const STRAIGHT: f64 = 1e-10;
+
+/// Places of the equations of the plane of symmetry in ν, and of those across it.
+const IN_PLANE: [usize; 3] = [0, 2, 4];
+const ASIDE: [usize; 3] = [1, 3, 5];
+
+/// Wings that do not carry the weight at this angle of attack are too slow, rad.
+const STEEP: f64 = 15.0 * std::f64::consts::PI / 180.0;
+
+/// What the search may change of a [`TrimPoint`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum TrimUnknown {
+    Pitch,
+    Elevator,
+    /// In parts of the weight.
+    Thrust,
+    ClimbAngle,
+    Roll,
+    Sideslip,
+    Aileron,
+    Rudder,
+}
+
+/// How Newton's method ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum SearchEnd {
+    /// The steps stopped shrinking.
+    Steps(usize),
+    /// They did not in so many.
+    TooMany(usize),
+    /// The Jacobian became singular.
+    Singular(usize),
+}
+
+/// A search, then what it has found.
+pub(crate) struct Search<'a> {
+    equations: &'a EquationsOfMotion,
+    condition: TrimCondition,
+    /// The unknowns before q.
+    flight: Vec<TrimUnknown>,
+    /// The rows of ν that they balance.
+    rows: Vec<usize>,
+    values: Vec<f64>,
+    /// Whether the last steps led to where the rows vanish.
+    converged: bool,
+    state: Vec<f64>,
+    controls: Controls,
+    rates: Vec<f64>,
+    workspace: Workspace,
+}
+
+impl<'a> Search<'a> {
+    /// Searches in the plane of symmetry first; where the aircraft leaves it, all around.
+    pub fn find(equations: &'a EquationsOfMotion, condition: TrimCondition) -> Result<Self, Box<TrimError>> {
+        let mut search = Search::new(equations, condition);
+        let in_plane = search.run();
+        if search.is_straight() {
+            return in_plane.map(|()| search);
+        }
+        let controls = lateral_controls(equations);
+        if controls == [false; 2] {
+            return match in_plane {
+                Ok(()) => Ok(search),
+                Err(error) => Err(Box::new(search.without_lateral_controls(*error))),
+            };
+        }
+        let mut all_around = Search::new(equations, condition);
+        if search.converged {
+            all_around.values.clone_from(&search.values);
+        }
+        all_around.add_lateral(controls);
+        match (all_around.run(), in_plane) {
+            (Ok(()), _) => Ok(all_around),
+            (Err(_), Ok(())) => Ok(search),
+            (Err(error), Err(_)) => Err(error),
+        }
+    }
+
+    /// What was found, or where the search is.
+    pub fn point(&self) -> TrimPoint {
+        // Of a clamped aircraft the mount's; of a free one there is none.
+        let mount = &self.equations.mount;
+        let mut point = TrimPoint { roll: mount.x, pitch: mount.y, ..TrimPoint::default() };
+        for (unknown, &value) in self.flight.iter().zip(&self.values) {
+            match unknown {
+                TrimUnknown::Pitch => point.pitch = value,
+                TrimUnknown::Elevator => point.elevator = value,
+                TrimUnknown::Thrust => point.thrust = value * self.weight_per_engine(),
+                TrimUnknown::ClimbAngle => point.climb_angle = value,
+                TrimUnknown::Roll => point.roll = value,
+                TrimUnknown::Sideslip => point.sideslip = value,
+                TrimUnknown::Aileron => point.aileron = value,
+                TrimUnknown::Rudder => point.rudder = value,
+            }
+        }
+        point
+    }
+
+    /// What was found at the last evaluation, for equations that may have an inflow.
+    pub fn trim_of(&self, equations: &EquationsOfMotion) -> Trim {
+        let mut state = vec![0.0; equations.layout().len()];
+        let steady = self.equations.layout().structure();
+        state[equations.layout().structure()].copy_from_slice(&self.state[steady]);
+        equations.settle_inflow(&mut state, &self.controls);
+        Trim { point: self.point(), state, unknowns: self.values.clone() }
+    }
+
+    /// At unknowns of a trim that such equations have found.
+    pub fn resume(equations: &'a EquationsOfMotion, condition: TrimCondition, unknowns: &[f64]) -> Self {
+        let mut search = Search::new(equations, condition);
+        if unknowns.len() > search.values.len() {
+            search.add_lateral(lateral_controls(equations));
+        }
+        search.values.copy_from_slice(unknowns);
+        search
+    }
+
+    /// Goes elsewhere.
+    pub fn set_unknowns(&mut self, unknowns: impl Iterator<Item = f64>) {
+        self.values.iter_mut().zip(unknowns).for_each(|(place, unknown)| *place = unknown);
+    }
+
+    /// In the plane of symmetry, all unknowns at zero.
+    fn new(equations: &'a EquationsOfMotion, condition: TrimCondition) -> Self {
+        let flight = match (equations.support(), equations.engine_count()) {
+            (Support::Free, 0) => vec![TrimUnknown::Pitch, TrimUnknown::Elevator, TrimUnknown::ClimbAngle],
+            (Support::Free, _) => vec![TrimUnknown::Pitch, TrimUnknown::Elevator, TrimUnknown::Thrust],
+            (Support::Clamped, _) => Vec::new(),
+        };
+        Search {
+            condition,
+            rows: IN_PLANE[..flight.len()].to_vec(),
+            values: vec![0.0; flight.len() + equations.layout().modes()],
+            flight,
+            converged: false,
+            state: vec![0.0; equations.layout().len()],
+            controls: Controls::neutral(equations.engine_count()),
+            rates: vec![0.0; equations.layout().len()],
+            workspace: Workspace::new(equations),
+            equations,
+        }
+    }
+
+    /// Takes bank angle and the controls that there are, aileron and rudder, as unknowns too; sideslip for one that is not.
+    fn add_lateral(&mut self, [aileron, rudder]: [bool; 2]) {
+        let place = self.flight.len();
+        let control = |there: bool, unknown| if there { unknown } else { TrimUnknown::Sideslip };
+        self.flight.extend([
+            TrimUnknown::Roll,
+            control(aileron, TrimUnknown::Aileron),
+            control(rudder, TrimUnknown::Rudder),
+        ]);
+        self.rows.extend(ASIDE);
+        self.values.splice(place..place, [0.0; 3]);
+    }
+
+    fn weight_per_engine(&self) -> f64 {
+        let weight = self.equations.integrals().mass * STANDARD_GRAVITY;
+        weight / self.equations.engine_count().max(1) as f64
+    }
+
+    /// Writes the unknowns into state and controls, and evaluates the equations there.
+    fn evaluate(&mut self) {
+        let point = self.point();
+        (self.controls.elevator, self.controls.aileron, self.controls.rudder) =
+            (point.elevator, point.aileron, point.rudder);
+        self.controls.thrust.fill(point.thrust);
+        let layout = *self.equations.layout();
+        let TrimCondition { airspeed, altitude, heading } = self.condition;
+        self.state[layout.position().end - 1] = 0.0 - altitude;
+        if self.equations.support() == Support::Free {
+            self.state[layout.velocity()].copy_from_slice(&point.velocity(airspeed));
+        }
+        let angles = Vector3::new(point.roll, point.pitch, heading + self.equations.mount.z);
+        self.state[layout.attitude()].copy_from_slice(&quaternion_of_euler_angles(&angles));
+        self.state[layout.coordinates()].copy_from_slice(&self.values[self.flight.len()..]);
+        self.equations.rates(&self.state, &self.controls, &mut self.rates, &mut self.workspace);
+    }
+
+    /// The generalised forces that must vanish: those that the flight's unknowns balance, and on each q.
+    pub fn residual(&mut self, out: &mut [f64]) {
+        self.evaluate();
+        let forces = self.workspace.forces();
+        let (flight, elastic) = out.split_at_mut(self.rows.len());
+        for (out, &row) in flight.iter_mut().zip(&self.rows) {
+            *out = forces[row];
+        }
+        elastic.copy_from_slice(&forces[6..]);
+    }
+
+    /// Searches from the present unknowns on.
+    fn run(&mut self) -> Result<(), Box<TrimError>> {
+        let end = self.iterate();
+        self.converged = matches!(end, SearchEnd::Steps(_));
+        self.check_balance(end)
+    }
+
+    /// Iterates until the steps stop shrinking.
+    fn iterate(&mut self) -> SearchEnd {
+        let n = self.values.len();
+        let (mut jacobian, mut step) = (vec![0.0; n * n], vec![0.0; n]);
+        let mut previous = f64::INFINITY;
+        for count in 0..MAX_STEPS {
+            self.jacobian(&mut jacobian);
+            self.residual(&mut step);
+            if !solve(&jacobian, &mut step) {
+                return SearchEnd::Singular(count);
+            }
+            let angles =
+                self.flight.iter().zip(&step).filter(|(unknown, _)| **unknown != TrimUnknown::Thrust);
+            let largest_turn = angles.fold(0.0_f64, |largest, (_, turn)| largest.max(turn.abs()));
+            let damping = (LARGEST_TURN / largest_turn).min(1.0);
+            for (value, step) in self.values.iter_mut().zip(&step) {
+                *value -= damping * step;
+            }
+            let size = relative_size(&step, &self.values);
+            if size <= SMALLEST_STEP || (size < 1e-10 && size >= previous) {
+                return SearchEnd::Steps(count + 1);
+            }
+            previous = size;
+        }
+        SearchEnd::TooMany(MAX_STEPS)
+    }
+
+    /// Derivatives of the residual by central differences, row-major.
+    pub fn jacobian(&mut self, jacobian: &mut [f64]) {
+        let n = self.values.len();
+        let (mut ahead, mut behind) = (vec![0.0; n], vec![0.0; n]);
+        for column in 0..n {
+            let value = self.values[column];
+            let step = 1e-5 * value.abs().max(0.1);
+            self.values[column] = value + step;
+            self.residual(&mut ahead);
+            self.values[column] = value - step;
+            self.residual(&mut behind);
+            self.values[column] = value;
+            for row in 0..n {
+                jacobian[row * n + column] = (ahead[row] - behind[row]) / (2.0 * step);
+            }
+        }
+    }
+
+    /// v̇ and ω̇ of the last evaluation.
+    fn rigid(&self) -> [f64; 6] {
+        let accelerations = self.workspace.accelerations();
+        std::array::from_fn(|component| accelerations[component])
+    }
+
+    /// Whether nothing at the last evaluation moves a free aircraft aside, or nothing can.
+    fn is_straight(&self) -> bool {
+        self.equations.support() == Support::Clamped
+            || ASIDE.iter().all(|&row| self.rigid()[row].abs() < STRAIGHT)
+    }
+
+    /// Accepts the present unknowns only when nothing accelerates, laterally too.
+    fn check_balance(&mut self, end: SearchEnd) -> Result<(), Box<TrimError>> {
+        self.evaluate();
+        let modal = largest(&self.workspace.accelerations()[6..]);
+        let elastic = largest(&self.workspace.elastic_force).max(1.0);
+        let reversed = self.equations.reversed_strip(&self.state, &self.controls, &self.workspace);
+        let in_balance = self.workspace.accelerations().iter().all(|a| a.is_finite())
+            && largest(&self.rigid()) < BALANCED
+            && modal < BALANCED * elastic
+            && reversed.is_none();
+        if in_balance { Ok(()) } else { Err(Box::new(self.error(end, modal))) }
+    }
+
+    /// Why the search ended out of balance, and where.
+    fn error(&self, end: SearchEnd, modal: f64) -> TrimError {
+        let TrimCondition { airspeed, altitude, .. } = self.condition;
+        let (SearchEnd::Steps(steps) | SearchEnd::TooMany(steps) | SearchEnd::Singular(steps)) = end;
+        let failure = match (self.equations.support(), end) {
+            (Support::Clamped, _) => TrimFailure::NoRest,
+            (Support::Free, end) => match (self.share_carried(), end) {
+                (Some(share), _) if share < 1.0 => TrimFailure::TooSlow { share },
+                (_, SearchEnd::Singular(_)) => TrimFailure::NoAuthority,
+                (_, SearchEnd::Steps(_) | SearchEnd::TooMany(_)) => TrimFailure::NotFound,
+            },
+        };
+        TrimError {
+            failure,
+            airspeed,
+            altitude,
+            density: self.equations.air(&self.state).density,
+            steps,
+            point: self.point(),
+            support: self.equations.support(),
+            has_engines: self.equations.engine_count() > 0,
+            rigid: self.rigid(),
+            modal,
+        }
+    }
+
+    /// What an aircraft whose plane of symmetry is in balance lacks, if it has neither aileron nor rudder.
+    fn without_lateral_controls(&self, error: TrimError) -> TrimError {
+        let goes_aside = ASIDE.iter().any(|&row| self.rigid()[row].abs() >= BALANCED);
+        if !self.converged || !goes_aside {
+            return error;
+        }
+        let forces = self.workspace.forces();
+        let [side_force, rolling, yawing] = ASIDE.map(|row| forces[row]);
+        TrimError { failure: TrimFailure::NoLateralControl { side_force, rolling, yawing }, ..error }
+    }
+
+    /// Which share of the weight level, undeformed wings carry at 15° of incidence, without thrust and controls; none
+    /// without wings or weight.
+    fn share_carried(&self) -> Option<f64> {
+        let mut level = Search::new(self.equations, self.condition);
+        *level.values.first_mut()? = STEEP;
+        level.evaluate();
+        let layout = self.equations.layout();
+        let attitude = Attitude::from_quaternion(&level.state[layout.attitude()]);
+        let force = Vector3::from_column_slice(&level.workspace.forces()[0..3]);
+        let downwards = attitude.body_from_inertial.tr_mul(&force).z;
+        let weight = self.equations.integrals().mass * self.equations.gravity;
+        let share = 1.0 - downwards / weight;
+        (share.is_finite() && share > 1e-9).then_some(share)
+    }
+}
+
+/// Whether there are ailerons, and a rudder.
+fn lateral_controls(equations: &EquationsOfMotion) -> [bool; 2] {
+    [SurfaceKind::Aileron, SurfaceKind::Rudder].map(|kind| {
+        let mut angles = [0.0; SURFACES];
+        angles[kind as usize] = 1.0;
+        equations.flap_factors().iter().any(|factor| factor.value(&angles) != 0.0)
+    })
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0_f64, |max, value| max.max(value.abs()))
+}
+
+/// Largest step relative to its unknown.
+fn relative_size(steps: &[f64], unknowns: &[f64]) -> f64 {
+    steps
+        .iter()
+        .zip(unknowns)
+        .fold(0.0, |size, (step, unknown)| size.max(step.abs() / unknown.abs().max(1.0)))
+}

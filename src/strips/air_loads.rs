@@ -1,0 +1,87 @@
+//! The loads and the apparent mass of all strips, and how their wakes change [4.1; physics.md §4].
+
+use crate::math::{Arithmetic, LANES, Place, SquareMatrix, Work};
+
+use super::group::{Group, MovingSections, Strips, Surroundings, first_reversed};
+use super::inflow::{InflowStates, WakeFlow};
+use super::inflow_layout::InflowLayout;
+use super::sums::StripSums;
+
+/// What the loads of all strips are computed from, and where they go.
+pub struct SumLoads<'a> {
+    /// The strips.
+    pub strips: &'a Strips,
+    /// The state of the aircraft and of the air.
+    pub around: &'a Surroundings<'a>,
+    /// Where the inflow states stand.
+    pub layout: &'a InflowLayout,
+    /// All states.
+    pub state: &'a [f64],
+    /// The rates of the inflow states are written here.
+    pub rates: &'a mut [f64],
+    /// Scratch memory.
+    pub sums: &'a mut StripSums,
+    /// The forces on ν with all flaps neutral are added to these.
+    pub passive: &'a mut [f64],
+    /// Those per unit of each factor of the flaps' loads, one row on ν after the other, are added to these.
+    pub effects: &'a mut [f64],
+    /// The apparent mass is added to this mass matrix of the components that move; of a symmetric one only the upper
+    /// triangle.
+    pub mass: &'a mut SquareMatrix,
+}
+
+impl Work for SumLoads<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with<S: Arithmetic>(self, simd: S) {
+        if self.sums.is_symmetric() { self.sum::<S, true>(simd) } else { self.sum::<S, false>(simd) }
+    }
+}
+
+impl SumLoads<'_> {
+    /// `SYMMETRIC` where apparent mass is.
+    #[inline(always)]
+    fn sum<S: Arithmetic, const SYMMETRIC: bool>(self, simd: S) {
+        let SumLoads { strips, around, layout, state, rates, sums, passive, effects, mass } = self;
+        sums.clear();
+        for (index, group) in strips.groups.iter().enumerate() {
+            let inflow = layout.of_group(index);
+            let (states, mut rates) = (inflow.read(state), inflow.write(rates));
+            for place in Place::all(simd) {
+                if group.in_plane {
+                    let mut moving = group.deform_in_plane::<S, SYMMETRIC>(place, around);
+                    follow_wake(place, (index, group), around, &mut moving, (&states, &mut rates), sums);
+                    group.distribute_in_plane::<S, SYMMETRIC>(place, index, around, &moving, sums);
+                } else {
+                    let mut moving = group.deform::<S, SYMMETRIC>(place, around);
+                    follow_wake(place, (index, group), around, &mut moving, (&states, &mut rates), sums);
+                    group.distribute::<S, SYMMETRIC>(place, index, around, &moving, sums);
+                }
+            }
+        }
+        let edge_on = strips.edge_on.add_drag(simd, around, sums);
+        sums.reversed = sums.reversed.or(edge_on.map(|strip| strips.count + strip));
+        sums.add_to(simd, around.density, (passive, effects), mass);
+    }
+}
+
+/// Finds the induced velocity of strips and writes the rates of their inflow states; notes reverse flow.
+#[inline(always)]
+fn follow_wake<S: Arithmetic, Motion>(
+    place: Place<S>,
+    (index, group): (usize, &Group),
+    around: &Surroundings,
+    MovingSections { flow, .. }: &mut MovingSections<S, Motion>,
+    (states, rates): (&InflowStates<&[f64]>, &mut InflowStates<&mut [f64]>),
+    sums: &mut StripSums,
+) {
+    if flow.chordwise.least() <= 0.0 && sums.reversed.is_none() {
+        let lane = first_reversed(flow.chordwise, place.load(&group.section.lift_slope));
+        sums.reversed = lane.map(|lane| index * LANES + place.lane(lane));
+    }
+    let passing = flow.chordwise * place.load(&group.per_semichord);
+    let wake = WakeFlow { w3: flow.w3, passing };
+    flow.induced = around.inflow.induced_velocity(place, states, flow.w3);
+    around.inflow.write_rates(place, states, &wake, rates);
+}

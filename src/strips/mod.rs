@@ -1,0 +1,22 @@
+//! Aerodynamic strips: sections with their inflow and flaps, side by side on the deformed aircraft [4.1; physics.md §4].
+
+mod air_loads;
+mod edge_on;
+mod flap;
+mod flap_factor;
+mod group;
+mod in_plane;
+mod in_space;
+mod inflow;
+mod inflow_layout;
+mod loads;
+mod section;
+mod sums;
+
+pub(crate) use air_loads::SumLoads;
+pub use flap::FlapEffect;
+pub(crate) use flap_factor::{FlapFactor, SURFACES, SurfaceKind};
+pub(crate) use group::{Strips, Surroundings};
+pub use inflow::{InflowStates, PetersInflow};
+pub use inflow_layout::{GroupInflow, InflowLayout};
+pub(crate) use sums::StripSums;

@@ -1,0 +1,342 @@
+//! The right half of an aircraft, for motion that is its own mirror image in the plane y = 0 (physics.md §1).
+//!
+//! In such motion antisymmetric modes rest, left and right carry the same loads, and what the left half does is known
+//! from the right one. The half keeps the symmetric modes, the strips on the right at twice their width and those in
+//! the plane, laid into it exactly; integrals over the mass and strain energy stay those of the whole aircraft. Strips in the
+//! plane whose normal points sideways, such as a fin's, meet the flow edge-on: only their drag remains.
+
+use nalgebra::Vector3;
+
+use crate::aircraft::{ControlGains, Flap};
+use crate::equations::{Configuration, EquationsOfMotion};
+use crate::structure::{ModeFamily, ModeShapes, ReducedEngine, ReducedModel, ReducedStrip};
+
+/// How far mirror images may differ, in parts of the aircraft's size or of each number.
+const SYMMETRIC: f64 = 1e-9;
+
+/// What symmetric motion needs of an aircraft with a mirror plane.
+#[derive(Clone, Debug)]
+pub struct SymmetricHalf {
+    /// The half's strips but those edge-on, those in the plane last; the symmetric modes, all engines and stations.
+    pub model: ReducedModel,
+    /// The strips that meet the flow edge-on.
+    pub edge_on: Vec<ReducedStrip>,
+    /// Which modes of the whole aircraft the half has.
+    pub modes: Vec<usize>,
+    /// For each strip of the whole aircraft the one of the half that moves as it does or as its mirror image.
+    pub strips: Vec<Counterpart>,
+    /// For each engine its mirror image.
+    pub engines: Vec<usize>,
+}
+
+/// The strip of the half that stands for one of the whole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Counterpart {
+    /// One of the half's model.
+    Lifting {
+        /// Its index there.
+        index: usize,
+        /// 1, or −1 where the span axis points the other way than the mirrored one: upwash and inflow change their
+        /// sign.
+        sign: f64,
+    },
+    /// One of those edge-on, by its index; its inflow rests.
+    EdgeOn(usize),
+}
+
+impl SymmetricHalf {
+    /// The half of an aircraft; `None` when it has no mirror plane, or when gravity or the tunnel's flow is not in it.
+    pub fn find(whole: &ReducedModel) -> Option<Self> {
+        let unsymmetric = |family| family == ModeFamily::Unsymmetric;
+        let is_upright = (whole.mount.x, whole.mount.z) == (0.0, 0.0);
+        if whole.modes.iter().any(|mode| unsymmetric(mode.family)) || !mass_is_symmetric(whole) || !is_upright
+        {
+            return None;
+        }
+        let symmetric = |&mode: &usize| whole.modes[mode].family == ModeFamily::Symmetric;
+        let modes: Vec<usize> = (0..whole.modes.len()).filter(symmetric).collect();
+        let mut model = whole.select(&modes);
+        let mirror = Mirror::of(&model);
+        let engines = mirror.engine_images(&model.engines)?;
+        let images = mirror.images(&model.strips)?;
+        let (mut kept, mut edge_on) = (Vec::new(), Vec::new());
+        let mut places = vec![None; images.len()];
+        for (index, strip) in model.strips.iter().enumerate().filter(|(index, _)| images[*index].of == *index)
+        {
+            if images[index].is_edge_on() {
+                places[index] = Some(Counterpart::EdgeOn(edge_on.len()));
+                edge_on.push(strip.clone());
+            } else {
+                kept.push((index, half_strip(strip, images[index].is_in_plane)));
+            }
+        }
+        // Those in the plane last, so that they are computed together.
+        kept.sort_by_key(|(index, _)| images[*index].is_in_plane);
+        for (place, (index, _)) in kept.iter().enumerate() {
+            places[*index] = Some(Counterpart::Lifting { index: place, sign: images[*index].sign });
+        }
+        model.strips = kept.into_iter().map(|(_, strip)| strip).collect();
+        let counterpart = |image: &Image| match places[image.of]? {
+            Counterpart::Lifting { index, .. } => Some(Counterpart::Lifting { index, sign: image.sign }),
+            edge_on @ Counterpart::EdgeOn(_) => Some(edge_on),
+        };
+        let strips = images.iter().map(counterpart).collect::<Option<_>>()?;
+        Some(SymmetricHalf { model, edge_on, modes, strips, engines })
+    }
+
+    /// The equations of symmetric motion, with neither ailerons against each other nor rudder nor wind from the side.
+    pub fn equations(&self, configuration: &Configuration) -> EquationsOfMotion {
+        EquationsOfMotion::in_plane(&self.model, &self.edge_on, configuration)
+    }
+}
+
+/// A strip as it counts in the half.
+fn half_strip(strip: &ReducedStrip, is_in_plane: bool) -> ReducedStrip {
+    let mut strip = strip.clone();
+    if is_in_plane {
+        lay_in_plane(&mut strip);
+    } else {
+        strip.width *= 2.0;
+    }
+    if let Some(Flap { gains, .. }) = &mut strip.flap {
+        // What turns the two sides differently is at rest.
+        *gains = ControlGains { aileron: 0.0, rudder: 0.0, ..*gains };
+    }
+    strip
+}
+
+/// Takes off what symmetry up to rounding has left across the plane.
+fn lay_in_plane(strip: &mut ReducedStrip) {
+    let ReducedStrip { position, forward, span, shapes: ModeShapes { translation, rotation }, .. } = strip;
+    (position.y, forward.y) = (0.0, 0.0);
+    *span = Vector3::new(0.0, span.y.signum(), 0.0);
+    let n = translation.len() / 3;
+    translation[n..2 * n].fill(0.0);
+    rotation[..n].fill(0.0);
+    rotation[2 * n..].fill(0.0);
+}
+
+/// The strip on the right or in the plane that is a strip or its mirror image.
+#[derive(Clone, Copy)]
+struct Image {
+    of: usize,
+    sign: f64,
+    is_in_plane: bool,
+}
+
+impl Image {
+    /// Whether symmetric flow meets the strip edge-on.
+    fn is_edge_on(self) -> bool {
+        self.is_in_plane && self.sign < 0.0
+    }
+}
+
+/// Whether the undeformed aircraft's mass is symmetric; that of its modes is, if they have families.
+fn mass_is_symmetric(model: &ReducedModel) -> bool {
+    let (c, j) = (&model.integrals.first_moment, &model.integrals.inertia);
+    let (c_size, j_size) = (c.norm(), j.norm());
+    c.y.abs() <= SYMMETRIC * c_size && [j[(0, 1)], j[(1, 2)]].iter().all(|x| x.abs() <= SYMMETRIC * j_size)
+}
+
+/// The reflection in y = 0 of an aircraft's symmetric modes.
+struct Mirror {
+    /// Largest distance of a strip from O, m.
+    size: f64,
+    /// Largest displacement or rotation of a strip per unit coordinate.
+    shape: f64,
+}
+
+impl Mirror {
+    fn of(model: &ReducedModel) -> Self {
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, |a, b| a.max(b.abs()));
+        let shapes = model.strips.iter().map(|strip| &strip.shapes);
+        Mirror {
+            size: largest(&mut model.strips.iter().map(|strip| strip.position.norm())),
+            shape: largest(
+                &mut shapes.flat_map(|shapes| shapes.translation.iter().chain(&shapes.rotation)).copied(),
+            ),
+        }
+    }
+
+    /// 1 on the right, −1 on the left, 0 in the plane.
+    fn side(&self, position: &Vector3<f64>) -> i8 {
+        match position.y {
+            y if y > SYMMETRIC * self.size => 1,
+            y if y < -SYMMETRIC * self.size => -1,
+            _ => 0,
+        }
+    }
+
+    /// For every strip the one on the right or in the plane that it moves like, each with one image. Of two strips that
+    /// meet in the plane, being images of each other, the first counts as the right one.
+    fn images(&self, strips: &[ReducedStrip]) -> Option<Vec<Image>> {
+        let side = |index: usize| self.side(&strips[index].position);
+        let mut images: Vec<Option<Image>> = vec![None; strips.len()];
+        for index in 0..strips.len() {
+            if images[index].is_some() {
+                continue;
+            }
+            let own = (side(index) == 0).then(|| self.sign(&strips[index], &strips[index])).flatten();
+            if let Some(sign) = own {
+                images[index] = Some(Image { of: index, sign, is_in_plane: true });
+                continue;
+            }
+            let mut others =
+                (index + 1..strips.len()).filter(|&o| images[o].is_none() && side(o) == -side(index));
+            let (other, sign) =
+                others.find_map(|other| Some((other, self.sign(&strips[index], &strips[other])?)))?;
+            let [right, left] = if side(index) < 0 { [other, index] } else { [index, other] };
+            images[right] = Some(Image { of: right, sign: 1.0, is_in_plane: false });
+            images[left] = Some(Image { of: right, sign, is_in_plane: false });
+        }
+        images.into_iter().collect()
+    }
+
+    /// For every engine its image, each with one: itself or another.
+    fn engine_images(&self, engines: &[ReducedEngine]) -> Option<Vec<usize>> {
+        let mut images = vec![None; engines.len()];
+        for index in 0..engines.len() {
+            if images[index].is_none() {
+                let mut others = (index..engines.len()).filter(|&other| images[other].is_none());
+                let image = others.find(|&other| self.maps_engine(&engines[index], &engines[other]))?;
+                (images[index], images[image]) = (Some(image), Some(index));
+            }
+        }
+        images.into_iter().collect()
+    }
+
+    /// Whether one strip is the mirror image of another, and whether its span axis is the mirrored one (1) or its
+    /// opposite (−1).
+    fn sign(&self, strip: &ReducedStrip, image: &ReducedStrip) -> Option<f64> {
+        let ReducedStrip { position, forward, span, flap, shapes, .. } = strip;
+        if !self.maps(position, &image.position, self.size) || !self.maps(forward, &image.forward, 1.0) {
+            return None;
+        }
+        let sign = [1.0, -1.0].into_iter().find(|&sign| maps_axial(&(span * sign), &image.span, 1.0))?;
+        let numbers = |strip: &ReducedStrip| {
+            [
+                strip.semichord,
+                strip.elastic_axis_aft_of_midchord,
+                strip.width,
+                strip.lift_slope,
+                strip.profile_drag,
+                strip.leading_edge_suction,
+            ]
+        };
+        let alike = numbers(strip).into_iter().zip(numbers(image)).all(|(a, b)| are_alike(a, b))
+            && are_alike(strip.zero_lift_offset, sign * image.zero_lift_offset)
+            && are_alike(strip.zero_lift_moment, sign * image.zero_lift_moment)
+            && flaps_mirror(flap.as_ref(), image.flap.as_ref(), sign)
+            && self.maps_shapes(shapes, &image.shapes);
+        alike.then_some(sign)
+    }
+
+    fn maps_engine(&self, engine: &ReducedEngine, image: &ReducedEngine) -> bool {
+        self.maps(&engine.position, &image.position, self.size)
+            && self.maps(&engine.direction, &image.direction, 1.0)
+            && self.maps_shapes(&engine.shapes, &image.shapes)
+    }
+
+    fn maps_shapes(&self, shapes: &ModeShapes, image: &ModeShapes) -> bool {
+        let n = shapes.translation.len() / 3;
+        let column = |rows: &[f64], mode: usize| Vector3::new(rows[mode], rows[n + mode], rows[2 * n + mode]);
+        (0..n).all(|mode| {
+            let pair = |rows: &[f64], images: &[f64]| (column(rows, mode), column(images, mode));
+            let (translation, moved) = pair(&shapes.translation, &image.translation);
+            let (rotation, turned) = pair(&shapes.rotation, &image.rotation);
+            self.maps(&translation, &moved, self.shape) && maps_axial(&rotation, &turned, self.shape)
+        })
+    }
+
+    /// Whether an arrow becomes another one in the mirror.
+    fn maps(&self, arrow: &Vector3<f64>, image: &Vector3<f64>, size: f64) -> bool {
+        (Vector3::new(arrow.x, -arrow.y, arrow.z) - image).amax() <= SYMMETRIC * size
+    }
+}
+
+/// Whether an axis of rotation becomes another one in the mirror.
+fn maps_axial(axis: &Vector3<f64>, image: &Vector3<f64>, size: f64) -> bool {
+    (Vector3::new(-axis.x, axis.y, -axis.z) - image).amax() <= SYMMETRIC * size
+}
+
+fn are_alike(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SYMMETRIC * a.abs().max(b.abs())
+}
+
+/// Whether two flaps turn alike under elevator and both ailerons together.
+fn flaps_mirror(flap: Option<&Flap>, image: Option<&Flap>, sign: f64) -> bool {
+    match (flap, image) {
+        (Some(flap), Some(image)) => {
+            are_alike(flap.lift_slope, image.lift_slope)
+                && are_alike(flap.hinge, image.hinge)
+                && are_alike(flap.gains.elevator, sign * image.gains.elevator)
+                && are_alike(flap.gains.aileron_symmetric, sign * image.gains.aileron_symmetric)
+        }
+        (flap, image) => flap.is_none() && image.is_none(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::variables::tests::jet;
+
+    #[test]
+    fn the_jet_has_a_half_of_its_right_strips_and_those_in_the_plane() {
+        let jet = jet();
+        let half = SymmetricHalf::find(jet).unwrap();
+        assert_eq!(jet.strips.len(), 99);
+        assert_eq!((half.model.strips.len(), half.edge_on.len()), (24 + 8 + 10, 10 + 15));
+        assert_eq!((half.modes.len(), half.engines.as_slice()), (12, &[1, 0][..]));
+        let area = |strips: &[ReducedStrip]| -> f64 {
+            strips.iter().map(|strip| strip.semichord * strip.width).sum()
+        };
+        let halved = area(&half.model.strips) + area(&half.edge_on);
+        assert!((area(&jet.strips) / halved - 1.0).abs() < 1e-14);
+        for (strip, counterpart) in jet.strips.iter().zip(&half.strips) {
+            let kept = match *counterpart {
+                Counterpart::Lifting { index, sign } => {
+                    assert_eq!(sign, 1.0);
+                    &half.model.strips[index]
+                }
+                Counterpart::EdgeOn(index) => &half.edge_on[index],
+            };
+            assert!((strip.position.y.abs() - kept.position.y).abs() < 1e-12);
+            assert_eq!(strip.component.replace("left", "right"), kept.component);
+        }
+    }
+
+    /// Whether the jet, changed, has a half.
+    fn has_half(change: impl FnOnce(&mut ReducedModel)) -> bool {
+        let mut model = jet().clone();
+        change(&mut model);
+        SymmetricHalf::find(&model).is_some()
+    }
+
+    #[test]
+    fn an_aircraft_without_a_mirror_plane_has_no_half() {
+        assert!(has_half(|_| {}));
+        assert!(!has_half(|jet| jet.strips[3].semichord *= 1.001));
+        assert!(!has_half(|jet| jet.strips[3].shapes.rotation[0] += 1e-3));
+        assert!(!has_half(|jet| jet.engines[0].position.y -= 0.1));
+        assert!(!has_half(|jet| jet.modes[5].family = ModeFamily::Unsymmetric));
+        assert!(!has_half(|jet| jet.integrals.first_moment.y = 1.0));
+        assert!(!has_half(|jet| drop(jet.strips.remove(0))));
+        let fin = jet().strips.iter().position(|strip| strip.component == "vtail").unwrap();
+        assert!(!has_half(|jet| jet.strips[fin].zero_lift_offset = 0.01));
+        assert!(!has_half(|jet| jet.strips[fin].zero_lift_moment = 0.01));
+        assert!(!has_half(|jet| jet.strips[3].zero_lift_moment = -0.1));
+    }
+
+    #[test]
+    fn a_strip_whose_span_axis_points_the_other_way_counts_with_the_opposite_sign() {
+        let mut model = jet().clone();
+        let left = model.strips.iter().position(|strip| strip.component == "wing_left").unwrap();
+        let strip = &mut model.strips[left];
+        strip.span = -strip.span;
+        let gains = &mut strip.flap.as_mut().unwrap().gains;
+        gains.aileron_symmetric = -gains.aileron_symmetric;
+        let half = SymmetricHalf::find(&model).unwrap();
+        assert!(matches!(half.strips[left], Counterpart::Lifting { sign: -1.0, .. }));
+    }
+}
