@@ -1,4 +1,4 @@
-//! What acts on the aircraft at an instant: absolute surface angles, thrust, wind.
+//! What acts on the aircraft at an instant: absolute surface angles, thrust, wind [theory: frames.signs].
 
 use nalgebra::Vector3;
 

@@ -1,5 +1,7 @@
 //! The equations in flight: those of the whole aircraft, and those of its right half while the motion is symmetric.
 //!
+//! [theory: symmetry.half, symmetry.unfolding]
+//!
 //! An aircraft with a mirror plane that nothing has ever moved out of symmetry needs half its strips, half its modes
 //! and half its rigid motion. As soon as something acts on one side alone, the whole aircraft takes over for good.
 
@@ -49,7 +51,7 @@ struct Half {
 }
 
 /// How the state of the half becomes that of the whole: for each place its source and a sign; what has no source is
-/// at rest.
+/// at rest [theory: symmetry.unfolding].
 #[derive(Clone, Debug)]
 struct Unfolding {
     sources: Vec<Option<(usize, f64)>>,
@@ -225,7 +227,7 @@ impl Unfolding {
 }
 
 /// Magnitudes below which errors are absolute: 10 m and 1 m/s of O, 0.1 rad/s, 0.1 m and 1 m/s of the most
-/// moving strip of any mode, 1 m/s of inflow.
+/// moving strip of any mode, 1 m/s of inflow [theory: integration.error].
 fn error_scale(model: &ReducedModel, tolerance: f64) -> ErrorScale {
     let translations = model.strips.iter().flat_map(|strip| &strip.shapes.translation);
     let largest = translations.fold(0.0_f64, |largest, shape| largest.max(shape.abs()));

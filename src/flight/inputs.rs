@@ -1,4 +1,4 @@
-//! What a pilot, a control law and the atmosphere do to the aircraft.
+//! What a pilot, a control law and the atmosphere do to the aircraft [theory: integration.inputs, frames.signs].
 
 use nalgebra::Vector3;
 
@@ -58,6 +58,8 @@ impl Inputs {
     }
 
     /// What they become within a time (s) at some rates: each changes at its own, the wind at the input `wind_rate` too.
+    ///
+    /// [theory: integration.inputs]
     pub(super) fn ramp(&mut self, elapsed: f64, rates: &Inputs) {
         self.wind += elapsed * (self.wind_rate + 0.5 * elapsed * rates.wind_rate);
         self.add(elapsed, rates);

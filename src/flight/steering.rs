@@ -1,4 +1,6 @@
 //! The inputs as functions of time: values and rates set at an instant, about the trim or absolute.
+//!
+//! [theory: integration.inputs]
 
 use nalgebra::Vector3;
 
@@ -61,7 +63,7 @@ impl Steering {
     }
 
     /// Whether everything acts alike on both sides, but for rounding, and will; `images` has the mirror image of each
-    /// engine.
+    /// engine [theory: symmetry.unfolding].
     pub fn is_symmetric(&self, images: &[usize]) -> bool {
         let Steering { inputs, rates, .. } = self;
         let TrimPoint { aileron, rudder, thrust: trimmed, .. } = self.reference_values();

@@ -3,6 +3,8 @@
 //!
 //! Inputs act on the outputs of an instant through forces and the flow at O, parameters through the trim; all that is smooth
 //! and most of it linear, so that central differences of fourth order over small changes are exact to rounding.
+//!
+//! [theory: trim.tangent]
 
 use std::f64::consts::TAU;
 

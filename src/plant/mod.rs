@@ -1,4 +1,6 @@
-//! What is asked of the equations of motion: trims, linear motion, sensors [5.1; physics.md §6].
+//! What is asked of the equations of motion: trims, linear motion, sensors.
+//!
+//! [theory: trim.steady-flight, linearisation.state-matrix, outputs.sensors; thesis §5.1]
 
 mod free_modes;
 mod linearisation;

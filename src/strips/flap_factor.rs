@@ -1,4 +1,4 @@
-//! What the loads of flaps are proportional to [4.1; physics.md §4].
+//! What the loads of flaps are proportional to [theory: air-loads.flap-products; thesis §4.1].
 
 use crate::aircraft::ControlGains;
 
@@ -18,6 +18,8 @@ pub(crate) fn gains_of_kinds(gains: &ControlGains) -> [f64; SURFACES] {
 }
 
 /// What the loads of flaps are proportional to: the angle of a kind of surfaces, or the product of two.
+///
+/// [theory: air-loads.flap-products]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FlapFactor {
     Angle(usize),

@@ -1,4 +1,4 @@
-//! ∂U/∂q arranged for evaluation in every step [3.2; physics.md §3].
+//! ∂U/∂q arranged for evaluation in every step [theory: strain-energy.packed; thesis eq. 2.5].
 //!
 //! With the products p_ab = q_a q_b (a ≤ b) all of it is one product of a constant matrix with the vector [q; p]:
 //!

@@ -1,4 +1,4 @@
-//! The aircraft whose motion is its own mirror image: half of it flies for the whole (physics.md §1).
+//! The aircraft whose motion is its own mirror image: half of it flies for the whole [theory: symmetry.half].
 
 mod half;
 
