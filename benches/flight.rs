@@ -7,7 +7,6 @@ use std::sync::Arc;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::equations::Workspace;
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 
@@ -19,18 +18,18 @@ fn jet() -> Arc<ReducedModel> {
 
 fn right_hand_side(criterion: &mut Criterion) {
     let settings = Settings::of(&jet());
-    let whole = settings.equations(&jet()).expect("the default settings");
-    let half = settings.symmetric_equations(&jet()).expect("the default settings").expect("a mirror plane");
-    for (name, equations) in [
+    let plants = settings.plants(&jet()).expect("the default settings");
+    let (whole, half) = (plants.whole().clone(), plants.half().expect("a mirror plane").clone());
+    for (name, plant) in [
         ("half the aircraft", half),
         ("the whole aircraft", whole.clone()),
         ("the whole aircraft, one strip at a time", whole.one_strip_at_a_time()),
     ] {
-        let trim = equations.trim(&settings.trim_condition()).expect("the jet flies");
-        let controls = trim.controls(equations.engine_count());
-        let (mut rates, mut workspace) = (vec![0.0; trim.state.len()], Workspace::new(&equations));
+        let trim = plant.trim(&settings.trim_condition()).expect("the jet flies");
+        let controls = trim.controls(plant.engine_count());
+        let (mut rates, mut workspace) = (vec![0.0; trim.state.len()], plant.workspace());
         criterion.bench_function(&format!("right-hand side of {name}"), |bencher| {
-            bencher.iter(|| equations.rates(black_box(&trim.state), &controls, &mut rates, &mut workspace));
+            bencher.iter(|| plant.rates(black_box(&trim.state), &controls, &mut rates, &mut workspace));
         });
     }
 }

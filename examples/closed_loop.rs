@@ -18,7 +18,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::flight::{Inputs, Outputs, Settings, Simulation};
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+use flexible_aircraft::plant::Outputs;
 use flexible_aircraft::structure::ReducedModel;
 
 /// Communication step, s, and their number.

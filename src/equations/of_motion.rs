@@ -141,6 +141,17 @@ impl EquationsOfMotion {
         }
     }
 
+    /// The same equations in another flow of the tunnel (m/s), with all elastic properties multiplied by a factor.
+    pub fn varied(&self, tunnel_flow: Vector3<f64>, stiffness: f64) -> Self {
+        let mut varied = self.clone();
+        varied.tunnel_flow = tunnel_flow;
+        varied.stiffness_scale *= stiffness;
+        varied.elastic_forces.scale(stiffness);
+        let damping = libm::sqrt(stiffness);
+        varied.damping.iter_mut().for_each(|rate| *rate *= damping);
+        varied
+    }
+
     /// The same equations without wide vectors: slower, with the same bits. For comparisons.
     pub fn one_strip_at_a_time(mut self) -> Self {
         self.take_arch(Arch::Scalar);

@@ -5,11 +5,9 @@
 use std::fmt;
 
 use crate::aircraft::{Bound, Limits, Support};
-use crate::equations::EquationsOfMotion;
-use crate::plant::Trim;
+use crate::plant::{Plant, Trim};
 use crate::structure::ReducedModel;
 
-use super::outputs::air_data;
 use super::settings::Settings;
 
 /// A quantity of a trim that is beyond its limit.
@@ -43,10 +41,10 @@ pub enum LimitedQuantity {
 }
 
 impl LimitExceeded {
-    /// Everything in a trim of some equations that is beyond the limits.
-    pub fn find(limits: &Limits, equations: &EquationsOfMotion, trim: &Trim) -> Vec<LimitExceeded> {
-        let controls = trim.controls(equations.engine_count());
-        let air = air_data(equations, &trim.state, &controls);
+    /// Everything in a trim of a plant that is beyond the limits.
+    pub fn find(limits: &Limits, plant: &Plant, trim: &Trim) -> Vec<LimitExceeded> {
+        let controls = trim.controls(plant.engine_count());
+        let air = plant.air_data(&trim.state, &controls);
         let met = [
             (LimitedQuantity::AngleOfAttack, limits.angle_of_attack, air.angle_of_attack),
             (LimitedQuantity::Mach, limits.mach, air.mach),
@@ -60,7 +58,7 @@ impl LimitExceeded {
         // The engines share the thrust equally: the first speaks for all.
         let thrust = controls.thrust.first().map(|&thrust| (LimitedQuantity::Thrust, limits.thrust, thrust));
         // What is clamped needs neither surfaces nor engines.
-        let is_free = equations.support() == Support::Free;
+        let is_free = plant.support() == Support::Free;
         let used = used.into_iter().chain(thrust).filter(|_| is_free);
         let exceeded = met.into_iter().chain(used).filter_map(|(quantity, bounds, value)| {
             bounds.exceeded_by(value).map(|limit| LimitExceeded { quantity, value, limit })

@@ -1,16 +1,15 @@
 //! A flight in time: the thing a user steps.
 
-mod airframe;
 mod amplitudes;
-mod course;
 mod error;
+mod evaluation;
 mod exponential;
 mod inputs;
 mod integrator;
 mod limits;
+mod marcher;
 mod moment;
 mod neighbours;
-mod outputs;
 mod point;
 mod settings;
 mod simulation;
@@ -23,7 +22,6 @@ pub use inputs::Inputs;
 pub use limits::{LimitExceeded, LimitedQuantity};
 pub use moment::{LATEST, LONGEST_STEP, resolution};
 pub use neighbours::Neighbours;
-pub use outputs::{AirData, Deflection, Outputs};
 pub use settings::{InputReference, ModeSelection, Settings};
 pub use simulation::Simulation;
 

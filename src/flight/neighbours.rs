@@ -4,12 +4,10 @@
 
 use std::array::from_fn;
 
-use crate::equations::EquationsOfMotion;
-use crate::plant::{Trim, TrimPoint, TrimTangents};
+use crate::plant::{Course, Outputs, Plant, Trim, TrimPoint, TrimTangents};
+use crate::symmetry::Plants;
 
-use super::course::Course;
 use super::inputs::Inputs;
-use super::outputs::Outputs;
 use super::settings::Settings;
 use super::simulation::Simulation;
 use super::steering::Steering;
@@ -19,9 +17,8 @@ use super::steering::Steering;
 pub struct Neighbours {
     /// Those of the flight in the middle.
     settings: Settings,
-    /// Its equations: of the whole aircraft, and of its half if it has a mirror plane.
-    whole: EquationsOfMotion,
-    half: Option<EquationsOfMotion>,
+    /// Its plants.
+    plants: Plants,
     tangents: TrimTangents,
     /// Stands at one neighbour after the other.
     flight: Simulation,
@@ -31,11 +28,11 @@ impl Neighbours {
     /// Of a flight that has been trimmed under these settings. Computes the trim's Jacobian.
     pub fn new(flight: &Simulation, settings: &Settings) -> Self {
         let flight = flight.clone();
-        let whole = flight.airframes.whole().equations.clone();
-        let half = flight.airframes.half().map(|airframe| airframe.equations.clone());
+        let plants = flight.plants.clone();
         let condition = settings.along_course().trim_condition();
-        let tangents = TrimTangents::new(half.as_ref().unwrap_or(&whole), &condition, &flight.trimmed);
-        Neighbours { settings: settings.clone(), whole, half, tangents, flight }
+        let tangents =
+            TrimTangents::new(plants.forms().of(plants.simplest_form()), &condition, &flight.trimmed);
+        Neighbours { settings: settings.clone(), plants, tangents, flight }
     }
 
     /// Whether these are the settings of the flight in the middle.
@@ -52,7 +49,7 @@ impl Neighbours {
         (inputs, rates): (&Inputs, &Inputs),
         mut read: impl FnMut(&Outputs, &TrimPoint) -> T,
     ) -> Option<[T; 4]> {
-        let trimmed = self.half.as_ref().unwrap_or(&self.whole);
+        let trimmed = self.plants.forms().of(self.plants.simplest_form());
         let around = changed
             .each_ref()
             .map(|settings| (self.varied(trimmed, settings), settings.along_course().trim_condition()));
@@ -67,10 +64,10 @@ impl Neighbours {
 
     /// Has the flight begin at a trim under these settings, inputs zero.
     fn stand_at(&mut self, trim: &Trim, settings: &Settings) {
-        let whole = self.varied(&self.whole, settings);
-        let half = self.half.as_ref().map(|half| self.varied(half, settings));
-        let Simulation { airframes, course, steering, path, model, .. } = &mut self.flight;
-        airframes.take_equations(whole, half);
+        let varied = self.plants.map(|plant| self.varied(plant, settings));
+        let Simulation { plants, form, course, steering, path, model, .. } = &mut self.flight;
+        *form = varied.simplest_form();
+        *plants = varied;
         *course = Course::new(settings.heading);
         *steering = Steering::new(trim.point, settings, model.engines.len());
         path.present.resize(trim.state.len());
@@ -79,9 +76,9 @@ impl Neighbours {
         self.flight.forget_evaluation();
     }
 
-    /// Equations of the flight in the middle as they are under other settings.
-    fn varied(&self, equations: &EquationsOfMotion, settings: &Settings) -> EquationsOfMotion {
+    /// A plant of the flight in the middle as it is under other settings.
+    fn varied(&self, plant: &Plant, settings: &Settings) -> Plant {
         let tunnel_flow = settings.along_course().configuration(&self.flight.model).tunnel_flow;
-        equations.varied(tunnel_flow, settings.stiffness_scale / self.settings.stiffness_scale)
+        plant.varied(tunnel_flow, settings.stiffness_scale / self.settings.stiffness_scale)
     }
 }

@@ -5,11 +5,12 @@ use std::fmt::Display;
 use nalgebra::Vector3;
 
 use crate::aircraft::{ALTITUDES, Support};
-use crate::equations::{Configuration, EquationsOfMotion, Fidelity};
-use crate::plant::TrimCondition;
+use crate::equations::{Configuration, Fidelity};
+use crate::plant::{Plant, TrimCondition};
+use crate::sealed::{self, Writer};
 use crate::strips::PetersInflow;
 use crate::structure::{ModeFamily, ReducedModel};
-use crate::symmetry::SymmetricHalf;
+use crate::symmetry::Plants;
 
 use super::error::SimulationError;
 
@@ -109,26 +110,22 @@ impl Settings {
         Ok(candidates.into_iter().take(self.mode_count + pairs).collect())
     }
 
-    /// The equations of motion of a model under these settings.
+    /// The plant of a whole model under these settings.
     ///
     /// # Errors
     /// When a setting is out of range.
-    pub fn equations(&self, model: &ReducedModel) -> Result<EquationsOfMotion, SimulationError> {
-        let reduced = model.select(&self.choose_modes(model)?);
-        Ok(EquationsOfMotion::new(&reduced, &self.configuration(&reduced)))
+    pub fn plant(&self, model: &ReducedModel) -> Result<Plant, SimulationError> {
+        let modes = self.choose_modes(model)?;
+        let reduced = model.select(&modes);
+        Ok(Plant::of_selected(&reduced, &self.configuration(&reduced), modes))
     }
 
-    /// The equations of symmetric motion for half a model under these settings; `None` when it has no mirror plane.
+    /// The plants of all forms of a model under these settings.
     ///
     /// # Errors
     /// When a setting is out of range.
-    pub fn symmetric_equations(
-        &self,
-        model: &ReducedModel,
-    ) -> Result<Option<EquationsOfMotion>, SimulationError> {
-        let reduced = model.select(&self.choose_modes(model)?);
-        let half = SymmetricHalf::find(&reduced);
-        Ok(half.map(|half| half.equations(&self.configuration(&reduced))))
+    pub fn plants(&self, model: &ReducedModel) -> Result<Plants, SimulationError> {
+        Ok(Plants::new(model, self.choose_modes(model)?, &self.configuration(model)))
     }
 
     /// The same, with the heading along the course.
@@ -157,6 +154,33 @@ impl Settings {
             inflow_states: self.inflow_states,
             tunnel_flow,
         }
+    }
+
+    /// Tells settings apart: a hash of their values.
+    pub(super) fn hash(&self) -> u128 {
+        let Settings {
+            fidelity,
+            airspeed,
+            altitude,
+            heading,
+            stiffness_scale,
+            structural_damping,
+            mode_selection,
+            mode_count,
+            inflow_states,
+            tolerance,
+            input_reference,
+        } = *self;
+        let mut bytes = Vec::new();
+        let mut writer = Writer::new(&mut bytes);
+        for choice in [fidelity as u8, mode_selection as u8, input_reference as u8] {
+            writer.byte(choice);
+        }
+        for count in [mode_count, inflow_states] {
+            writer.count(u32::try_from(count).unwrap_or(u32::MAX));
+        }
+        writer.reals([airspeed, altitude, heading, stiffness_scale, structural_damping, tolerance]);
+        sealed::hash(&bytes)
     }
 
     pub(super) fn check_ranges(&self, support: Support) -> Result<(), SimulationError> {
@@ -188,4 +212,44 @@ impl Settings {
 
 fn refuse<T>(setting: &'static str, found: impl Display, allowed: &str) -> Result<T, SimulationError> {
     Err(SimulationError::Setting { setting, found: found.to_string(), allowed: allowed.to_owned() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::variables::tests::jet;
+
+    #[test]
+    fn the_identity_of_a_snapshot_depends_on_every_setting_and_on_no_name() {
+        let settings = Settings::of(jet());
+        let change = |change: fn(&mut Settings)| {
+            let mut changed = settings.clone();
+            change(&mut changed);
+            changed.hash()
+        };
+        let mut hashes = vec![
+            settings.hash(),
+            change(|s| s.fidelity = Fidelity::Rigid),
+            change(|s| s.airspeed += 1.0),
+            change(|s| s.altitude += 1.0),
+            change(|s| s.heading += 1.0),
+            change(|s| s.stiffness_scale += 1.0),
+            change(|s| s.structural_damping += 1.0),
+            change(|s| s.mode_selection = ModeSelection::Symmetric),
+            change(|s| s.mode_count += 1),
+            change(|s| s.inflow_states += 1),
+            change(|s| s.tolerance *= 2.0),
+            change(|s| s.input_reference = InputReference::Absolute),
+        ];
+        let count = hashes.len();
+        hashes.sort_unstable();
+        hashes.dedup();
+        assert_eq!(hashes.len(), count);
+        // Written out by hand: one byte for each choice, counts, then the real numbers.
+        let mut bytes = vec![0, 0, 0, 12, 0, 0, 0, 5, 0, 0, 0];
+        for number in [127.0_f64, 7620.0, 0.0, 1.0, 0.0, 1e-5] {
+            bytes.extend(number.to_le_bytes());
+        }
+        assert_eq!(settings.hash(), sealed::hash(&bytes));
+    }
 }

@@ -2,20 +2,18 @@
 
 use std::sync::{Arc, OnceLock};
 
-use nalgebra::Vector3;
-
 use crate::equations::Controls;
-use crate::plant::{Trim, TrimPoint};
+use crate::plant::{Course, Outputs, Trim, TrimPoint};
 use crate::structure::ReducedModel;
+use crate::symmetry::{Form, Forms, Plants, Trimmed};
 
-use super::airframe::{Airframe, Airframes};
-use super::course::Course;
 use super::error::SimulationError;
+use super::evaluation::{View, Wind, refresh};
 use super::inputs::Inputs;
 use super::integrator::{CellEnd, MAX_SUBSTEPS};
 use super::limits::LimitExceeded;
+use super::marcher::Marcher;
 use super::moment::{LATEST, LONGEST_STEP, Moment, ON_GRID, resolution};
-use super::outputs::{self, Outputs};
 use super::point::{Path, Point};
 use super::settings::Settings;
 use super::steering::Steering;
@@ -23,18 +21,6 @@ use super::steering::Steering;
 /// The inflow's linear part is taken at a reference airspeed, which follows the flight when the two differ by more than
 /// this share; the rest of the decay, 160/s for the jet, a step bears well [theory: integration.linear-part].
 const AIRSPEED_DRIFT: f64 = 0.1;
-
-/// A state and slope of the whole aircraft while the half flies.
-#[derive(Clone, Debug)]
-pub(super) struct View {
-    pub state: Vec<f64>,
-    slope: Vec<f64>,
-    /// Whether they are those of the present under the present inputs.
-    is_fresh: bool,
-}
-
-/// Velocity of the air and its rate along the course, m/s and m/s².
-type Wind = (Vector3<f64>, Vector3<f64>);
 
 /// A flight of one aircraft: state, time and everything needed to go on.
 ///
@@ -48,7 +34,10 @@ pub struct Simulation {
     pub(super) settings_hash: u128,
     /// Tells apart models and settings, once a snapshot has been asked for.
     pub(super) identity: OnceLock<u128>,
-    pub(super) airframes: Airframes,
+    pub(super) plants: Plants,
+    /// Of all states on the path.
+    pub(super) form: Form,
+    pub(super) marchers: Forms<Marcher>,
     /// How the flight began.
     pub(super) trimmed: Trim,
     pub(super) course: Course,
@@ -61,7 +50,7 @@ pub struct Simulation {
     pub(super) controls: Controls,
     /// The wind of the last evaluation, if that was at the present state.
     evaluated_in: Option<Wind>,
-    /// The whole aircraft at the present, for reading what acts on one side alone before it flies on.
+    /// For reading the outputs before the flight goes on in another form.
     pub(super) view: View,
     pub(super) outputs: Outputs,
     /// Whether they are those of the present under the present inputs.
@@ -78,12 +67,17 @@ impl Simulation {
     pub fn new(model: Arc<ReducedModel>, settings: &Settings, start: f64) -> Result<Self, SimulationError> {
         check_time(start)?;
         settings.check_ranges(model.support)?;
-        let (airframes, trimmed) = Airframes::new(&model, &settings.along_course())?;
-        let limits_exceeded = LimitExceeded::find(&model.limits, &airframes.flying().equations, &trimmed);
+        let along_course = settings.along_course();
+        let plants = along_course.plants(&model)?;
+        let Trimmed { form, trims } = plants.trim(&along_course.trim_condition())?;
+        let marchers = plants.forms().zip(&trims);
+        let marchers = marchers.map(|(plant, trim)| Marcher::new(plant, trim, settings.tolerance));
+        let trimmed = trims.of(form).clone();
+        let limits_exceeded = LimitExceeded::find(&model.limits, plants.forms().of(form), &trimmed);
         let engines = model.engines.len();
-        let room = airframes.whole().equations.layout().len();
+        let room = plants.most_states();
         Ok(Simulation {
-            settings_hash: super::snapshot::settings_hash(settings),
+            settings_hash: settings.hash(),
             identity: OnceLock::new(),
             steering: Steering::new(trimmed.point, settings, engines),
             course: Course::new(settings.heading),
@@ -95,7 +89,9 @@ impl Simulation {
             outputs: Outputs::new(&model),
             outputs_are_fresh: false,
             limits_exceeded,
-            airframes,
+            plants,
+            form,
+            marchers,
             trimmed,
             model,
         })
@@ -182,20 +178,17 @@ impl Simulation {
 
     /// Flies to a time, or is as before.
     fn fly_or_stay(&mut self, end: Moment) -> Result<(), SimulationError> {
-        let (was_half, reference_airspeed) =
-            (self.airframes.is_half(), self.airframes.flying().reference_airspeed);
+        let (form, reference_airspeed) = (self.form, self.marchers.of(self.form).reference_airspeed);
         // What stands now stays until a second cell is flown.
         let turns_back = self.path.begins_here()
-            && !self.must_unfold()
+            && self.next_form() == self.form
             && end.since(self.path.present.time.cell_end()) < ON_GRID;
         if !turns_back {
             self.path.keep();
         }
         self.outputs_are_fresh = false;
         self.view.is_fresh = false;
-        if self.must_unfold() {
-            self.unfold();
-        }
+        self.take_form(self.next_form());
         let flown = self.fly(end);
         if flown.is_err() {
             if turns_back {
@@ -204,8 +197,8 @@ impl Simulation {
                 self.path.restore_kept();
             }
             self.forget_evaluation();
-            self.airframes.choose(was_half);
-            self.airframes.flying_mut().take_reference_airspeed(reference_airspeed);
+            self.form = form;
+            self.take_reference_airspeed(reference_airspeed);
         }
         flown
     }
@@ -213,12 +206,7 @@ impl Simulation {
     /// The outputs at the present time under the present inputs, without allocating.
     pub fn outputs(&mut self) -> &Outputs {
         if !self.outputs_are_fresh {
-            if self.must_unfold() {
-                self.refresh_view();
-            } else {
-                self.refresh();
-            }
-            outputs::write(self);
+            self.write_outputs();
             self.outputs_are_fresh = true;
         }
         &self.outputs
@@ -241,25 +229,36 @@ impl Simulation {
         read
     }
 
-    /// Whether half the aircraft flies for the whole, since the motion is symmetric.
+    /// Whether the motion has been symmetric and is computed so.
     pub fn is_symmetric(&self) -> bool {
-        self.airframes.is_half()
+        self.form.is_symmetric()
     }
 
-    /// Whether half the aircraft has flown, and something acts on one side alone now.
-    pub(super) fn must_unfold(&self) -> bool {
-        self.airframes.mirrored_engines().is_some_and(|engines| !self.steering.is_symmetric(engines))
+    /// The form that the inputs ask for.
+    fn next_form(&self) -> Form {
+        self.plants.form_under(self.form, &self.steering)
     }
 
-    /// Lets the whole aircraft fly on in place of the half.
-    fn unfold(&mut self) {
+    /// Goes on in a form.
+    fn take_form(&mut self, form: Form) {
+        if form == self.form {
+            return;
+        }
         for point in self.path.points_mut() {
-            self.airframes.unfold(&point.state, &mut self.view.state);
+            self.plants.convert(&point.state, &mut self.view.state);
             point.resize(self.view.state.len());
             point.state.copy_from_slice(&self.view.state);
         }
-        self.airframes.leave_half();
+        let reference_airspeed = self.marchers.of(self.form).reference_airspeed;
+        self.form = form;
+        self.take_reference_airspeed(reference_airspeed);
         self.forget_evaluation();
+    }
+
+    /// Takes the linear part of the wake at an airspeed, m/s.
+    fn take_reference_airspeed(&mut self, airspeed: f64) {
+        let plant = self.plants.forms().of(self.form);
+        self.marchers.of_mut(self.form).take_reference_airspeed(plant, airspeed);
     }
 
     /// Has the equations evaluated anew when they are next asked.
@@ -272,22 +271,19 @@ impl Simulation {
         }
     }
 
-    /// Evaluates the equations of the whole aircraft at the present of the half.
-    fn refresh_view(&mut self) {
-        let View { state, slope, is_fresh } = &mut self.view;
-        if !*is_fresh {
-            self.airframes.unfold(&self.path.present.state, state);
-            self.steering.write_at(self.path.present.time, &mut self.controls);
-            let Airframe { equations, workspace, .. } = self.airframes.whole_mut();
-            equations.rates(state, &self.controls, slope, workspace);
-            *is_fresh = true;
-        }
-    }
-
-    /// Brings the slope at the present up to date with the inputs.
-    fn refresh(&mut self) {
-        let Simulation { path, airframes, steering, controls, evaluated_in, .. } = self;
-        refresh(&mut path.present, airframes.flying_mut(), steering, controls, evaluated_in);
+    /// Writes the outputs at the present under the present inputs, in the form that they ask for.
+    fn write_outputs(&mut self) {
+        let form = self.next_form();
+        let Simulation { plants, marchers, path, view, steering, controls, evaluated_in, .. } = self;
+        let (plant, workspace) = (plants.forms().of(form), &mut marchers.of_mut(form).workspace);
+        let state = if form == self.form {
+            refresh(&mut path.present, plant, workspace, steering, controls, evaluated_in);
+            &path.present.state
+        } else {
+            view.refresh(&path.present, plants, form, workspace, steering, controls);
+            &view.state
+        };
+        plant.write_outputs(state, controls, workspace, self.course, &mut self.outputs);
     }
 
     /// Flies full cells from the anchor as far as `end` allows, then the rest of the way.
@@ -310,24 +306,24 @@ impl Simulation {
 
     /// Flies from the anchor over one cell or part of one.
     fn fly_cell(&mut self, begin: Moment, end: Moment) -> Result<(), SimulationError> {
-        let Simulation { path, airframes, steering, controls, evaluated_in, .. } = self;
-        let airframe = airframes.flying_mut();
+        let Simulation { path, plants, marchers, form, steering, controls, evaluated_in, .. } = self;
+        let plant = plants.forms().of(*form);
+        let Marcher { workspace, integrator, .. } = marchers.of_mut(*form);
         let (anchor, present) = path.set_off();
-        refresh(anchor, airframe, steering, controls, evaluated_in);
+        refresh(anchor, plant, workspace, steering, controls, evaluated_in);
         *evaluated_in = None;
-        let Airframe { equations, workspace, integrator, .. } = airframe;
         let (width, set_before, set_before_end) =
             (end.since(begin), begin.since(steering.since), end.since(steering.since));
         let mut rates = |time: f64, state: &[f64], rates: &mut [f64]| {
             // At the end as whoever evaluates there again counts the time, to the bit.
             let elapsed = if time == width { set_before_end } else { set_before + time };
             steering.write_after(elapsed, controls);
-            equations.rates(state, controls, rates, workspace);
+            plant.rates(state, controls, rates, workspace);
         };
         let (from, to) =
             ((&anchor.state[..], &anchor.slope[..]), (&mut present.state[..], &mut present.slope[..]));
         let cell_end = integrator.fly_cell(width, anchor.substeps, from, to, &mut rates);
-        let reversed = equations.reversed_strip(&present.state, controls, workspace);
+        let reversed = plant.reversed_strip(&present.state, controls, workspace);
         match cell_end {
             CellEnd::Accepted { next } => {
                 (present.time, present.substeps, present.slope_is_fresh) = (end, next, true);
@@ -342,11 +338,10 @@ impl Simulation {
     fn follow_airspeed(&mut self) {
         let anchor = self.path.anchor();
         self.steering.write_at(anchor.time, &mut self.controls);
-        let airframe = self.airframes.flying_mut();
-        let airspeed = airframe.equations.airspeed(&anchor.state, &self.controls);
-        let reference = airframe.reference_airspeed;
+        let airspeed = self.plants.forms().of(self.form).airspeed(&anchor.state, &self.controls);
+        let reference = self.marchers.of(self.form).reference_airspeed;
         if (airspeed - reference).abs() > AIRSPEED_DRIFT * reference {
-            airframe.take_reference_airspeed(airspeed);
+            self.take_reference_airspeed(airspeed);
         }
     }
 
@@ -361,38 +356,17 @@ impl Simulation {
             return SimulationError::NotFinite { time };
         }
         let step = end.since(begin) / f64::from(MAX_SUBSTEPS);
-        SimulationError::Tolerance { time, step, tolerance: self.airframes.flying().integrator.tolerance() }
+        SimulationError::Tolerance {
+            time,
+            step,
+            tolerance: self.marchers.of(self.form).integrator.tolerance(),
+        }
     }
 
     fn reverse_flow(&self, time: f64, strip: usize) -> SimulationError {
-        let strip = self.airframes.packaged_strip(strip);
         let component = self.model.strips[strip].component.clone();
         SimulationError::ReverseFlow { time, strip, component }
     }
-}
-
-/// Brings the slope at a point up to date with the inputs; `evaluated_in` is the wind of the last evaluation, if that
-/// was at this point.
-fn refresh(
-    point: &mut Point,
-    airframe: &mut Airframe,
-    steering: &Steering,
-    controls: &mut Controls,
-    evaluated_in: &mut Option<Wind>,
-) {
-    if point.slope_is_fresh {
-        return;
-    }
-    steering.write_at(point.time, controls);
-    let wind = (controls.wind, controls.wind_rate);
-    let Airframe { equations, workspace, .. } = airframe;
-    if *evaluated_in == Some(wind) {
-        equations.steer(controls, &mut point.slope, workspace);
-    } else {
-        equations.rates(&point.state, controls, &mut point.slope, workspace);
-        *evaluated_in = Some(wind);
-    }
-    point.slope_is_fresh = true;
 }
 
 fn check_time(time: f64) -> Result<(), SimulationError> {

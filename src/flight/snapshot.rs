@@ -1,6 +1,6 @@
 //! The complete state of a flight as bytes: restoring them continues bit for bit.
 //!
-//! Content of the [sealed] bytes: whether half the aircraft flies and whether the cell of time begins at the present (a
+//! Content of the [sealed] bytes: whether the aircraft flies in its form of symmetric motion and whether the cell of time begins at the present (a
 //! byte each), sub-steps of anchor and present (u32), then numbers (f64): when present and anchor are and when the inputs
 //! were set, each as cells of the grid and a part of one, start time, reference airspeed, inputs, their rates, the present's
 //! state and, where the cell begins elsewhere, the anchor's.
@@ -8,11 +8,11 @@
 use std::iter::from_fn;
 
 use crate::sealed::{self, BrokenSeal, CHECKSUM, HEADER, Mark, Reader, Writer};
+use crate::symmetry::Form;
 
 use super::error::SimulationError;
 use super::integrator::MAX_SUBSTEPS;
 use super::moment::{LATEST, Moment};
-use super::settings::Settings;
 use super::simulation::Simulation;
 
 /// Names the format and its version.
@@ -21,40 +21,13 @@ const MARK: Mark = *b"FLXSNP05";
 /// Bytes of the content before its numbers.
 const FLAGS_AND_COUNTS: usize = 2 + 2 * size_of::<u32>();
 
-/// Tells settings apart: a hash of their values.
-pub(super) fn settings_hash(settings: &Settings) -> u128 {
-    let Settings {
-        fidelity,
-        airspeed,
-        altitude,
-        heading,
-        stiffness_scale,
-        structural_damping,
-        mode_selection,
-        mode_count,
-        inflow_states,
-        tolerance,
-        input_reference,
-    } = *settings;
-    let mut bytes = Vec::new();
-    let mut writer = Writer::new(&mut bytes);
-    for choice in [fidelity as u8, mode_selection as u8, input_reference as u8] {
-        writer.byte(choice);
-    }
-    for count in [mode_count, inflow_states] {
-        writer.count(u32::try_from(count).unwrap_or(u32::MAX));
-    }
-    writer.reals([airspeed, altitude, heading, stiffness_scale, structural_damping, tolerance]);
-    sealed::hash(&bytes)
-}
-
 impl Simulation {
     /// Appends the complete state as bytes; allocates only when `bytes` lacks room, and the first time, to hash the model.
     pub fn snapshot(&self, bytes: &mut Vec<u8>) {
         sealed::seal(bytes, &MARK, self.identity(), |writer| self.write_state(writer));
     }
 
-    /// Length of a snapshot in bytes. It is longer for the whole aircraft than for its half, and longer inside a cell of
+    /// Length of a snapshot in bytes. It is longer once something has acted on one side alone, and longer inside a cell of
     /// time than at its beginning.
     pub fn snapshot_size(&self) -> usize {
         let points = if self.path.begins_here() { 1 } else { 2 };
@@ -88,13 +61,13 @@ impl Simulation {
     /// Writes the complete state.
     pub(crate) fn write_state(&self, writer: &mut Writer) {
         // Room for the largest, the whole aircraft inside a cell, so that it never has to grow.
-        writer.reserve(self.content_size(2 * self.airframes.whole().equations.layout().len()));
+        writer.reserve(self.content_size(2 * self.plants.most_states()));
         let (anchor, present) = (self.path.anchor(), &self.path.present);
-        writer.flag(self.airframes.is_half());
+        writer.flag(self.form.is_symmetric());
         writer.flag(self.path.begins_here());
         writer.count(anchor.substeps);
         writer.count(present.substeps);
-        let reference_airspeed = self.airframes.flying().reference_airspeed;
+        let reference_airspeed = self.marchers.of(self.form).reference_airspeed;
         let times = [present.time, anchor.time, self.steering.since].into_iter().flat_map(Moment::numbers);
         writer.reals(times.chain([self.start, reference_airspeed]));
         writer.reals(self.steering.inputs.values().chain(self.steering.rates.values()));
@@ -122,11 +95,11 @@ impl Simulation {
     pub(crate) fn read_state(&mut self, mut state: Reader) -> Result<(), SimulationError> {
         let refuse = |reason| Err(SimulationError::Snapshot(reason));
         let length = state.left();
-        let (Some(is_half), Some(begins_here)) = (state.flag(), state.flag()) else {
+        let (Some(is_symmetric), Some(begins_here)) = (state.flag(), state.flag()) else {
             return refuse("it does not say which equations fly");
         };
-        let airframe = if is_half { self.airframes.half() } else { Some(self.airframes.whole()) };
-        let places = airframe.map_or(0, |airframe| airframe.equations.layout().len());
+        let form = Form::of_symmetric(is_symmetric);
+        let places = self.plants.forms().get(form).map_or(0, |plant| plant.layout().len());
         let points = if begins_here { 1 } else { 2 };
         let (Some(anchor_substeps), Some(substeps)) = (state.count(), state.count()) else {
             return refuse("it ends too early");
@@ -168,48 +141,8 @@ impl Simulation {
         }
         self.path.stand([(anchor, anchor_substeps), (present, substeps)]);
         self.forget_evaluation();
-        self.airframes.choose(is_half);
-        self.airframes.flying_mut().take_reference_airspeed(reference_airspeed);
+        self.form = form;
+        self.marchers.of_mut(form).take_reference_airspeed(self.plants.forms().of(form), reference_airspeed);
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::variables::tests::jet;
-
-    #[test]
-    fn the_identity_of_a_snapshot_depends_on_every_setting_and_on_no_name() {
-        let settings = Settings::of(jet());
-        let change = |change: fn(&mut Settings)| {
-            let mut changed = settings.clone();
-            change(&mut changed);
-            settings_hash(&changed)
-        };
-        let mut hashes = vec![
-            settings_hash(&settings),
-            change(|s| s.fidelity = crate::equations::Fidelity::Rigid),
-            change(|s| s.airspeed += 1.0),
-            change(|s| s.altitude += 1.0),
-            change(|s| s.heading += 1.0),
-            change(|s| s.stiffness_scale += 1.0),
-            change(|s| s.structural_damping += 1.0),
-            change(|s| s.mode_selection = super::super::ModeSelection::Symmetric),
-            change(|s| s.mode_count += 1),
-            change(|s| s.inflow_states += 1),
-            change(|s| s.tolerance *= 2.0),
-            change(|s| s.input_reference = super::super::InputReference::Absolute),
-        ];
-        let count = hashes.len();
-        hashes.sort_unstable();
-        hashes.dedup();
-        assert_eq!(hashes.len(), count);
-        // Written out by hand: one byte for each choice, counts, then the real numbers.
-        let mut bytes = vec![0, 0, 0, 12, 0, 0, 0, 5, 0, 0, 0];
-        for number in [127.0_f64, 7620.0, 0.0, 1.0, 0.0, 1e-5] {
-            bytes.extend(number.to_le_bytes());
-        }
-        assert_eq!(settings_hash(&settings), sealed::hash(&bytes));
     }
 }

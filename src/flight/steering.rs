@@ -5,9 +5,9 @@
 use nalgebra::Vector3;
 
 use crate::equations::Controls;
-use crate::plant::TrimPoint;
+use crate::plant::{Course, TrimPoint};
+use crate::symmetry::Actions;
 
-use super::course::{Course, ROUNDING};
 use super::inputs::Inputs;
 use super::moment::Moment;
 use super::settings::{InputReference, Settings};
@@ -62,31 +62,6 @@ impl Steering {
             && self.winds_after(elapsed).iter().all(|wind| wind.iter().all(|number| number.is_finite()))
     }
 
-    /// Whether everything acts alike on both sides, but for rounding, and will; `images` has the mirror image of each
-    /// engine [theory: symmetry.unfolding].
-    pub fn is_symmetric(&self, images: &[usize]) -> bool {
-        let Steering { inputs, rates, .. } = self;
-        let TrimPoint { aileron, rudder, thrust: trimmed, .. } = self.reference_values();
-        let are_alike = |a: f64, b: f64| (a - b).abs() <= ROUNDING * a.abs().max(b.abs());
-        let mut engines = images.iter().enumerate();
-        (aileron + inputs.aileron).abs().max((rudder + inputs.rudder).abs()) <= ROUNDING
-            && (rates.aileron, rates.rudder) == (0.0, 0.0)
-            && self.winds().into_iter().all(|wind| wind.y == 0.0)
-            && engines.all(|(engine, &image)| {
-                are_alike(trimmed + inputs.thrust[engine], trimmed + inputs.thrust[image])
-                    && are_alike(rates.thrust[engine], rates.thrust[image])
-            })
-    }
-
-    /// Along the course: the wind when it was set, m/s, its rate, m/s², and the rate of that, m/s³.
-    fn winds(&self) -> [Vector3<f64>; 3] {
-        let Steering { inputs, rates, course, .. } = self;
-        // Each by itself, for the rounding of a sum may be more than a part of the sum.
-        let [wind, given, input, change] =
-            [inputs.wind, rates.wind, inputs.wind_rate, rates.wind_rate].map(|wind| course.along(&wind));
-        [wind, given + input, change]
-    }
-
     /// Along the course: the wind a time (s) after it was set, m/s, and its rate, m/s².
     fn winds_after(&self, elapsed: f64) -> [Vector3<f64>; 2] {
         let [wind, rate, change] = self.winds();
@@ -118,5 +93,26 @@ impl Steering {
             *acting = thrust + input + elapsed * rate;
         }
         [controls.wind, controls.wind_rate] = self.winds_after(elapsed);
+    }
+}
+
+impl Actions for Steering {
+    fn lateral(&self) -> [[f64; 2]; 2] {
+        let Steering { inputs, rates, .. } = self;
+        let TrimPoint { aileron, rudder, .. } = self.reference_values();
+        [[aileron + inputs.aileron, rates.aileron], [rudder + inputs.rudder, rates.rudder]]
+    }
+
+    fn thrust(&self, engine: usize) -> [f64; 2] {
+        let Steering { inputs, rates, .. } = self;
+        [self.reference_values().thrust + inputs.thrust[engine], rates.thrust[engine]]
+    }
+
+    fn winds(&self) -> [Vector3<f64>; 3] {
+        let Steering { inputs, rates, course, .. } = self;
+        // Each by itself, for the rounding of a sum may be more than a part of the sum.
+        let [wind, given, input, change] =
+            [inputs.wind, rates.wind, inputs.wind_rate, rates.wind_rate].map(|wind| course.along(&wind));
+        [wind, given + input, change]
     }
 }

@@ -15,9 +15,9 @@ use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{Complex, DMatrix, Schur};
 
 use crate::aircraft::Support;
-use crate::equations::{EquationsOfMotion, Workspace};
 use crate::math::{Attitude, quaternion_of_euler_angles};
 
+use super::system::Plant;
 use super::trim::Trim;
 
 /// Step of the differences, as a share of the magnitude of the unknown.
@@ -95,13 +95,13 @@ impl StateMatrix {
     }
 }
 
-impl EquationsOfMotion {
-    /// Linearises the equations at a trim of theirs, surfaces and thrust held. Allocates.
+impl Plant {
+    /// Linearises the motion about a trim of this plant, surfaces and thrust held. Allocates.
     pub fn linearise(&self, trim: &Trim) -> StateMatrix {
         let controls = trim.controls(self.engine_count());
         let unknowns = self.unknowns();
         let airspeed = self.airspeed(&trim.state, &controls).max(SLOWEST);
-        let mut workspace = Workspace::new(self);
+        let mut workspace = self.workspace();
         let mut rates = vec![0.0; trim.state.len()];
         let mut rates_at = |unknown: Unknown, departure: f64| -> Vec<f64> {
             let mut state = trim.state.clone();
@@ -139,7 +139,7 @@ impl EquationsOfMotion {
                 Unknown::Rate(2),
             ],
         };
-        let inflow = (0..self.strip_count()).flat_map(|strip| {
+        let inflow = (0..self.equations.strip_count()).flat_map(|strip| {
             layout
                 .inflow_layout()
                 .of_strip(strip)
@@ -161,8 +161,8 @@ impl EquationsOfMotion {
             Unknown::Down => ATMOSPHERIC_HEIGHT,
             Unknown::Roll | Unknown::Pitch | Unknown::Rate(_) => 1.0,
             Unknown::Velocity(_) | Unknown::Inflow { .. } => airspeed,
-            Unknown::Coordinate(_) => self.coordinate_magnitude(),
-            Unknown::CoordinateRate(_) => airspeed * self.coordinate_magnitude(),
+            Unknown::Coordinate(_) => self.equations.coordinate_magnitude(),
+            Unknown::CoordinateRate(_) => airspeed * self.equations.coordinate_magnitude(),
         }
     }
 
@@ -204,7 +204,7 @@ impl EquationsOfMotion {
     /// Rates of roll and pitch angle, rad/s [theory: linearisation.unknowns].
     fn tilt_rates(&self, state: &[f64]) -> [f64; 2] {
         let angles = Attitude::from_quaternion(&state[self.layout().attitude()]).euler_angles();
-        let rate = self.motion(state).rate;
+        let rate = self.equations.motion(state).rate;
         let ((sin, cos), tan) = (libm::sincos(angles.x), libm::tan(angles.y));
         let downwards = rate.y * sin + rate.z * cos;
         [rate.x + downwards * tan, rate.y * cos - rate.z * sin]

@@ -1,18 +1,26 @@
-//! What is asked of the equations of motion: trims, linear motion, sensors.
+//! The plant: what everybody above asks of the aircraft. Rates, outputs and the linear part at any state under any
+//! inputs, trims, linearised motion.
 //!
-//! [theory: trim.steady-flight, linearisation.state-matrix, outputs.sensors; thesis §5.1]
+//! [theory: equations-of-motion.rows, outputs.sensors, trim.steady-flight, linearisation.state-matrix; thesis §5.1]
 
+mod course;
 mod free_modes;
 mod linearisation;
+mod outputs;
 mod sensors;
+mod system;
 mod trim;
 mod trim_error;
 mod trim_search;
 mod trim_tangent;
 
+pub use course::Course;
+pub(crate) use course::ROUNDING;
 pub(crate) use free_modes::FreeModes;
 pub use linearisation::{EigenvaluesNotFound, StateMatrix, Unknown};
+pub use outputs::{AirData, Deflection, Outputs};
 pub use sensors::{BodyMotion, Sensors};
+pub use system::Plant;
 pub use trim::{Trim, TrimCondition, TrimPoint};
 pub use trim_error::{TrimError, TrimFailure};
 pub use trim_tangent::{TrimTangents, WIDTHS, slope};

@@ -5,10 +5,7 @@
 //! unknowns too, sideslip instead of a control that it has not. Without engines the climb angle takes the place of
 //! thrust: the aircraft glides, in balance where it is, in denser and denser air.
 
-use crate::equations::{Controls, EquationsOfMotion};
-
-use super::trim_error::TrimError;
-use super::trim_search::Search;
+use crate::equations::Controls;
 
 /// The flight condition to be trimmed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,18 +99,6 @@ impl Trim {
     /// The controls of the trimmed flight, in still air.
     pub fn controls(&self, engines: usize) -> Controls {
         self.point.controls(engines)
-    }
-}
-
-impl EquationsOfMotion {
-    /// Finds steady straight flight, without sideslip where aileron and rudder can hold it, and q at which all accelerations vanish, thrust equal on all
-    /// engines. A clamped aircraft keeps its attitude; only q is found.
-    ///
-    /// # Errors
-    /// When Newton's method finds no such state.
-    pub fn trim(&self, condition: &TrimCondition) -> Result<Trim, Box<TrimError>> {
-        let steady = self.with_steady_inflow();
-        Ok(Search::find(&steady, *condition)?.trim_of(self))
     }
 }
 

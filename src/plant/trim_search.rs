@@ -4,10 +4,11 @@ use nalgebra::Vector3;
 
 use crate::air::STANDARD_GRAVITY;
 use crate::aircraft::Support;
-use crate::equations::{Controls, EquationsOfMotion, Workspace};
+use crate::equations::{Controls, Workspace};
 use crate::math::{Attitude, quaternion_of_euler_angles, solve};
 use crate::strips::{SURFACES, SurfaceKind};
 
+use super::system::Plant;
 use super::trim::{Trim, TrimCondition, TrimPoint};
 use super::trim_error::{TrimError, TrimFailure};
 
@@ -61,7 +62,7 @@ enum SearchEnd {
 
 /// A search, then what it has found.
 pub(crate) struct Search<'a> {
-    equations: &'a EquationsOfMotion,
+    plant: &'a Plant,
     condition: TrimCondition,
     /// The unknowns before q.
     flight: Vec<TrimUnknown>,
@@ -78,20 +79,20 @@ pub(crate) struct Search<'a> {
 
 impl<'a> Search<'a> {
     /// Searches in the plane of symmetry first; where the aircraft leaves it, all around.
-    pub fn find(equations: &'a EquationsOfMotion, condition: TrimCondition) -> Result<Self, Box<TrimError>> {
-        let mut search = Search::new(equations, condition);
+    pub fn find(plant: &'a Plant, condition: TrimCondition) -> Result<Self, Box<TrimError>> {
+        let mut search = Search::new(plant, condition);
         let in_plane = search.run();
         if search.is_straight() {
             return in_plane.map(|()| search);
         }
-        let controls = lateral_controls(equations);
+        let controls = lateral_controls(plant);
         if controls == [false; 2] {
             return match in_plane {
                 Ok(()) => Ok(search),
                 Err(error) => Err(Box::new(search.without_lateral_controls(*error))),
             };
         }
-        let mut all_around = Search::new(equations, condition);
+        let mut all_around = Search::new(plant, condition);
         if search.converged {
             all_around.values.clone_from(&search.values);
         }
@@ -106,7 +107,7 @@ impl<'a> Search<'a> {
     /// What was found, or where the search is.
     pub fn point(&self) -> TrimPoint {
         // Of a clamped aircraft the mount's; of a free one there is none.
-        let mount = &self.equations.mount;
+        let mount = &self.plant.equations.mount;
         let mut point = TrimPoint { roll: mount.x, pitch: mount.y, ..TrimPoint::default() };
         for (unknown, &value) in self.flight.iter().zip(&self.values) {
             match unknown {
@@ -123,20 +124,20 @@ impl<'a> Search<'a> {
         point
     }
 
-    /// What was found at the last evaluation, for equations that may have an inflow.
-    pub fn trim_of(&self, equations: &EquationsOfMotion) -> Trim {
-        let mut state = vec![0.0; equations.layout().len()];
-        let steady = self.equations.layout().structure();
-        state[equations.layout().structure()].copy_from_slice(&self.state[steady]);
-        equations.settle_inflow(&mut state, &self.controls);
+    /// What was found at the last evaluation, for a plant that may have an inflow.
+    pub fn trim_of(&self, plant: &Plant) -> Trim {
+        let mut state = vec![0.0; plant.layout().len()];
+        let steady = self.plant.layout().structure();
+        state[plant.layout().structure()].copy_from_slice(&self.state[steady]);
+        plant.equations.settle_inflow(&mut state, &self.controls);
         Trim { point: self.point(), state, unknowns: self.values.clone() }
     }
 
-    /// At unknowns of a trim that such equations have found.
-    pub fn resume(equations: &'a EquationsOfMotion, condition: TrimCondition, unknowns: &[f64]) -> Self {
-        let mut search = Search::new(equations, condition);
+    /// At unknowns of a trim that such a plant has found.
+    pub fn resume(plant: &'a Plant, condition: TrimCondition, unknowns: &[f64]) -> Self {
+        let mut search = Search::new(plant, condition);
         if unknowns.len() > search.values.len() {
-            search.add_lateral(lateral_controls(equations));
+            search.add_lateral(lateral_controls(plant));
         }
         search.values.copy_from_slice(unknowns);
         search
@@ -148,8 +149,8 @@ impl<'a> Search<'a> {
     }
 
     /// In the plane of symmetry, all unknowns at zero.
-    fn new(equations: &'a EquationsOfMotion, condition: TrimCondition) -> Self {
-        let flight = match (equations.support(), equations.engine_count()) {
+    fn new(plant: &'a Plant, condition: TrimCondition) -> Self {
+        let flight = match (plant.support(), plant.engine_count()) {
             (Support::Free, 0) => vec![TrimUnknown::Pitch, TrimUnknown::Elevator, TrimUnknown::ClimbAngle],
             (Support::Free, _) => vec![TrimUnknown::Pitch, TrimUnknown::Elevator, TrimUnknown::Thrust],
             (Support::Clamped, _) => Vec::new(),
@@ -157,14 +158,14 @@ impl<'a> Search<'a> {
         Search {
             condition,
             rows: IN_PLANE[..flight.len()].to_vec(),
-            values: vec![0.0; flight.len() + equations.layout().modes()],
+            values: vec![0.0; flight.len() + plant.layout().modes()],
             flight,
             converged: false,
-            state: vec![0.0; equations.layout().len()],
-            controls: Controls::neutral(equations.engine_count()),
-            rates: vec![0.0; equations.layout().len()],
-            workspace: Workspace::new(equations),
-            equations,
+            state: vec![0.0; plant.layout().len()],
+            controls: Controls::neutral(plant.engine_count()),
+            rates: vec![0.0; plant.layout().len()],
+            workspace: plant.workspace(),
+            plant,
         }
     }
 
@@ -184,8 +185,8 @@ impl<'a> Search<'a> {
     }
 
     fn weight_per_engine(&self) -> f64 {
-        let weight = self.equations.integrals().mass * STANDARD_GRAVITY;
-        weight / self.equations.engine_count().max(1) as f64
+        let weight = self.plant.equations.integrals().mass * STANDARD_GRAVITY;
+        weight / self.plant.engine_count().max(1) as f64
     }
 
     /// Writes the unknowns into state and controls, and evaluates the equations there.
@@ -194,16 +195,16 @@ impl<'a> Search<'a> {
         (self.controls.elevator, self.controls.aileron, self.controls.rudder) =
             (point.elevator, point.aileron, point.rudder);
         self.controls.thrust.fill(point.thrust);
-        let layout = *self.equations.layout();
+        let layout = *self.plant.layout();
         let TrimCondition { airspeed, altitude, heading } = self.condition;
         self.state[layout.position().end - 1] = 0.0 - altitude;
-        if self.equations.support() == Support::Free {
+        if self.plant.support() == Support::Free {
             self.state[layout.velocity()].copy_from_slice(&point.velocity(airspeed));
         }
-        let angles = Vector3::new(point.roll, point.pitch, heading + self.equations.mount.z);
+        let angles = Vector3::new(point.roll, point.pitch, heading + self.plant.equations.mount.z);
         self.state[layout.attitude()].copy_from_slice(&quaternion_of_euler_angles(&angles));
         self.state[layout.coordinates()].copy_from_slice(&self.values[self.flight.len()..]);
-        self.equations.rates(&self.state, &self.controls, &mut self.rates, &mut self.workspace);
+        self.plant.rates(&self.state, &self.controls, &mut self.rates, &mut self.workspace);
     }
 
     /// The generalised forces that must vanish: those that the flight's unknowns balance, and on each q.
@@ -279,7 +280,7 @@ impl<'a> Search<'a> {
 
     /// Whether nothing at the last evaluation moves a free aircraft aside, or nothing can.
     fn is_straight(&self) -> bool {
-        self.equations.support() == Support::Clamped
+        self.plant.support() == Support::Clamped
             || ASIDE.iter().all(|&row| self.rigid()[row].abs() < STRAIGHT)
     }
 
@@ -288,7 +289,7 @@ impl<'a> Search<'a> {
         self.evaluate();
         let modal = largest(&self.workspace.accelerations()[6..]);
         let elastic = largest(&self.workspace.elastic_force).max(1.0);
-        let reversed = self.equations.reversed_strip(&self.state, &self.controls, &self.workspace);
+        let reversed = self.plant.reversed_strip(&self.state, &self.controls, &self.workspace);
         let in_balance = self.workspace.accelerations().iter().all(|a| a.is_finite())
             && largest(&self.rigid()) < BALANCED
             && modal < BALANCED * elastic
@@ -300,7 +301,7 @@ impl<'a> Search<'a> {
     fn error(&self, end: SearchEnd, modal: f64) -> TrimError {
         let TrimCondition { airspeed, altitude, .. } = self.condition;
         let (SearchEnd::Steps(steps) | SearchEnd::TooMany(steps) | SearchEnd::Singular(steps)) = end;
-        let failure = match (self.equations.support(), end) {
+        let failure = match (self.plant.support(), end) {
             (Support::Clamped, _) => TrimFailure::NoRest,
             (Support::Free, end) => match (self.share_carried(), end) {
                 (Some(share), _) if share < 1.0 => TrimFailure::TooSlow { share },
@@ -312,11 +313,11 @@ impl<'a> Search<'a> {
             failure,
             airspeed,
             altitude,
-            density: self.equations.air(&self.state).density,
+            density: self.plant.air(&self.state).density,
             steps,
             point: self.point(),
-            support: self.equations.support(),
-            has_engines: self.equations.engine_count() > 0,
+            support: self.plant.support(),
+            has_engines: self.plant.engine_count() > 0,
             rigid: self.rigid(),
             modal,
         }
@@ -336,25 +337,37 @@ impl<'a> Search<'a> {
     /// Which share of the weight level, undeformed wings carry at 15° of incidence, without thrust and controls; none
     /// without wings or weight.
     fn share_carried(&self) -> Option<f64> {
-        let mut level = Search::new(self.equations, self.condition);
+        let mut level = Search::new(self.plant, self.condition);
         *level.values.first_mut()? = STEEP;
         level.evaluate();
-        let layout = self.equations.layout();
+        let layout = self.plant.layout();
         let attitude = Attitude::from_quaternion(&level.state[layout.attitude()]);
         let force = Vector3::from_column_slice(&level.workspace.forces()[0..3]);
         let downwards = attitude.body_from_inertial.tr_mul(&force).z;
-        let weight = self.equations.integrals().mass * self.equations.gravity;
+        let weight = self.plant.equations.integrals().mass * self.plant.equations.gravity;
         let share = 1.0 - downwards / weight;
         (share.is_finite() && share > 1e-9).then_some(share)
     }
 }
 
+impl Plant {
+    /// Finds steady straight flight, without sideslip where aileron and rudder can hold it, and q at which all accelerations vanish, thrust equal on all
+    /// engines. A clamped aircraft keeps its attitude; only q is found.
+    ///
+    /// # Errors
+    /// When Newton's method finds no such state.
+    pub fn trim(&self, condition: &TrimCondition) -> Result<Trim, Box<TrimError>> {
+        let steady = self.with_steady_inflow();
+        Ok(Search::find(&steady, *condition)?.trim_of(self))
+    }
+}
+
 /// Whether there are ailerons, and a rudder.
-fn lateral_controls(equations: &EquationsOfMotion) -> [bool; 2] {
+fn lateral_controls(plant: &Plant) -> [bool; 2] {
     [SurfaceKind::Aileron, SurfaceKind::Rudder].map(|kind| {
         let mut angles = [0.0; SURFACES];
         angles[kind as usize] = 1.0;
-        equations.flap_factors().iter().any(|factor| factor.value(&angles) != 0.0)
+        plant.equations.flap_factors().iter().any(|factor| factor.value(&angles) != 0.0)
     })
 }
 

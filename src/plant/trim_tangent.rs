@@ -7,11 +7,9 @@
 
 use std::array::from_fn;
 
-use nalgebra::Vector3;
-
-use crate::equations::EquationsOfMotion;
 use crate::math::solve;
 
+use super::system::Plant;
 use super::trim::{Trim, TrimCondition};
 use super::trim_search::Search;
 
@@ -38,19 +36,19 @@ pub struct TrimTangents {
 }
 
 impl TrimTangents {
-    /// At a trim that these equations have found under this condition. Allocates.
-    pub fn new(equations: &EquationsOfMotion, condition: &TrimCondition, trim: &Trim) -> Self {
+    /// At a trim that this plant has found under this condition. Allocates.
+    pub fn new(plant: &Plant, condition: &TrimCondition, trim: &Trim) -> Self {
         let mut jacobian = vec![0.0; trim.unknowns.len() * trim.unknowns.len()];
-        let steady = equations.with_steady_inflow();
+        let steady = plant.with_steady_inflow();
         Search::resume(&steady, *condition, &trim.unknowns).jacobian(&mut jacobian);
         TrimTangents { trim: trim.unknowns.clone(), jacobian }
     }
 
-    /// The trims where equations and condition have changed along some direction, by [`WIDTHS`] of the change, up to errors
+    /// The trims where plant and condition have changed along some direction, by [`WIDTHS`] of the change, up to errors
     /// of second order. Allocates. `None` where J is singular.
-    pub fn neighbours(&self, changed: &[(EquationsOfMotion, TrimCondition); 4]) -> Option<[Trim; 4]> {
+    pub fn neighbours(&self, changed: &[(Plant, TrimCondition); 4]) -> Option<[Trim; 4]> {
         let origin = &self.trim;
-        let steady = changed.each_ref().map(|(equations, _)| equations.with_steady_inflow());
+        let steady = changed.each_ref().map(|(plant, _)| plant.with_steady_inflow());
         let mut searches: [_; 4] = from_fn(|place| Search::resume(&steady[place], changed[place].1, origin));
         let mut tangent = vec![0.0; origin.len()];
         let mut residuals = [(); 4].map(|()| vec![0.0; origin.len()]);
@@ -74,18 +72,5 @@ impl TrimTangents {
         }
         evaluate(&tangent);
         Some(from_fn(|place| searches[place].trim_of(&changed[place].0)))
-    }
-}
-
-impl EquationsOfMotion {
-    /// The same equations in another flow of the tunnel (m/s), with all elastic properties multiplied by a factor.
-    pub fn varied(&self, tunnel_flow: Vector3<f64>, stiffness: f64) -> Self {
-        let mut varied = self.clone();
-        varied.tunnel_flow = tunnel_flow;
-        varied.stiffness_scale *= stiffness;
-        varied.elastic_forces.scale(stiffness);
-        let damping = libm::sqrt(stiffness);
-        varied.damping.iter_mut().for_each(|rate| *rate *= damping);
-        varied
     }
 }

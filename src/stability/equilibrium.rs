@@ -4,9 +4,8 @@
 
 use nalgebra::Vector3;
 
-use crate::equations::EquationsOfMotion;
 use crate::kinematics::combine;
-use crate::plant::Trim;
+use crate::plant::{Plant, Trim};
 use crate::structure::{ReducedModel, ReducedStrip};
 
 /// The shape and attitude of an aircraft in trim.
@@ -19,10 +18,10 @@ pub(super) struct Equilibrium {
 }
 
 impl Equilibrium {
-    pub fn new(model: &ReducedModel, equations: &EquationsOfMotion, trim: &Trim) -> Self {
-        let layout = equations.layout();
+    pub fn new(model: &ReducedModel, plant: &Plant, trim: &Trim) -> Self {
+        let layout = plant.layout();
         let q = &trim.state[layout.coordinates()];
-        let controls = trim.controls(equations.engine_count());
+        let controls = trim.controls(plant.engine_count());
         let mut angles = trim.state[layout.attitude()].to_vec();
         angles.extend([controls.elevator, controls.aileron, controls.rudder]);
         let displacement = |strip: &ReducedStrip| combine(&strip.shapes.translation, q);

@@ -5,9 +5,8 @@ use std::thread;
 
 use nalgebra::Complex;
 
-use crate::equations::EquationsOfMotion;
 use crate::flight::{LimitExceeded, Settings, SimulationError};
-use crate::plant::{EigenvaluesNotFound, StateMatrix, Trim, Unknown};
+use crate::plant::{EigenvaluesNotFound, Plant, StateMatrix, Trim, Unknown};
 use crate::structure::ReducedModel;
 
 use super::condensed::Condensed;
@@ -57,23 +56,23 @@ pub(super) struct Point {
 }
 
 impl Family<'_> {
-    fn trimmed(&self, airspeed: f64) -> Result<(EquationsOfMotion, Trim), SimulationError> {
+    fn trimmed(&self, airspeed: f64) -> Result<(Plant, Trim), SimulationError> {
         let settings = Settings { airspeed, ..self.settings.clone() };
-        let equations = settings.equations(self.model)?;
-        let trim = equations.trim(&settings.trim_condition())?;
-        Ok((equations, trim))
+        let plant = settings.plant(self.model)?;
+        let trim = plant.trim(&settings.trim_condition())?;
+        Ok((plant, trim))
     }
 
     /// The trim alone.
     pub fn equilibrium(&self, airspeed: f64) -> Result<Equilibrium, SimulationError> {
-        let (equations, trim) = self.trimmed(airspeed)?;
-        Ok(Equilibrium::new(self.model, &equations, &trim))
+        let (plant, trim) = self.trimmed(airspeed)?;
+        Ok(Equilibrium::new(self.model, &plant, &trim))
     }
 
     /// The linearised motion alone; none without a trim.
     pub fn problem(&self, airspeed: f64) -> Option<Arc<Condensed>> {
-        let (equations, trim) = self.trimmed(airspeed).ok()?;
-        Some(Arc::new(Condensed::new(&equations.linearise(&trim))))
+        let (plant, trim) = self.trimmed(airspeed).ok()?;
+        Some(Arc::new(Condensed::new(&plant.linearise(&trim))))
     }
 
     /// Some points of the range, computed side by side; `analysed` is called after each.
@@ -96,15 +95,15 @@ impl Family<'_> {
     }
 
     fn point(&self, airspeed: f64) -> Result<Point, SkipReason> {
-        let (equations, trim) = self.trimmed(airspeed)?;
-        let matrix: StateMatrix = equations.linearise(&trim);
+        let (plant, trim) = self.trimmed(airspeed)?;
+        let matrix: StateMatrix = plant.linearise(&trim);
         let mut unstable = matrix.eigenvalues()?;
         unstable.retain(|eigenvalue| eigenvalue.re > UNSTABLE && eigenvalue.im >= 0.0);
         let in_shape = |unknown: &&Unknown| !matches!(unknown, Unknown::Inflow { .. });
         Ok(Point {
             airspeed,
-            equilibrium: Equilibrium::new(self.model, &equations, &trim),
-            limits_exceeded: LimitExceeded::find(&self.model.limits, &equations, &trim),
+            equilibrium: Equilibrium::new(self.model, &plant, &trim),
+            limits_exceeded: LimitExceeded::find(&self.model.limits, &plant, &trim),
             problem: Arc::new(Condensed::new(&matrix)),
             unknowns: matrix.unknowns.iter().filter(in_shape).copied().collect(),
             unstable,

@@ -1,5 +1,10 @@
-//! The aircraft whose motion is its own mirror image: half of it flies for the whole [theory: symmetry.half].
+//! Symmetry: the one room that knows that half the aircraft can fly for the whole [theory: symmetry.half].
 
+mod forms;
 mod half;
+mod plants;
+mod unfolding;
 
+pub use forms::{Form, Forms};
 pub use half::{Counterpart, SymmetricHalf};
+pub use plants::{Actions, Plants, Trimmed};

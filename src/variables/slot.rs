@@ -1,8 +1,8 @@
 //! Where the value of a variable lives: a typed place in the inputs, the settings or the outputs.
 
 use crate::equations::Fidelity;
-use crate::flight::{InputReference, Inputs, ModeSelection, Outputs, Settings};
-use crate::plant::TrimPoint;
+use crate::flight::{InputReference, Inputs, ModeSelection, Settings};
+use crate::plant::{Outputs, TrimPoint};
 
 /// The value of a variable.
 #[derive(Clone, Copy, Debug, PartialEq)]

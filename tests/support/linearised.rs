@@ -1,29 +1,29 @@
 //! The jet linearised at a trim, and single eigenvalues of it.
 
-use flexible_aircraft::equations::{EquationsOfMotion, Fidelity};
+use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::Settings;
-use flexible_aircraft::plant::Trim;
+use flexible_aircraft::plant::{Plant, Trim};
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{eight_symmetric, jet};
 
 /// The state matrix of the jet with 8 symmetric modes and N = 5 at its trim at 7620 m.
 pub fn state_matrix(fidelity: Fidelity, stiffness_scale: f64, airspeed: f64) -> DMatrix<f64> {
-    let (equations, trim) = trimmed(fidelity, stiffness_scale, airspeed, 5);
-    equations.linearise(&trim).matrix
+    let (plant, trim) = trimmed(fidelity, stiffness_scale, airspeed, 5);
+    plant.linearise(&trim).matrix
 }
 
-/// The jet's equations with 8 symmetric modes and their trim at 7620 m.
+/// The jet's plant with 8 symmetric modes and their trim at 7620 m.
 pub fn trimmed(
     fidelity: Fidelity,
     stiffness_scale: f64,
     airspeed: f64,
     inflow_states: usize,
-) -> (EquationsOfMotion, Trim) {
+) -> (Plant, Trim) {
     let settings = Settings { fidelity, stiffness_scale, airspeed, inflow_states, ..eight_symmetric() };
-    let equations = settings.equations(&jet()).unwrap();
-    let trim = equations.trim(&settings.trim_condition()).unwrap();
-    (equations, trim)
+    let plant = settings.plant(&jet()).unwrap();
+    let trim = plant.trim(&settings.trim_condition()).unwrap();
+    (plant, trim)
 }
 
 /// The eigenvalue nearest to a guess, by inverse iteration.

@@ -10,7 +10,8 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::flight::{Inputs, ModeSelection, Outputs, Settings, Simulation};
+use flexible_aircraft::flight::{Inputs, ModeSelection, Settings, Simulation};
+use flexible_aircraft::plant::Outputs;
 use flexible_aircraft::structure::ReducedModel;
 
 /// The generic business jet with as many modes as its FMU has.

@@ -95,10 +95,11 @@ fn gravity_thrust_and_the_air_balance_the_trimmed_aircraft_in_all_six_directions
     let aircraft = changed_jet(|aircraft| load(aircraft, 300.0, 5.0));
     let model = ReducedModel::new(&aircraft, 0).unwrap();
     let settings = Settings { fidelity: Fidelity::Rigid, inflow_states: 0, ..Settings::of(&model) };
-    let equations = settings.equations(&model).unwrap();
-    let trim = equations.trim(&settings.trim_condition()).unwrap();
+    let plant = settings.plant(&model).unwrap();
+    let trim = plant.trim(&settings.trim_condition()).unwrap();
     let (controls, rates) = (trim.controls(2), vec![0.0; trim.state.len()]);
-    let instant = Instant { equations: &equations, controls: &controls, state: &trim.state, rates: &rates };
+    let instant =
+        Instant { equations: plant.equations(), controls: &controls, state: &trim.state, rates: &rates };
     let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
     let mut act = |place: &Vector3<f64>, acting: Vector3<f64>| {
         force += acting;

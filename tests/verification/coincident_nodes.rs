@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::flight::{Inputs, ModeSelection, Outputs, Settings, Simulation};
+use flexible_aircraft::flight::{Inputs, ModeSelection, Settings, Simulation};
+use flexible_aircraft::plant::Outputs;
 use flexible_aircraft::structure::{ModeFamily, ReducedModel};
 use flexible_aircraft::symmetry::{Counterpart, SymmetricHalf};
 

@@ -6,11 +6,9 @@
 //! The work is summed strip by strip as the theory writes the loads, apparent mass included
 //! (`support/plain_loads.rs`).
 
-use flexible_aircraft::equations::{
-    Configuration, Controls, EquationsOfMotion, Fidelity, Mechanics, Workspace,
-};
+use flexible_aircraft::equations::{Configuration, Controls, EquationsOfMotion, Fidelity, Mechanics};
 use flexible_aircraft::math::Attitude;
-use flexible_aircraft::plant::TrimCondition;
+use flexible_aircraft::plant::{Plant, TrimCondition};
 use flexible_aircraft::structure::{ReducedEngine, ReducedModel};
 use nalgebra::{DVector, DVectorView, Vector3};
 
@@ -59,7 +57,7 @@ fn power(
 }
 
 /// The jet with twelve modes of both families at one-tenth stiffness in steady inflow.
-fn soft_jet(fidelity: Fidelity) -> (ReducedModel, EquationsOfMotion) {
+fn soft_jet(fidelity: Fidelity) -> (ReducedModel, Plant) {
     let model = jet().select(&(0..12).collect::<Vec<_>>());
     let configuration = Configuration {
         fidelity,
@@ -68,8 +66,8 @@ fn soft_jet(fidelity: Fidelity) -> (ReducedModel, EquationsOfMotion) {
         inflow_states: 0,
         tunnel_flow: Vector3::zeros(),
     };
-    let equations = EquationsOfMotion::new(&model, &configuration);
-    (model, equations)
+    let plant = Plant::new(&model, &configuration);
+    (model, plant)
 }
 
 /// T + U.
@@ -82,9 +80,10 @@ fn energy(equations: &EquationsOfMotion, state: &[f64]) -> f64 {
 /// change of energy along 4 s, J, and the largest difference to the work.
 fn balance(fidelity: Fidelity) -> (f64, f64) {
     const STEP: f64 = 1e-3;
-    let (model, equations) = soft_jet(fidelity);
-    let trim = equations.trim(&TrimCondition { airspeed: 127.0, altitude: 7620.0, heading: 0.0 }).unwrap();
-    let mut workspace = Workspace::new(&equations);
+    let (model, plant) = soft_jet(fidelity);
+    let equations = plant.equations();
+    let trim = plant.trim(&TrimCondition { airspeed: 127.0, altitude: 7620.0, heading: 0.0 }).unwrap();
+    let mut workspace = plant.workspace();
     let mut slope = |time: f64, state: &DVector<f64>| {
         let wave = libm::sin(std::f64::consts::TAU * 0.5 * time);
         let mut controls = Controls::neutral(2);
@@ -96,10 +95,10 @@ fn balance(fidelity: Fidelity) -> (f64, f64) {
         let aircraft = &state.as_slice()[..state.len() - 1];
         equations.rates(aircraft, &controls, &mut rates[..aircraft.len()], &mut workspace);
         let work = rates.len() - 1;
-        rates[work] = power(&model, &equations, aircraft, &rates[..work], &controls);
+        rates[work] = power(&model, equations, aircraft, &rates[..work], &controls);
         DVector::from_vec(rates)
     };
-    let energy = |state: &DVector<f64>| energy(&equations, &state.as_slice()[..state.len() - 1]);
+    let energy = |state: &DVector<f64>| energy(equations, &state.as_slice()[..state.len() - 1]);
     let mut state = DVector::from_vec([trim.state.as_slice(), &[0.0]].concat());
     let start = energy(&state);
     let (mut largest, mut difference) = (0.0_f64, 0.0_f64);
@@ -119,9 +118,10 @@ fn balance(fidelity: Fidelity) -> (f64, f64) {
 
 /// The largest difference of power and d(T + U)/dt over ten random states, relative to the power.
 fn instantaneous(fidelity: Fidelity) -> f64 {
-    let (model, equations) = soft_jet(fidelity);
+    let (model, plant) = soft_jet(fidelity);
+    let equations = plant.equations();
     let layout = *equations.layout();
-    let mut workspace = Workspace::new(&equations);
+    let mut workspace = plant.workspace();
     let mut largest = 0.0_f64;
     for seed in 0..10 {
         let mut next = random(seed);
@@ -141,10 +141,10 @@ fn instantaneous(fidelity: Fidelity) -> f64 {
         controls.thrust.fill(3e4 * next());
         let mut rates = vec![0.0; state.len()];
         equations.rates(&state, &controls, &mut rates, &mut workspace);
-        let expected = power(&model, &equations, &state, &rates, &controls);
+        let expected = power(&model, equations, &state, &rates, &controls);
         // T + U is quartic along a straight line.
         let moved = |s: f64| state.iter().zip(&rates).map(|(x, rate)| x + s * rate).collect::<Vec<_>>();
-        let found = derivative(1e-2, |s| energy(&equations, &moved(s)));
+        let found = derivative(1e-2, |s| energy(equations, &moved(s)));
         largest = largest.max((found / expected - 1.0).abs());
     }
     largest

@@ -1,7 +1,8 @@
 //! Flights of the whole jet: symmetry, steadiness, determinism, wind.
 
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::flight::{InputReference, Inputs, Outputs, Settings, Simulation};
+use flexible_aircraft::flight::{InputReference, Inputs, Settings, Simulation};
+use flexible_aircraft::plant::Outputs;
 use nalgebra::Vector3;
 
 use crate::support::{doublet, fly, jet, two_three_one_one, up};

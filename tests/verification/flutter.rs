@@ -238,7 +238,7 @@ fn forward_swept(incidence_deg: f64) -> ReducedModel {
 
 fn linearised(model: &ReducedModel, settings: &Settings, airspeed: f64) -> Option<StateMatrix> {
     let settings = Settings { airspeed, ..settings.clone() };
-    let equations = settings.equations(model).unwrap();
+    let equations = settings.plant(model).unwrap();
     let trim = equations.trim(&settings.trim_condition()).ok()?;
     Some(equations.linearise(&trim))
 }
@@ -308,7 +308,7 @@ fn a_jump_to_another_equilibrium_is_named_with_what_moves() {
     // The trims at the two airspeeds, a hundred-thousandth apart.
     let [below, above] = loss.between.map(|airspeed| {
         let settings = Settings { airspeed, ..settings.clone() };
-        let equations = settings.equations(&model).unwrap();
+        let equations = settings.plant(&model).unwrap();
         let trim = equations.trim(&settings.trim_condition()).unwrap();
         trim.state[equations.layout().coordinates()][0]
     });

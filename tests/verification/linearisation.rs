@@ -8,7 +8,7 @@ use crate::support::{eight_symmetric, jet};
 /// The jet with 8 symmetric modes at 127 m/s, and its pitch angle.
 fn trimmed() -> (StateMatrix, f64) {
     let settings = eight_symmetric();
-    let equations = settings.equations(&jet()).unwrap();
+    let equations = settings.plant(&jet()).unwrap();
     let trim = equations.trim(&settings.trim_condition()).unwrap();
     (equations.linearise(&trim), trim.point.pitch)
 }
@@ -55,7 +55,7 @@ fn longitudinal_and_lateral_motion_do_not_couple() {
 fn a_free_aircraft_keeps_nine_rigid_unknowns_and_a_clamped_one_none() {
     let unknowns = |model: &flexible_aircraft::structure::ReducedModel| {
         let settings = Settings { mode_count: 4, inflow_states: 3, ..Settings::of(model) };
-        let equations = settings.equations(model).unwrap();
+        let equations = settings.plant(model).unwrap();
         equations.linearise(&equations.trim(&settings.trim_condition()).unwrap()).unknowns
     };
     let strips = 3 * jet().strips.len();

@@ -1,7 +1,7 @@
 //! The phugoid and the short period of the rigid aircraft are those of the textbooks, as far as these go.
 
-use flexible_aircraft::equations::{EquationsOfMotion, Fidelity};
-use flexible_aircraft::plant::{StateMatrix, Trim, Unknown};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::plant::{Plant, StateMatrix, Trim, Unknown};
 use nalgebra::{Complex, DMatrix, Matrix2, Matrix3};
 
 use crate::support::jet;
@@ -13,8 +13,8 @@ const SPEED: f64 = 127.0;
 const ALTITUDE: f64 = 7620.0;
 
 /// The matrix of longitudinal motion in stability axes on [u, θ, h, w, q], without wake states.
-fn longitudinal(equations: &EquationsOfMotion, trim: &Trim) -> DMatrix<f64> {
-    let StateMatrix { unknowns, matrix } = equations.linearise(trim);
+fn longitudinal(plant: &Plant, trim: &Trim) -> DMatrix<f64> {
+    let StateMatrix { unknowns, matrix } = plant.linearise(trim);
     let place = |wanted| unknowns.iter().position(|unknown| *unknown == wanted).unwrap();
     let (x, z) = (place(Unknown::Velocity(0)), place(Unknown::Velocity(2)));
     let (sin, cos) = libm::sincos(trim.point.pitch);
@@ -55,8 +55,8 @@ fn phugoid_and_short_period_are_those_of_the_textbooks() {
          short period at constant speed, and phugoid with w and q in equilibrium, from the derivatives (Etkin, Reid, *Dynamics \
          of Flight*, chapter 6; Cook, *Flight Dynamics Principles*, chapter 6)",
     );
-    let (equations, trim) = trimmed(Fidelity::Rigid, 1.0, SPEED, 0);
-    let matrix = longitudinal(&equations, &trim);
+    let (plant, trim) = trimmed(Fidelity::Rigid, 1.0, SPEED, 0);
+    let matrix = longitudinal(&plant, &trim);
     let phugoid = eigenvalue_near(&matrix, Complex::new(-0.011, 0.116));
     let short_period = eigenvalue_near(&matrix, Complex::new(-0.53, 1.21));
 
@@ -65,7 +65,7 @@ fn phugoid_and_short_period_are_those_of_the_textbooks() {
     both(&mut record, "short period at constant speed", constant_speed, [0.003, 0.01], short_period);
 
     let gravity = jet().gravity;
-    let weight = equations.integrals().mass * gravity;
+    let weight = plant.equations().integrals().mass * gravity;
     let (sin, cos) = libm::sincos(trim.point.pitch);
     let drag_over_lift = 2.0 * trim.point.thrust * cos / (weight - 2.0 * trim.point.thrust * sin);
     let lanchester = Complex::new(-gravity / SPEED * drag_over_lift, libm::sqrt(2.0) * gravity / SPEED);

@@ -1,7 +1,8 @@
 //! Sensors at the stations read what a real one fixed to the moving, deformed section would: the second derivative
 //! of its path less gravity, and the spin of its axes, both found here by differentiating the flight's history.
 
-use flexible_aircraft::flight::{Inputs, Outputs, Settings, Simulation};
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+use flexible_aircraft::plant::Outputs;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::support::{jet, station};

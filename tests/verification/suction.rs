@@ -4,6 +4,7 @@
 use flexible_aircraft::air::Air;
 use flexible_aircraft::equations::{Configuration, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+use flexible_aircraft::plant::Plant;
 use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
 use nalgebra::Vector3;
 
@@ -139,7 +140,7 @@ fn yaw_of_ailerons(suction: f64) -> f64 {
         tunnel_flow: Vector3::zeros(),
     };
     // The same state for every suction.
-    let trimmed = EquationsOfMotion::new(&jet(), &configuration);
+    let trimmed = Plant::new(&jet(), &configuration);
     let trim = trimmed.trim(&Settings::of(&jet()).trim_condition()).unwrap();
     let equations = EquationsOfMotion::new(&with_camber(suction, 0.0), &configuration);
     let (sin, cos) = libm::sincos(trim.point.pitch);

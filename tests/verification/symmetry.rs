@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Support;
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::flight::{Inputs, Outputs, Settings, Simulation};
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+use flexible_aircraft::plant::Outputs;
 use flexible_aircraft::structure::ReducedModel;
 
 use crate::support::{fly, jet, two_three_one_one, up};

@@ -147,7 +147,7 @@ fn a_wing_in_still_air_swings_with_the_mass_of_the_air_around_it() {
     // First bending: 3.516 √(EI/mL⁴) with m + πρb² in place of m, ρ = 1.225 kg/m³.
     let mass = 60.0 / 6.0 + std::f64::consts::PI * 1.225 * 0.25;
     let expected = 3.5160 * libm::sqrt(1e5 / (mass * 1296.0));
-    let equations = settings.equations(&still).unwrap();
+    let equations = settings.plant(&still).unwrap();
     let matrix = equations.linearise(&equations.trim(&settings.trim_condition()).unwrap());
     let eigenvalues = matrix.eigenvalues().unwrap();
     let first = eigenvalues.iter().filter(|root| root.im > 1.0).min_by(|a, b| a.im.total_cmp(&b.im)).unwrap();

@@ -1,8 +1,9 @@
 //! The right-hand side, and the plain method that all gains are compared with: the classical Runge–Kutta method in
 //! steps of 1 ms, one strip at a time.
 
-use flexible_aircraft::equations::{Controls, EquationsOfMotion, Workspace};
+use flexible_aircraft::equations::Controls;
 use flexible_aircraft::flight::Settings;
+use flexible_aircraft::plant::Plant;
 use flexible_aircraft::structure::ReducedModel;
 
 use crate::manoeuvre::Manoeuvre;
@@ -42,14 +43,13 @@ impl EquationCosts {
     /// Measures about the trim.
     pub fn measure(model: &ReducedModel) -> Result<Self, BenchError> {
         let settings = Settings::of(model);
-        let whole = settings.equations(model)?;
-        let half = settings
-            .symmetric_equations(model)?
-            .ok_or_else(|| BenchError::NoMirrorPlane(model.name.clone()))?;
+        let plants = settings.plants(model)?;
+        let whole = plants.whole();
+        let half = plants.half().ok_or_else(|| BenchError::NoMirrorPlane(model.name.clone()))?;
         let narrow = whole.clone().one_strip_at_a_time();
         Ok(EquationCosts {
-            half: RightHandSide::measure(&half, &settings)?,
-            whole: RightHandSide::measure(&whole, &settings)?,
+            half: RightHandSide::measure(half, &settings)?,
+            whole: RightHandSide::measure(whole, &settings)?,
             plain_time_per_second: least_time(1, || fly_plainly(&narrow, &settings))? / DURATION,
             most_multiplications: most_multiplications()?,
         })
@@ -57,32 +57,31 @@ impl EquationCosts {
 }
 
 impl RightHandSide {
-    fn measure(equations: &EquationsOfMotion, settings: &Settings) -> Result<Self, BenchError> {
-        let (state, controls) = trimmed(equations, settings)?;
+    fn measure(plant: &Plant, settings: &Settings) -> Result<Self, BenchError> {
+        let (state, controls) = trimmed(plant, settings)?;
         Ok(RightHandSide {
-            time: time_of(equations, settings)?,
-            narrow_time: time_of(&equations.clone().one_strip_at_a_time(), settings)?,
-            multiplications: equations.multiplications(&state, &controls),
+            time: time_of(plant, settings)?,
+            narrow_time: time_of(&plant.clone().one_strip_at_a_time(), settings)?,
+            multiplications: plant.equations().multiplications(&state, &controls),
         })
     }
 }
 
 /// The state of the trimmed flight and its controls.
-fn trimmed(equations: &EquationsOfMotion, settings: &Settings) -> Result<(Vec<f64>, Controls), BenchError> {
-    let trim = equations
-        .trim(&settings.trim_condition())
-        .map_err(flexible_aircraft::flight::SimulationError::from)?;
-    let controls = trim.controls(equations.engine_count());
+fn trimmed(plant: &Plant, settings: &Settings) -> Result<(Vec<f64>, Controls), BenchError> {
+    let trim =
+        plant.trim(&settings.trim_condition()).map_err(flexible_aircraft::flight::SimulationError::from)?;
+    let controls = trim.controls(plant.engine_count());
     Ok((trim.state, controls))
 }
 
 /// s for one evaluation at the trim.
-pub fn time_of(equations: &EquationsOfMotion, settings: &Settings) -> Result<f64, BenchError> {
-    let (state, controls) = trimmed(equations, settings)?;
-    let (mut rates, mut workspace) = (vec![0.0; state.len()], Workspace::new(equations));
+pub fn time_of(plant: &Plant, settings: &Settings) -> Result<f64, BenchError> {
+    let (state, controls) = trimmed(plant, settings)?;
+    let (mut rates, mut workspace) = (vec![0.0; state.len()], plant.workspace());
     let time = least_time(20, || {
         for _ in 0..EVALUATIONS {
-            equations.rates(std::hint::black_box(&state), &controls, &mut rates, &mut workspace);
+            plant.rates(std::hint::black_box(&state), &controls, &mut rates, &mut workspace);
         }
         Ok(())
     })?;
@@ -90,11 +89,11 @@ pub fn time_of(equations: &EquationsOfMotion, settings: &Settings) -> Result<f64
 }
 
 /// The standard flight by the classical Runge–Kutta method.
-fn fly_plainly(equations: &EquationsOfMotion, settings: &Settings) -> Result<Vec<f64>, BenchError> {
-    let (mut y, mut controls) = trimmed(equations, settings)?;
+fn fly_plainly(plant: &Plant, settings: &Settings) -> Result<Vec<f64>, BenchError> {
+    let (mut y, mut controls) = trimmed(plant, settings)?;
     let trim_elevator = controls.elevator;
     let manoeuvre = Manoeuvre::two_three_one_one(-0.05, 0.7, 1.0, 0.05);
-    let mut workspace = Workspace::new(equations);
+    let mut workspace = plant.workspace();
     let n = y.len();
     let (mut stage, mut k, mut sum) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
     for step in 0..(DURATION / PLAIN_STEP) as usize {
@@ -102,7 +101,7 @@ fn fly_plainly(equations: &EquationsOfMotion, settings: &Settings) -> Result<Vec
         stage.copy_from_slice(&y);
         sum.fill(0.0);
         for (weight, next) in [(1.0, 0.5), (2.0, 0.5), (2.0, 1.0), (1.0, 0.0)] {
-            equations.rates(&stage, &controls, &mut k, &mut workspace);
+            plant.rates(&stage, &controls, &mut k, &mut workspace);
             for i in 0..n {
                 sum[i] += weight / 6.0 * k[i];
                 stage[i] = y[i] + next * PLAIN_STEP * k[i];

@@ -114,7 +114,7 @@ pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
         return Err(BenchError::Clamped(aircraft.name));
     }
     let model = Arc::new(ReducedModel::new(&aircraft, ModeCount::Usual(ReducedModel::USUAL_MODES))?);
-    if Settings::of(&model).symmetric_equations(&model)?.is_none() {
+    if Settings::of(&model).plants(&model)?.half().is_none() {
         return Err(BenchError::NoMirrorPlane(aircraft.name));
     }
     let fmu = Fmu::open(&options.fmu)?;

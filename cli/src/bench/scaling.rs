@@ -93,18 +93,18 @@ fn point(
     label: String,
     size: usize,
 ) -> Result<Point, BenchError> {
-    let half =
-        settings.symmetric_equations(model)?.ok_or_else(|| BenchError::NoMirrorPlane(model.name.clone()))?;
+    let plants = settings.plants(model)?;
+    let half = plants.half().ok_or_else(|| BenchError::NoMirrorPlane(model.name.clone()))?;
     let (trimmed, engines) = (Simulation::new(Arc::clone(model), settings, 0.0)?, model.engines.len());
     Ok(Point {
         label,
         size,
         half: Costs {
-            right_hand_side: time_of(&half, settings)?,
+            right_hand_side: time_of(half, settings)?,
             time_per_second: flight_time(&trimmed, engines, 0.0)?,
         },
         whole: Costs {
-            right_hand_side: time_of(&settings.equations(model)?, settings)?,
+            right_hand_side: time_of(plants.whole(), settings)?,
             time_per_second: flight_time(&trimmed, engines, UNNOTICEABLE)?,
         },
     })

@@ -4,7 +4,8 @@ use std::fmt::Write;
 use std::sync::Arc;
 
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::flight::{Inputs, Outputs, Simulation, SimulationError};
+use flexible_aircraft::flight::{Inputs, Simulation, SimulationError};
+use flexible_aircraft::plant::Outputs;
 use flexible_aircraft::structure::ReducedModel;
 
 use super::Error;

@@ -3,14 +3,13 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::air::{Air, STANDARD_GRAVITY};
-use crate::equations::{Controls, EquationsOfMotion};
+use crate::equations::{Controls, EquationsOfMotion, StateLayout, Workspace};
 use crate::kinematics::combine;
 use crate::math::Attitude;
-use crate::plant::{BodyMotion, Sensors};
-use crate::structure::ReducedModel;
+use crate::structure::{ReducedModel, ReducedStation};
 
-use super::airframe::Airframe;
-use super::simulation::Simulation;
+use super::course::Course;
+use super::sensors::{BodyMotion, Sensors};
 
 /// All outputs at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,7 +76,7 @@ pub struct Deflection {
 
 impl Outputs {
     /// Room for the outputs of a model, all zero.
-    pub(super) fn new(model: &ReducedModel) -> Self {
+    pub(crate) fn new(model: &ReducedModel) -> Self {
         Outputs {
             position: Vector3::zeros(),
             attitude: Vector3::zeros(),
@@ -97,64 +96,73 @@ impl Outputs {
             thrust: vec![0.0; model.engines.len()],
         }
     }
-}
 
-/// Writes the outputs of a simulation whose accelerations and controls are up to date.
-pub(super) fn write(simulation: &mut Simulation) {
-    let must_unfold = simulation.must_unfold();
-    let Simulation { airframes, course, path, view, controls, outputs, model, .. } = simulation;
-    let (airframe, state) = if must_unfold {
-        (airframes.whole(), &view.state)
-    } else {
-        (airframes.flying(), &path.present.state)
-    };
-    let Airframe { equations, modes, stations, workspace, .. } = airframe;
-    let layout = equations.layout();
-    let to_body = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial;
-    let motion = equations.motion(state);
-    let acceleration = Vector3::from_column_slice(&workspace.accelerations()[0..3]);
-
-    outputs.position = course.north_east_down(&Vector3::from_column_slice(&state[layout.position()]));
-    outputs.attitude = Attitude { body_from_inertial: to_body * course.matrix() }.euler_angles();
-    outputs.velocity = motion.velocity;
-    outputs.rate = motion.rate;
-    outputs.acceleration = acceleration;
-    outputs.load_factor =
-        load_factor(&(acceleration + motion.rate.cross(&motion.velocity)), &to_body, model.gravity);
-    outputs.air = air_data(equations, state, controls);
-
-    let (q, q_dot) = (&state[layout.coordinates()], &state[layout.coordinate_rates()]);
-    outputs.modal_q.fill(0.0);
-    outputs.modal_q_dot.fill(0.0);
-    for ((&packaged, q), q_dot) in modes.iter().zip(q).zip(q_dot) {
-        outputs.modal_q[packaged] = *q;
-        outputs.modal_q_dot[packaged] = *q_dot;
+    /// Writes the motion of O, in axes along a course.
+    pub(super) fn write_motion(
+        &mut self,
+        equations: &EquationsOfMotion,
+        state: &[f64],
+        workspace: &Workspace,
+        course: Course,
+    ) {
+        let layout = equations.layout();
+        let to_body = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial;
+        let motion = equations.motion(state);
+        let acceleration = Vector3::from_column_slice(&workspace.accelerations()[0..3]);
+        self.position = course.north_east_down(&Vector3::from_column_slice(&state[layout.position()]));
+        self.attitude = Attitude { body_from_inertial: to_body * course.matrix() }.euler_angles();
+        self.velocity = motion.velocity;
+        self.rate = motion.rate;
+        self.acceleration = acceleration;
+        let inertial = acceleration + motion.rate.cross(&motion.velocity);
+        self.load_factor = load_factor(&inertial, &to_body, equations.gravity);
     }
-    let body = BodyMotion {
-        motion,
-        acceleration,
-        angular_acceleration: Vector3::from_column_slice(&workspace.accelerations()[3..6]),
-        gravity: to_body * Vector3::new(0.0, 0.0, model.gravity),
-        q_dot,
-        q_ddot: &workspace.accelerations()[6..],
-    };
-    let places = outputs.deflections.iter_mut().zip(&mut outputs.sensors);
-    for ((deflection, sensors), station) in places.zip(stations.iter()) {
-        let displacement = combine(&station.shapes.translation, q);
-        let turned = combine(&station.shapes.rotation, q);
-        *deflection = Deflection { displacement, twist: station.twist_axis.dot(&turned) };
-        *sensors = Sensors::read(station, [&displacement, &turned], &body);
-    }
-    (outputs.elevator, outputs.rudder) = (controls.elevator, controls.rudder);
-    (outputs.aileron, outputs.aileron_symmetric) = (controls.aileron, controls.aileron_symmetric);
-    outputs.thrust.copy_from_slice(&controls.thrust);
-}
 
-/// The flow at O in a state under some controls.
-pub(super) fn air_data(equations: &EquationsOfMotion, state: &[f64], controls: &Controls) -> AirData {
-    let to_body = Attitude::from_quaternion(&state[equations.layout().attitude()]).body_from_inertial;
-    let velocity = equations.motion(state).velocity - to_body * equations.air_motion(controls);
-    AirData::new(&velocity, &equations.air(state))
+    /// Writes the coordinates of the packaged modes, of which these take part.
+    pub(super) fn write_modes(&mut self, modes: &[usize], layout: &StateLayout, state: &[f64]) {
+        self.modal_q.fill(0.0);
+        self.modal_q_dot.fill(0.0);
+        let coordinates = state[layout.coordinates()].iter().zip(&state[layout.coordinate_rates()]);
+        for (&packaged, (q, q_dot)) in modes.iter().zip(coordinates) {
+            self.modal_q[packaged] = *q;
+            self.modal_q_dot[packaged] = *q_dot;
+        }
+    }
+
+    /// Writes what is seen and measured at the stations.
+    pub(super) fn write_stations(
+        &mut self,
+        stations: &[ReducedStation],
+        equations: &EquationsOfMotion,
+        state: &[f64],
+        workspace: &Workspace,
+    ) {
+        let layout = equations.layout();
+        let to_body = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial;
+        let q = &state[layout.coordinates()];
+        let body = BodyMotion {
+            motion: equations.motion(state),
+            acceleration: Vector3::from_column_slice(&workspace.accelerations()[0..3]),
+            angular_acceleration: Vector3::from_column_slice(&workspace.accelerations()[3..6]),
+            gravity: to_body * Vector3::new(0.0, 0.0, equations.gravity),
+            q_dot: &state[layout.coordinate_rates()],
+            q_ddot: &workspace.accelerations()[6..],
+        };
+        let places = self.deflections.iter_mut().zip(&mut self.sensors);
+        for ((deflection, sensors), station) in places.zip(stations) {
+            let displacement = combine(&station.shapes.translation, q);
+            let turned = combine(&station.shapes.rotation, q);
+            *deflection = Deflection { displacement, twist: station.twist_axis.dot(&turned) };
+            *sensors = Sensors::read(station, [&displacement, &turned], &body);
+        }
+    }
+
+    /// Writes what acts.
+    pub(super) fn write_controls(&mut self, controls: &Controls) {
+        (self.elevator, self.rudder) = (controls.elevator, controls.rudder);
+        (self.aileron, self.aileron_symmetric) = (controls.aileron, controls.aileron_symmetric);
+        self.thrust.copy_from_slice(&controls.thrust);
+    }
 }
 
 /// (inertial acceleration − gravity)/g along x_b, y_b, −z_b; without gravity, in units of standard gravity.
@@ -168,7 +176,7 @@ fn load_factor(inertial: &Vector3<f64>, to_body: &Matrix3<f64>, gravity: f64) ->
 
 impl AirData {
     /// From the velocity relative to the air, body axes, m/s.
-    fn new(velocity: &Vector3<f64>, air: &Air) -> Self {
+    pub(super) fn new(velocity: &Vector3<f64>, air: &Air) -> Self {
         let speed = velocity.norm();
         AirData {
             speed,

@@ -1,0 +1,81 @@
+//! The two forms in which an aircraft flies: as the whole, or as its half while motion is its own mirror image.
+//!
+//! [theory: symmetry.half]
+
+/// The form in which a state stands for the aircraft.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Form {
+    is_half: bool,
+}
+
+/// One thing for each form that an aircraft has.
+#[derive(Clone, Debug)]
+pub struct Forms<T> {
+    whole: T,
+    half: Option<T>,
+}
+
+impl Form {
+    pub(super) const WHOLE: Form = Form { is_half: false };
+    pub(super) const HALF: Form = Form { is_half: true };
+
+    /// Whether it is the form of symmetric motion.
+    pub fn is_symmetric(self) -> bool {
+        self.is_half
+    }
+
+    /// The form of symmetric motion, or the other.
+    pub fn of_symmetric(is_symmetric: bool) -> Self {
+        Form { is_half: is_symmetric }
+    }
+}
+
+impl<T> Forms<T> {
+    pub(super) fn new(whole: T, half: Option<T>) -> Self {
+        Forms { whole, half }
+    }
+
+    /// That of a form, if the aircraft has it.
+    pub fn get(&self, form: Form) -> Option<&T> {
+        if form.is_half { self.half.as_ref() } else { Some(&self.whole) }
+    }
+
+    /// That of a form; an aircraft without it has one form only.
+    pub fn of(&self, form: Form) -> &T {
+        match &self.half {
+            Some(half) if form.is_half => half,
+            _ => &self.whole,
+        }
+    }
+
+    /// That of a form, to be changed.
+    pub fn of_mut(&mut self, form: Form) -> &mut T {
+        match &mut self.half {
+            Some(half) if form.is_half => half,
+            _ => &mut self.whole,
+        }
+    }
+
+    /// Something else for each form.
+    pub fn map<'a, U>(&'a self, mut make: impl FnMut(&'a T) -> U) -> Forms<U> {
+        Forms { whole: make(&self.whole), half: self.half.as_ref().map(make) }
+    }
+
+    /// With what belongs to the same forms.
+    pub fn zip<'a, U>(&'a self, other: &'a Forms<U>) -> Forms<(&'a T, &'a U)> {
+        Forms { whole: (&self.whole, &other.whole), half: self.half.as_ref().zip(other.half.as_ref()) }
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> impl Iterator<Item = &T> {
+        std::iter::once(&self.whole).chain(&self.half)
+    }
+
+    pub(super) fn whole(&self) -> &T {
+        &self.whole
+    }
+
+    pub(super) fn half(&self) -> Option<&T> {
+        self.half.as_ref()
+    }
+}
