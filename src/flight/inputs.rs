@@ -18,6 +18,8 @@ pub struct Inputs {
     /// Velocity of the air mass, north-east-down, m/s.
     pub wind: Vector3<f64>,
     /// At which the wind changes until it is set again, north-east-down, m/s²: a gust acts on the apparent mass by it.
+    ///
+    /// [theory: air.wind-rate]
     pub wind_rate: Vector3<f64>,
 }
 

@@ -122,7 +122,8 @@ impl<S: Arithmetic> LocalFlow<S> {
 impl<S: Arithmetic> Section<Lanes<S>> {
     /// The loads with the flaps neutral, without the apparent-mass terms in the accelerations.
     ///
-    /// [theory: air-loads.lift, air-loads.moment, air-loads.suction, air-loads.drag]
+    /// [theory: air-loads.lift, air-loads.moment, air-loads.suction, air-loads.drag]; departures from the printed thesis
+    /// [theory: corrections.moment-arm, corrections.drag].
     #[inline(always)]
     pub fn loads(&self, flow: &LocalFlow<S>) -> SectionLoads<S> {
         let (b, d) = (self.semichord, self.elastic_axis_aft_of_midchord);

@@ -16,6 +16,8 @@ use super::StrainEnergy;
 use super::mode::ModeFamily;
 
 /// The elastic generalised forces of a choice of modes, with the opposite sign: ∂U/∂q.
+///
+/// [theory: strain-energy.force, strain-energy.tensors]
 #[derive(Clone, Debug)]
 pub struct ElasticForces {
     /// a and b of each product, in the order of the vector's second part.
