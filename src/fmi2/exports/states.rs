@@ -2,11 +2,13 @@
 
 use std::ptr::null_mut;
 
+use libc::size_t;
+
 use super::{Outcome, array, array_to_fill, on, write};
-use crate::fmi2::instance::{Instance, Refusal};
-use crate::fmi2::life_cycle::Function;
-use crate::fmi2::saved_state::SavedState;
-use crate::fmi2::types::{Component, FmuState, Status};
+use crate::fmi::instance::{Instance, Refusal};
+use crate::fmi::life_cycle::Operation;
+use crate::fmi::saved_state::SavedState;
+use crate::fmi2::types::{Byte, Component, FmuState, Status};
 
 /// Saves the state; into the given state when there is one.
 #[unsafe(no_mangle)]
@@ -16,7 +18,7 @@ pub unsafe extern "C" fn fmi2GetFMUstate(component: Component, state: *mut FmuSt
         unsafe { store(state, |saved| instance.save_into(saved)) }
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetFMUstate, body) }
+    unsafe { on(component, Operation::GetFMUstate, body) }
 }
 
 /// Has a state written behind a handle, into the present one when there is one.
@@ -61,7 +63,7 @@ unsafe fn saved<'a>(state: FmuState) -> Result<&'a SavedState, Refusal> {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetFMUstate(component: Component, state: FmuState) -> Status {
     // SAFETY: states and components as the module says.
-    unsafe { on(component, Function::SetFMUstate, |instance| instance.restore(saved(state)?)) }
+    unsafe { on(component, Operation::SetFMUstate, |instance| instance.restore(saved(state)?)) }
 }
 
 /// Frees a saved state and sets the handle to NULL; NULL is ignored. Given a state instead of the address of its handle,
@@ -79,7 +81,7 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(component: Component, state: *mut FmuS
         Ok(())
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::FreeFMUstate, body) }
+    unsafe { on(component, Operation::FreeFMUstate, body) }
 }
 
 /// Length of a saved state in bytes.
@@ -87,11 +89,11 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(component: Component, state: *mut FmuS
 pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
     component: Component,
     state: FmuState,
-    size: *mut usize,
+    size: *mut size_t,
 ) -> Status {
     // SAFETY: states, results and components as the module says.
     unsafe {
-        on(component, Function::SerializedFMUstateSize, |_| write(size, saved(state)?.bytes().len(), "size"))
+        on(component, Operation::SerializedFMUstateSize, |_| write(size, saved(state)?.bytes().len(), "size"))
     }
 }
 
@@ -100,12 +102,13 @@ pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
 pub unsafe extern "C" fn fmi2SerializeFMUstate(
     component: Component,
     state: FmuState,
-    bytes: *mut u8,
-    size: usize,
+    bytes: *mut Byte,
+    size: size_t,
 ) -> Status {
     let body = |_: &mut Instance| {
         // SAFETY: states and arrays as the module says.
-        let (saved, places) = unsafe { (saved(state)?, array_to_fill(bytes, size, "serializedState")?) };
+        let (saved, places) =
+            unsafe { (saved(state)?, array_to_fill(bytes.cast::<u8>(), size, "serializedState")?) };
         let length = saved.bytes().len();
         if places.len() < length {
             return Err(Refusal::error(format!("size: found {size}, the state needs {length} bytes")));
@@ -116,23 +119,23 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
         Ok(())
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::SerializeFMUstate, body) }
+    unsafe { on(component, Operation::SerializeFMUstate, body) }
 }
 
 /// Makes a saved state of its bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     component: Component,
-    bytes: *const u8,
-    size: usize,
+    bytes: *const Byte,
+    size: size_t,
     state: *mut FmuState,
 ) -> Status {
     let body = |instance: &mut Instance| {
         // SAFETY: arrays as the module says.
-        let saved = instance.deserialise(unsafe { array(bytes, size, "serializedState") }?)?;
+        let saved = instance.deserialise(unsafe { array(bytes.cast::<u8>(), size, "serializedState") }?)?;
         // SAFETY: `state` is NULL or a place that holds NULL or a state.
         unsafe { store(state, |present| *present = saved) }
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::DeSerializeFMUstate, body) }
+    unsafe { on(component, Operation::DeSerializeFMUstate, body) }
 }

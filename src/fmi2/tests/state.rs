@@ -21,7 +21,7 @@ impl<'a> Saved<'a> {
         let mut state = null_mut();
         // SAFETY: the component is alive, the array is as long as said.
         let status =
-            unsafe { fmi2DeSerializeFMUstate(fmu.component, bytes.as_ptr(), bytes.len(), &mut state) };
+            unsafe { fmi2DeSerializeFMUstate(fmu.component, bytes.as_ptr().cast(), bytes.len(), &mut state) };
         if status == Status::Ok { Ok(Saved { fmu, state }) } else { Err(status) }
     }
 
@@ -33,7 +33,7 @@ impl<'a> Saved<'a> {
         let mut bytes = vec![0; size];
         // SAFETY: component and state are alive, the array is as long as said.
         let status =
-            unsafe { fmi2SerializeFMUstate(self.fmu.component, self.state, bytes.as_mut_ptr(), size) };
+            unsafe { fmi2SerializeFMUstate(self.fmu.component, self.state, bytes.as_mut_ptr().cast(), size) };
         assert_eq!(status, Status::Ok);
         bytes
     }

@@ -26,14 +26,14 @@ pub struct SavedState {
 const MARK: Mark = *b"FlexAcSt";
 
 impl SavedState {
-    /// For `fmi2SerializeFMUstate`.
+    /// To be kept elsewhere.
     pub fn bytes(&self) -> &[u8] {
         &self.bytes
     }
 }
 
 impl Instance {
-    /// `fmi2GetFMUstate`: replaces a saved state, without allocating where one of the same aircraft was.
+    /// Replaces a saved state, without allocating where one of the same aircraft was.
     pub fn save_into(&self, saved: &mut SavedState) {
         saved.bytes.clear();
         sealed::seal(&mut saved.bytes, &MARK, self.identity, |writer| {
@@ -58,7 +58,7 @@ impl Instance {
         });
     }
 
-    /// `fmi2DeSerializeFMUstate`: checks that the bytes are whole, undamaged and of this FMU.
+    /// A saved state of its bytes: checks that the bytes are whole, undamaged and of this FMU.
     pub fn deserialise(&self, bytes: &[u8]) -> Result<SavedState, Refusal> {
         let reason = match sealed::open(bytes, &MARK, self.identity) {
             Ok(_) => return Ok(SavedState { bytes: bytes.to_vec(), ..SavedState::default() }),
@@ -75,7 +75,7 @@ impl Instance {
         Err(Refusal::error(format!("serialised state: {reason}")))
     }
 
-    /// `fmi2SetFMUstate`: goes back to a saved state, or changes nothing.
+    /// Goes back to a saved state, or changes nothing.
     pub fn restore(&mut self, saved: &SavedState) -> Result<(), Refusal> {
         let restored = sealed::open(&saved.bytes, &MARK, self.identity)
             .ok()
