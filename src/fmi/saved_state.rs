@@ -12,20 +12,29 @@ use crate::variables::{Slot, Type, Value};
 use super::instance::{Experiment, Instance, Refusal, is_time};
 use super::life_cycle::State;
 
-/// What `fmi2FMUstate` points to.
+/// What the importer has a handle of.
 ///
-/// It begins with a null pointer: fmusim (0.0.39) frees a state by the state instead of by its address, and so finds a
-/// handle there to which nothing belongs.
+/// It begins with a word that tells it from a handle, whatever that is: fmusim (0.0.39) frees a state by the state instead
+/// of by its address.
 #[repr(C)]
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SavedState {
-    no_handle: usize,
+    first_word: usize,
     bytes: Vec<u8>,
+}
+
+impl Default for SavedState {
+    fn default() -> Self {
+        SavedState { first_word: SavedState::FIRST_WORD, bytes: Vec::new() }
+    }
 }
 
 const MARK: Mark = *b"FlexAcSt";
 
 impl SavedState {
+    /// Odd, and so neither NULL nor the address of a state.
+    pub const FIRST_WORD: usize = 0x0fac_57a7;
+
     /// To be kept elsewhere.
     pub fn bytes(&self) -> &[u8] {
         &self.bytes

@@ -30,6 +30,9 @@ unsafe fn store(place: *mut FmuState, write: impl FnOnce(&mut SavedState)) -> Ou
     let Some(handle) = (unsafe { place.as_mut() }) else {
         return Err(Refusal::error("FMUstate: found NULL, expected a place for the result"));
     };
+    if handle.addr() == SavedState::FIRST_WORD {
+        return Err(Refusal::error("FMUstate: found a state, expected the address of one"));
+    }
     // SAFETY: by the caller, what is not NULL is a leaked `Box<SavedState>`.
     match unsafe { handle.cast::<SavedState>().as_mut() } {
         Some(present) => write(present),
@@ -45,13 +48,13 @@ unsafe fn store(place: *mut FmuState, write: impl FnOnce(&mut SavedState)) -> Ou
 /// The saved state behind a handle.
 ///
 /// # Safety
-/// As the module says of states, but the address of a handle is recognised; the result must not outlive the call into the
-/// FMU.
+/// As the module says of states, but the address of a handle, also of a null one, is recognised; the result must not
+/// outlive the call into the FMU.
 unsafe fn saved<'a>(state: FmuState) -> Result<&'a SavedState, Refusal> {
     // SAFETY: by the caller, what is not NULL is a leaked `Box<SavedState>`, which begins with a word, or the place of a handle.
     match unsafe { state.cast::<usize>().as_ref() } {
-        // SAFETY: a handle is not zero, so this is the state.
-        Some(0) => Ok(unsafe { &*state.cast::<SavedState>() }),
+        // SAFETY: a handle is never this word, so this is the state.
+        Some(&SavedState::FIRST_WORD) => Ok(unsafe { &*state.cast::<SavedState>() }),
         Some(_) => {
             Err(Refusal::error("FMUstate: found something else than a state, perhaps the address of one"))
         }
@@ -66,13 +69,15 @@ pub unsafe extern "C" fn fmi2SetFMUstate(component: Component, state: FmuState) 
     unsafe { on(component, Operation::SetFMUstate, |instance| instance.restore(saved(state)?)) }
 }
 
-/// Frees a saved state and sets the handle to NULL; NULL is ignored. Given a state instead of the address of its handle,
-/// it finds the null handle with which every state begins.
+/// Frees a saved state and sets the handle to NULL; NULL is ignored, and so is a state in place of the address of its handle.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2FreeFMUstate(component: Component, state: *mut FmuState) -> Status {
     let body = |_: &mut Instance| {
-        // SAFETY: `state` is NULL or a place that holds NULL or a state.
+        // SAFETY: `state` is NULL, a place that holds NULL or a state, or a state, which begins with a word.
         let Some(handle) = (unsafe { state.as_mut() }) else { return Ok(()) };
+        if handle.addr() == SavedState::FIRST_WORD {
+            return Ok(());
+        }
         let owned = std::mem::replace(handle, null_mut()).cast::<SavedState>();
         if !owned.is_null() {
             // SAFETY: it is a leaked `Box<SavedState>`, and the only handle to it has been cleared.
