@@ -22,12 +22,15 @@
 //! | [`flight`] | `ReducedModel`, settings | a flight in time |
 //! | [`stability`] | `ReducedModel`, settings | flutter and divergence over a range of airspeeds |
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
-//! | `fmi2` | everything above | the C ABI (feature `fmi`) |
+//! | `fmi` | everything above | an FMU without its C: instance, life cycle, saved states, model description (feature `fmi`) |
+//! | `fmi2` | `fmi` | the C ABI of FMI 2.0 (feature `fmi`) |
 
 pub mod air;
 pub mod aircraft;
 pub mod equations;
 pub mod flight;
+#[cfg(feature = "fmi")]
+pub mod fmi;
 #[cfg(feature = "fmi")]
 pub mod fmi2;
 pub mod kinematics;

@@ -14,8 +14,7 @@ use crate::variables::{InputSlot, OutputSlot, ParameterSlot, Slot, Value};
 
 use super::instance::{Instance, Refusal};
 use super::life_cycle::State;
-use super::types::ValueReference;
-use super::values::Family;
+use super::values::{Family, ValueReference};
 
 /// Changes over which the outputs bend little, yet far beyond rounding: rad, N, m/s, m/s², m, rad, parts of the parameter.
 const SURFACE_CHANGE: f64 = 0.01;
@@ -30,7 +29,7 @@ const SHARE_CHANGED: f64 = 1e-3;
 type Sample = [Vec<f64>; 4];
 
 impl Instance {
-    /// `fmi2GetDirectionalDerivative`: the changes of the unknown outputs along a direction of known inputs and, in
+    /// The changes of the unknown outputs along a direction of known inputs and, in
     /// initialisation mode, parameters.
     pub fn derivatives(
         &mut self,
