@@ -1,5 +1,5 @@
 //! Hashes the sources, for the mark by which a shared library is told from one built of others: see
-//! `src/fmi2/build_mark.rs`.
+//! `src/fmi/build_mark.rs`.
 
 use std::path::{Path, PathBuf};
 use std::{fs, io};

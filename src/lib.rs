@@ -1,9 +1,10 @@
 //! Nonlinear flight dynamics of a flexible aircraft, exported as an FMI 2.0 co-simulation unit.
 //!
 //! The science is B. C. B. Tse, *Effects of Inertial and Geometric Nonlinearities in the Simulation of
-//! Flexible Aircraft Dynamics*, MASc thesis, University of Toronto, 2013; section numbers in brackets in
-//! the module comments are the thesis'. SI units and radians everywhere; body frame x forward, y right,
-//! z down; inertial frame north-east-down.
+//! Flexible Aircraft Dynamics*, MASc thesis, University of Toronto, 2013; its equations, as corrected and
+//! as computed here, are in the repository's `docs/theory`, where each has a label. Comments cite labels, and beside them the
+//! thesis' equations and sections. SI units and radians everywhere; body frame x forward, y right, z down; inertial
+//! frame north-east-down [theory: frames.conventions, frames.axes].
 //!
 //! Data flows one way, and a layer never looks up:
 //!
@@ -21,12 +22,15 @@
 //! | [`flight`] | `ReducedModel`, settings | a flight in time |
 //! | [`stability`] | `ReducedModel`, settings | flutter and divergence over a range of airspeeds |
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
-//! | `fmi2` | everything above | the C ABI (feature `fmi`) |
+//! | `fmi` | everything above | an FMU without its C: instance, life cycle, saved states, model description (feature `fmi`) |
+//! | `fmi2` | `fmi` | the C ABI of FMI 2.0 (feature `fmi`) |
 
 pub mod air;
 pub mod aircraft;
 pub mod equations;
 pub mod flight;
+#[cfg(feature = "fmi")]
+pub mod fmi;
 #[cfg(feature = "fmi")]
 pub mod fmi2;
 pub mod kinematics;

@@ -1,8 +1,9 @@
 //! The flight that shows that a packaged FMU works: loaded and stepped through the C interface, as any
 //! importing tool would.
 //!
-//! A free aircraft flies the elevator 2-3-1-1 of [5.2], by whichever control it has for pitch. One that is clamped in a wind tunnel may have no control
-//! surface and bends all the same when the wind does: a vertical gust goes up and down past it.
+//! A free aircraft flies the elevator 2-3-1-1 [theory: thesis-runs.inputs] by whichever control it has for pitch. One that is
+//! clamped in a wind tunnel may have no control and bends all the same when the wind does: a vertical gust goes up and down
+//! past it.
 
 use std::fmt;
 use std::ops::RangeInclusive;

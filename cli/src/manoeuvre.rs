@@ -1,5 +1,5 @@
-//! Inputs that excite an aircraft: the elevator 2-3-1-1 and the rudder doublet of [5.2], as they come out
-//! of the actuator, a first-order lag.
+//! Inputs that excite an aircraft: the elevator 2-3-1-1 and the rudder doublet of, as they come out
+//! of the actuator, a first-order lag [theory: thesis-runs.inputs; thesis §5.2, §5.4].
 //!
 //! A manoeuvre is a step function, so the lag's answer is a sum of exponentials and needs no integration:
 //! 1/(τs + 1) turns a jump Δ at t_j into Δ (1 − exp(−(t − t_j)/τ)).

@@ -7,7 +7,7 @@ use std::cell::OnceCell;
 use std::ffi::{CString, c_char, c_int, c_void};
 use std::ptr::{null, null_mut};
 
-use flexible_aircraft::fmi2;
+use flexible_aircraft::fmi::{RESOURCE_FILE, description};
 use flexible_aircraft::variables::{Slot, Type, VariableTable};
 use flexible_aircraft_fuzz as support;
 use libfuzzer_sys::fuzz_target;
@@ -19,7 +19,7 @@ type Handle = *mut c_void;
 const OK: c_int = 0;
 const FATAL: c_int = 4;
 
-// SAFETY: as in fmi2Functions.h; the library is linked in, `fmi2::guid` sees to that.
+// SAFETY: as in fmi2Functions.h; the library is linked in, `description::guid` sees to that.
 unsafe extern "C" {
     fn fmi2Instantiate(
         name: *const c_char,
@@ -66,9 +66,9 @@ impl Fmu {
         let model = wing();
         let folder = std::env::temp_dir().join(format!("flexible-aircraft-fuzz-{}", std::process::id()));
         std::fs::create_dir_all(&folder).unwrap();
-        std::fs::write(folder.join(fmi2::RESOURCE_FILE), model.to_bytes()).unwrap();
+        std::fs::write(folder.join(RESOURCE_FILE), model.to_bytes()).unwrap();
         let text = |text: String| CString::new(text).unwrap();
-        let (guid, uri) = (text(fmi2::guid(&model)), text(format!("file://{}", folder.display())));
+        let (guid, uri) = (text(description::guid(&model)), text(format!("file://{}", folder.display())));
         // SAFETY: strings and callbacks live during the call, and all callbacks may be NULL.
         let component =
             unsafe { fmi2Instantiate(c"fuzz".as_ptr(), 1, guid.as_ptr(), uri.as_ptr(), &[null(); 5], 0, 0) };

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use flexible_aircraft::fmi2;
+use flexible_aircraft::fmi::description;
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
@@ -26,8 +26,8 @@ pub fn seed(target: &str, bytes: &[u8]) {
 
 /// Everything that an FMU does with a model that has been accepted.
 pub fn fly(model: ReducedModel) {
-    let description = fmi2::model_description::write(&model);
-    assert!(description.contains(&fmi2::guid(&model)));
+    let description = description::write(&model);
+    assert!(description.contains(&description::guid(&model)));
     let settings = Settings { mode_count: model.modes.len(), ..Settings::of(&model) };
     let zero = Inputs::zero(&model);
     let mut inputs = zero.clone();

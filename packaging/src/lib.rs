@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::fmi2;
+use flexible_aircraft::fmi;
 use flexible_aircraft::structure::{ModeCount, ReducedModel};
 
 mod archive;
@@ -66,12 +66,12 @@ impl Package {
             Aircraft::read(&self.aircraft).map_err(|error| PackageError::Aircraft(Box::new(error)))?;
         let model = ReducedModel::new(&aircraft, self.mode_count)
             .map_err(|source| PackageError::Structure { aircraft: self.aircraft.clone(), source })?;
-        let xml = fmi2::model_description::write(&model);
+        let xml = fmi::description::write(&model);
         let description = ModelDescription::parse(&xml).map_err(PackageError::ModelDescription)?;
 
         let mut entries = vec![Entry::new(archive::MODEL_DESCRIPTION, xml), Entry::new("model.png", ICON)];
         entries.extend(self.libraries(&description.model_identifier)?);
-        entries.push(Entry::new(format!("resources/{}", fmi2::RESOURCE_FILE), model.to_bytes()));
+        entries.push(Entry::new(format!("resources/{}", fmi::RESOURCE_FILE), model.to_bytes()));
         entries.push(Entry::new("resources/aircraft.toml", read(&self.aircraft)?));
         let page = documentation::page(&aircraft, &model);
         entries.push(Entry::new("documentation/index.html", page));

@@ -3,7 +3,7 @@
 
 use std::fmt;
 
-use flexible_aircraft::fmi2;
+use flexible_aircraft::{fmi, fmi2};
 use object::read::NameOrOrdinal;
 use object::read::macho::{FatArch, MachOFatFile32};
 use object::{Architecture, BinaryFormat, FileKind, Object, ObjectKind};
@@ -57,12 +57,12 @@ pub struct BuildMark(String);
 impl BuildMark {
     /// That of this program.
     pub fn own() -> Self {
-        BuildMark(fmi2::BUILD_MARK.to_owned())
+        BuildMark(fmi::BUILD_MARK.to_owned())
     }
 
     /// The mark among the bytes of a library.
     fn find(bytes: &[u8]) -> Option<Self> {
-        let beginning = fmi2::BUILD_MARK_BEGINNING.as_bytes();
+        let beginning = fmi::BUILD_MARK_BEGINNING.as_bytes();
         let at = bytes.windows(beginning.len()).position(|window| window == beginning)?;
         let end = bytes[at..].iter().take(100).position(|byte| *byte == b')')?;
         String::from_utf8(bytes[at..=at + end].to_vec()).ok().map(BuildMark)
@@ -178,7 +178,7 @@ mod tests {
     #[test]
     fn a_mark_is_found_among_other_bytes() {
         let mark = BuildMark::own();
-        let bytes = [b"\0\xffflexible-aircraft ", fmi2::BUILD_MARK.as_bytes(), b")\0"].concat();
+        let bytes = [b"\0\xffflexible-aircraft ", fmi::BUILD_MARK.as_bytes(), b")\0"].concat();
         assert_eq!(BuildMark::find(&bytes), Some(mark));
         assert_eq!(BuildMark::find(&bytes[..40]), None);
         assert_eq!(BuildMark::find(b""), None);

@@ -1,4 +1,6 @@
 //! International Standard Atmosphere, troposphere and isothermal lower stratosphere (ISO 2533), and air of one density.
+//!
+//! [theory: air.atmosphere, air.tunnel]
 
 use crate::aircraft::TunnelAir;
 
@@ -27,7 +29,7 @@ pub struct Air {
 }
 
 impl Air {
-    /// The standard atmosphere at a geopotential altitude in m.
+    /// The standard atmosphere at a geopotential altitude in m [theory: air.atmosphere].
     pub fn at(altitude: f64) -> Self {
         let temperature = SEA_LEVEL_TEMPERATURE - LAPSE_RATE * altitude.min(TROPOPAUSE);
         let exponent = STANDARD_GRAVITY / (LAPSE_RATE * GAS_CONSTANT);
@@ -38,7 +40,7 @@ impl Air {
         Air { density: pressure / (GAS_CONSTANT * temperature), speed_of_sound: speed_of_sound(temperature) }
     }
 
-    /// That of a wind tunnel.
+    /// That of a wind tunnel [theory: air.tunnel].
     pub fn of_tunnel(air: &TunnelAir) -> Self {
         Air { density: air.density, speed_of_sound: speed_of_sound(air.temperature) }
     }

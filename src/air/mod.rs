@@ -1,4 +1,4 @@
-//! The air: the atmosphere [4.1; physics.md §4].
+//! The air: the atmosphere [theory: air.atmosphere, air.tunnel].
 
 mod atmosphere;
 

@@ -2,6 +2,8 @@
 //!
 //! Limits do not change a flight. A trim beyond them stands, with a warning that says what nobody could fly: stall,
 //! compressibility and stops are not modelled. Where the file gives no limit the usual ones are assumed.
+//!
+//! [theory: limits-of-validity.unlimited]
 
 use serde::{Deserialize, Serialize};
 

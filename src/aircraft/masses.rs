@@ -1,4 +1,4 @@
-//! Mass bays: masses distributed over the elements, and masses at points [3.1].
+//! Mass bays: masses distributed over the elements, and masses at points [theory: structure.bay; thesis §3.1].
 
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 

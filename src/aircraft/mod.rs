@@ -1,4 +1,6 @@
-//! The aircraft as engineers describe it, expanded to elements, bays, strips and engines [3.1, 4.1].
+//! The aircraft as engineers describe it, expanded to elements, bays, strips and engines.
+//!
+//! [theory: structure.tree, structure.bay, air-loads.strip; thesis §3.1, §4.1]
 //!
 //! [`Aircraft`] is what the rest of the program sees: plain data in body axes, origin O at node 0, which is
 //! clamped in the body frame. Nothing here knows of modes or of flight, and nothing else in the library reads

@@ -37,7 +37,7 @@ pub struct TunnelAir {
     pub temperature: f64,
 }
 
-/// Which natural modes span the deformation (physics.md §1, third trap).
+/// Which natural modes span the deformation [theory: structure.axially-rigid].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ModeBasis {
@@ -99,7 +99,7 @@ pub struct Aircraft {
     pub stations: Vec<Station>,
 }
 
-/// A straight Euler–Bernoulli beam element with constant section.
+/// A straight Euler–Bernoulli beam element with constant section [theory: structure.tree, structure.beam].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Beam {
     /// The component it belongs to.
@@ -127,7 +127,7 @@ pub struct Attachment {
     pub fraction: f64,
 }
 
-/// A rigid lump of mass carried by an element's section.
+/// A rigid lump of mass carried by an element's section [theory: structure.bay; thesis §3.1].
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassBay {
     /// Where the carrying section sits.
@@ -141,6 +141,8 @@ pub struct MassBay {
 }
 
 /// An aerodynamic strip: a rigid aerofoil section of some width, carried by the elastic axis.
+///
+/// [theory: air-loads.strip; thesis §4.1]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strip {
     /// Where the carrying section sits.
@@ -157,19 +159,21 @@ pub struct Strip {
     pub width: f64,
     /// CLα, 1/rad.
     pub lift_slope: f64,
-    /// α0, rad: angle of the zero-lift line against f, nose-up positive.
+    /// α0, rad: angle of the zero-lift line against f, nose-up positive [theory: air-loads.triad].
     pub zero_lift_offset: f64,
     /// c_m0: moment coefficient about the aerodynamic centre, nose-up positive, referred to the chord squared.
+    ///
+    /// [theory: air-loads.moment]
     pub zero_lift_moment: f64,
     /// CD0.
     pub profile_drag: f64,
-    /// η: share of the two-dimensional leading-edge suction that is recovered.
+    /// η: share of the two-dimensional leading-edge suction that is recovered [theory: air-loads.suction].
     pub leading_edge_suction: f64,
     /// The trailing-edge flap, when there is one.
     pub flap: Option<Flap>,
 }
 
-/// A plain trailing-edge flap.
+/// A plain trailing-edge flap [theory: air-loads.flap; thesis §4.1].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Flap {
     /// CLδ, 1/rad.
@@ -187,7 +191,7 @@ impl Flap {
     }
 }
 
-/// An engine: a thrust along an axis fixed to its section.
+/// An engine: a thrust along an axis fixed to its section [theory: gravity-and-thrust.thrust; thesis §4.2].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Engine {
     /// Its input is `thrust_<name>`.

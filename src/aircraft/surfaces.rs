@@ -1,4 +1,4 @@
-//! Lifting surfaces: one aerodynamic strip per element or part of one [4.1].
+//! Lifting surfaces: one aerodynamic strip per element or part of one [theory: air-loads.strip; thesis §4.1].
 
 use nalgebra::{Unit, UnitQuaternion, Vector3};
 

@@ -1,4 +1,4 @@
-//! What an aircraft file says of the wind tunnel around a clamped aircraft.
+//! What an aircraft file says of the wind tunnel around a clamped aircraft [theory: air.tunnel].
 
 use nalgebra::Vector3;
 

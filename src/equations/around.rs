@@ -1,4 +1,6 @@
 //! The air around the aircraft: the standard atmosphere, or that of a wind tunnel, which may stand still.
+//!
+//! [theory: air.atmosphere, air.tunnel, air.wind]
 
 use nalgebra::Vector3;
 
@@ -27,7 +29,7 @@ impl EquationsOfMotion {
         (self.motion(state).velocity - attitude.body_from_inertial * self.air_motion(controls)).norm()
     }
 
-    /// Velocity of the air at the aircraft, north-east-down, m/s.
+    /// Velocity of the air at the aircraft, north-east-down, m/s [theory: air.wind].
     pub fn air_motion(&self, controls: &Controls) -> Vector3<f64> {
         controls.wind + self.tunnel_flow
     }
@@ -38,7 +40,7 @@ impl EquationsOfMotion {
     }
 
     /// The first lifting strip that met the air from behind at the last evaluation. Where a clamped aircraft swings in
-    /// still air none does: nothing lifts there.
+    /// still air none does: nothing lifts there [theory: air-loads.reverse-flow].
     pub fn reversed_strip(&self, state: &[f64], controls: &Controls, workspace: &Workspace) -> Option<usize> {
         let in_still_air =
             || self.support() == Support::Clamped && self.airspeed(state, controls) < STILL_AIR;

@@ -1,4 +1,4 @@
-//! What acts on the aircraft at an instant: absolute angles of its controls, thrust, wind.
+//! What acts on the aircraft at an instant: absolute angles of its controls, thrust, wind [theory: frames.signs].
 
 use nalgebra::Vector3;
 

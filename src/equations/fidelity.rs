@@ -1,4 +1,4 @@
-//! The five fidelity levels and the terms that each keeps [2.4; physics.md §2].
+//! The five fidelity levels and the terms that each keeps [theory: equations-of-motion.levels; thesis §2.4].
 
 /// How much of the nonlinear dynamics a model keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -38,7 +38,7 @@ impl Fidelity {
         Fidelity::Rigid,
     ];
 
-    /// The table of physics.md §2.
+    /// The table of [theory: equations-of-motion.levels].
     pub fn terms(self) -> Terms {
         let (deformed_mass, deformed_forcing, cubic_energy, quartic_energy) = match self {
             Fidelity::Exact => (true, true, true, true),

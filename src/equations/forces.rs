@@ -1,4 +1,6 @@
-//! Generalised forces on ν = [v; ω; q̇] as sums of what each control does [4.1, 4.2; physics.md §4, §5].
+//! Generalised forces on ν = [v; ω; q̇] as sums of what each control does.
+//!
+//! [theory: gravity-and-thrust.by-control; thesis §4.1, §4.2]
 //!
 //! At a given state the loads of flaps are quadratic in δ, those of engines linear in thrust. Kept apart, the forces
 //! under other controls cost next to nothing.

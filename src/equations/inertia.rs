@@ -1,4 +1,6 @@
-//! Inertia of the deformed aircraft: mass matrix and inertial forcing [2.2–2.4; physics.md §2].
+//! Inertia of the deformed aircraft: mass matrix and inertial forcing.
+//!
+//! [theory: equations-of-motion.deformed-integrals, equations-of-motion.rows; thesis eq. 2.3]
 //!
 //! Γ̂_α and ĥ_α are linear in q, and both are needed along the axes about which the aircraft spins. They are kept
 //! component by component, each for all modes, and come from one product of a constant matrix with q.
@@ -9,7 +11,7 @@ use crate::kinematics::{RigidFreedom, RigidMotion};
 use crate::math::{AlignedNumbers, Arithmetic, Columns, LANES, SquareMatrix, zeros};
 use crate::structure::ModalIntegrals;
 
-/// The deformation-dependent integrals ĉ, Ĵ, Γ̂, ĥ at one q.
+/// The deformation-dependent integrals ĉ, Ĵ, Γ̂, ĥ at one q [theory: equations-of-motion.deformed-integrals].
 #[derive(Clone, Debug)]
 pub struct DeformedInertia {
     /// ĉ = c₀ + p_α q_α, kg·m.
@@ -127,6 +129,8 @@ impl DeformedInertia {
     }
 
     /// Adds the inertial forcing of the rigid motion: −mω×v + ω×cω… without the δ terms in q̇.
+    ///
+    /// [theory: equations-of-motion.rows]
     #[inline(always)]
     pub fn add_forcing(&self, mass: f64, momentum: &[Vector3<f64>], motion: &RigidMotion, force: &mut [f64]) {
         let RigidMotion { velocity, rate } = motion;
@@ -151,6 +155,8 @@ impl DeformedInertia {
     }
 
     /// Adds the δ terms −2ω×p_αq̇_α, −2Γ̂_αᵀωq̇_α, −2υ_αβᵀωq̇_β.
+    ///
+    /// [theory: equations-of-motion.delta-terms; thesis §2.3]
     #[inline(always)]
     pub fn add_coriolis<S: Arithmetic>(
         &mut self,

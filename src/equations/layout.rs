@@ -1,4 +1,4 @@
-//! The layout of the state vector: nobody else computes an index.
+//! The layout of the state vector: nobody else computes an index [theory: frames.state].
 
 use std::ops::Range;
 

@@ -1,4 +1,6 @@
 //! Energy and momentum of the deformed aircraft, for checks of conservation.
+//!
+//! [theory: equations-of-motion.conservation]
 
 use nalgebra::Vector3;
 use pulp::Scalar;

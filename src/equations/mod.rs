@@ -1,4 +1,6 @@
-//! The equations of motion of the flexible aircraft at five fidelity levels [2; physics.md §2–5].
+//! The equations of motion of the flexible aircraft at five fidelity levels.
+//!
+//! [theory: equations-of-motion.rows, equations-of-motion.levels; thesis §2.2–2.4]
 
 mod acting;
 mod around;

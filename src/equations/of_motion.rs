@@ -1,4 +1,4 @@
-//! The equations of motion [2.2–2.4, 4; physics.md §2, §4, §5].
+//! The equations of motion [theory: equations-of-motion.rows, equations-of-motion.solution; thesis eq. 2.3, 2.4].
 //!
 //! One Cholesky factor of the mass matrix with apparent mass gives the accelerations (LU where the apparent
 //! mass is not symmetric: RL, or zero-lift lines off the chord); the inflow rates need none. Components of ν that
@@ -31,9 +31,9 @@ use super::workspace::Workspace;
 pub struct Configuration {
     /// Fidelity level; `Rigid` leaves out the model's modes.
     pub fidelity: Fidelity,
-    /// Factor on all elastic properties.
+    /// Factor on all elastic properties [theory: strain-energy.scale].
     pub stiffness_scale: f64,
-    /// ζ of every mode.
+    /// ζ of every mode [theory: strain-energy.damping].
     pub structural_damping: f64,
     /// Inflow states per strip; more than [`PetersInflow::MAX_STATES`] count as that many.
     pub inflow_states: usize,
@@ -234,6 +234,8 @@ impl EquationsOfMotion {
 
     /// Writes the accelerations under given angles of the controls and thrusts at the state and in the wind of the last
     /// evaluation into its rates: the same bits as a new evaluation, for next to nothing.
+    ///
+    /// [theory: gravity-and-thrust.by-control]
     pub fn steer(&self, controls: &Controls, rates: &mut [f64], workspace: &mut Workspace) {
         workspace.collect_forces(controls);
         if workspace.regular {
@@ -270,6 +272,8 @@ impl EquationsOfMotion {
     }
 
     /// Strain energy at q, J, of the orders that the level keeps. Allocates.
+    ///
+    /// [theory: strain-energy.energy, equations-of-motion.levels]
     pub fn strain_energy(&self, q: &[f64]) -> f64 {
         let gradient = &mut vec![0.0; q.len()];
         let mut energy = self.strain_energy.add_quadratic(q, gradient);
@@ -291,6 +295,8 @@ impl EquationsOfMotion {
     }
 
     /// (A⁻¹)_qq: how the generalised coordinates answer forces on themselves, symmetrised. Allocates.
+    ///
+    /// [theory: linearisation.free-modes]
     pub(crate) fn elastic_mobility(
         &self,
         state: &[f64],

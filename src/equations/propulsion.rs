@@ -1,4 +1,4 @@
-//! Thrust along axes that turn with the deformed structure [4.2; physics.md §5].
+//! Thrust along axes that turn with the deformed structure [theory: gravity-and-thrust.thrust; thesis §4.2].
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,6 @@
-//! What the structure's mass and stiffness contribute to the equations of motion [2.2–2.4; physics.md §2, §3].
+//! What the structure's mass and stiffness contribute to the equations of motion.
+//!
+//! [theory: equations-of-motion.rows, strain-energy.force; thesis eq. 2.4, 2.5]
 
 use crate::kinematics::RigidMotion;
 use crate::math::{Arithmetic, Work};

@@ -1,5 +1,7 @@
 //! The structure's coordinates as amplitudes of its free modes, in which they swing one by one.
 //!
+//! [theory: integration.amplitudes]
+//!
 //! With q = Qz, each mode's z̈ = −ω²z − 2ζωż + … becomes ċ = λc + … for the complex amplitude
 //! c = ż − λ̄z with λ = −ζω + iω√(1 − ζ²): the form in which the exponential integrator takes it. The real part
 //! stands in the place of q̇, the imaginary part in that of q.

@@ -1,5 +1,7 @@
 //! The weights of exponential integrators with a diagonal linear part.
 //!
+//! [theory: integration.method, integration.phi, integration.stages]
+//!
 //! S. Krogstad, "Generalized integrating factor methods for stiff PDEs", J. Comput. Phys. 203 (2005), whose last
 //! stage is that of S. M. Cox, P. C. Matthews, J. Comput. Phys. 176 (2002): the linear part L is integrated exactly,
 //! the rest with the weights of a fourth-order Runge–Kutta method; with L = 0 it is the classical one.
@@ -150,7 +152,7 @@ impl ExponentialNumber for Complex<f64> {
     }
 }
 
-/// φ₁, φ₂, φ₃: φ_k(z) = Σ z^j / (j + k)!, from e^z by φ_k = (φ_{k−1} − 1/(k−1)!) / z.
+/// φ₁, φ₂, φ₃: φ_k(z) = Σ z^j / (j + k)!, from e^z by φ_k = (φ_{k−1} − 1/(k−1)!) / z [theory: integration.phi].
 fn phi<T: ExponentialNumber>(z: T, exp: T) -> [T; 3] {
     let per_z = T::from(1.0) / z;
     let phi1 = (exp - T::from(1.0)) * per_z;

@@ -1,4 +1,4 @@
-//! What a pilot, a control law and the atmosphere do to the aircraft.
+//! What a pilot, a control law and the atmosphere do to the aircraft [theory: integration.inputs, frames.signs].
 
 use nalgebra::Vector3;
 
@@ -14,6 +14,8 @@ pub struct Inputs {
     /// Velocity of the air mass, north-east-down, m/s.
     pub wind: Vector3<f64>,
     /// At which the wind changes until it is set again, north-east-down, m/s²: a gust acts on the apparent mass by it.
+    ///
+    /// [theory: air.wind-rate]
     pub wind_rate: Vector3<f64>,
 }
 
@@ -51,6 +53,8 @@ impl Inputs {
     }
 
     /// What they become within a time (s) at some rates: each changes at its own, the wind at the input `wind_rate` too.
+    ///
+    /// [theory: integration.inputs]
     pub(super) fn ramp(&mut self, elapsed: f64, rates: &Inputs) {
         self.wind += elapsed * (self.wind_rate + 0.5 * elapsed * rates.wind_rate);
         self.add(elapsed, rates);

@@ -1,5 +1,7 @@
 //! Fourth-order exponential Runge–Kutta steps with error control (Krogstad's ETDRK4).
 //!
+//! [theory: integration.stages, integration.error, integration.grid]
+//!
 //! The inflow decays hundreds of times a second and the structure's free modes swing tens of times; both linear
 //! parts are integrated exactly, so that the step is bound by what couples and bends them. All other states see the
 //! classical Runge–Kutta method. A cell of time is flown in 1, 2, 4 … equal sub-steps. The estimate, the last weight
@@ -167,7 +169,7 @@ impl Integrator {
 
     /// One step to a state and f there; returns its estimated error in units of the allowed one, NaN when it is not
     /// finite. As e^{hL}y = y + hφ₁(hL)Ly, every stage of Krogstad's is y plus weights times the slopes
-    /// n_i = f_i − L(y_i − y), without any power of e.
+    /// n_i = f_i − L(y_i − y), without any power of e [theory: integration.stages].
     fn step(
         &mut self,
         (time, next): (f64, f64),
@@ -209,6 +211,8 @@ impl Integrator {
     }
 
     /// The estimated error −w₄ (f(y₁) − n₄) of the last step in units of the allowed one; NaN when it is not finite.
+    ///
+    /// [theory: integration.error]
     fn error(&mut self, weights: usize, state: &[f64]) -> f64 {
         let Integrator { arch, spectrum, amplitudes, slopes: [_, _, _, k4, k5], stages, .. } = self;
         let [_, difference] = stages;

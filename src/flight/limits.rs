@@ -1,4 +1,6 @@
 //! Where a trim is beyond what the aircraft is flown within. It stands all the same: this is for warnings.
+//!
+//! [theory: limits-of-validity.unlimited]
 
 use std::fmt;
 

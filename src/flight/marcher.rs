@@ -1,4 +1,4 @@
-//! What marching a plant needs besides the plant.
+//! What marching a plant needs besides the plant [theory: integration.stages, integration.error].
 
 use crate::equations::Workspace;
 use crate::plant::{Plant, Trim};
@@ -36,7 +36,7 @@ impl Marcher {
 }
 
 /// Magnitudes below which errors are absolute: 10 m and 1 m/s of O, 0.1 rad/s, 0.1 m and 1 m/s of the most
-/// moving strip of any mode, 1 m/s of inflow.
+/// moving strip of any mode, 1 m/s of inflow [theory: integration.error].
 fn error_scale(plant: &Plant, tolerance: f64) -> ErrorScale {
     let metre = plant.metre_of_displacement();
     ErrorScale { tolerance, floors: [10.0, 1.0, 1.0, 0.1, 0.1 * metre, metre, 1.0] }

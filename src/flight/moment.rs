@@ -1,4 +1,4 @@
-//! Times of a flight: whole cells of the grid since its start, and a part of one.
+//! Times of a flight: whole cells of the grid since its start, and a part of one [theory: integration.grid].
 //!
 //! The grid begins where the flight does, and a time is counted in its cells. So it is as exact after a year as in the
 //! first second, and a flight that starts at 1.7e9 s, a calendar's time, is the flight that starts at 0, bit for bit.

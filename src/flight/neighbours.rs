@@ -1,4 +1,6 @@
 //! Flights that begin nearby: trimmed under slightly other settings, for derivatives of the outputs by them.
+//!
+//! [theory: trim.tangent]
 
 use std::array::from_fn;
 

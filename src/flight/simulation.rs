@@ -1,4 +1,4 @@
-//! The simulation of one flight.
+//! The simulation of one flight [theory: integration.grid].
 
 use std::sync::{Arc, OnceLock};
 
@@ -18,8 +18,8 @@ use super::point::{Path, Point};
 use super::settings::Settings;
 use super::steering::Steering;
 
-/// The inflow's linear part is taken at a reference airspeed, which follows the flight when the two differ
-/// by more than this share; the rest of the decay, 160/s for the jet, is then well inside what a step bears.
+/// The inflow's linear part is taken at a reference airspeed, which follows the flight when the two differ by more than
+/// this share; the rest of the decay, 160/s for the jet, a step bears well [theory: integration.linear-part].
 const AIRSPEED_DRIFT: f64 = 0.1;
 
 /// A flight of one aircraft: state, time and everything needed to go on.

@@ -1,4 +1,6 @@
 //! The inputs as functions of time: values and rates set at an instant, about the trim or absolute.
+//!
+//! [theory: integration.inputs]
 
 use nalgebra::Vector3;
 

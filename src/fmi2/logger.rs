@@ -1,4 +1,4 @@
-//! Messages to the importer.
+//! Messages to the importer's logger.
 //!
 //! The callback is a variadic C function of printf's kind, but not every importer can take variadic
 //! arguments. So the text is finished here and passed as the format, with every `%` doubled: nothing in it
@@ -6,114 +6,38 @@
 
 use std::ffi::CString;
 
-use super::types::{CallbackLogger, ComponentEnvironment, Status};
+use super::types::{CallbackFunctions, CallbackLogger, ComponentEnvironment};
+use crate::fmi::log::{Category, Log, Messenger};
+use crate::fmi::status::Status;
 
-/// A log category of the model description.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Category {
-    Events,
-    StatusWarning,
-    StatusError,
-    StatusFatal,
-    All,
+/// The log of an instance with this name, which goes to the importer's logger.
+///
+/// The logger must be safe to call with the environment beside it from the thread that uses the instance: the
+/// importer grants that by passing both to `fmi2Instantiate`.
+pub fn log(callbacks: &CallbackFunctions, instance_name: &str, logging_on: bool) -> Log {
+    let messenger = callbacks.logger.map(|callback| {
+        let environment = callbacks.component_environment;
+        Box::new(Logger { callback, environment, instance_name: c_text(instance_name) }) as Box<dyn Messenger>
+    });
+    Log::new(messenger, logging_on)
 }
 
-impl Category {
-    /// All categories, in the order of the model description.
-    pub const ALL: [Category; 5] = [
-        Category::Events,
-        Category::StatusWarning,
-        Category::StatusError,
-        Category::StatusFatal,
-        Category::All,
-    ];
-
-    /// Name in the model description.
-    pub fn name(self) -> &'static str {
-        match self {
-            Category::Events => "logEvents",
-            Category::StatusWarning => "logStatusWarning",
-            Category::StatusError => "logStatusError",
-            Category::StatusFatal => "logStatusFatal",
-            Category::All => "logAll",
-        }
-    }
-
-    /// What falls into it.
-    pub fn description(self) -> &'static str {
-        match self {
-            Category::Events => "Instantiation, initialisation, trim, reset and termination",
-            Category::StatusWarning => "Reasons of fmi2Warning and fmi2Discard",
-            Category::StatusError => "Reasons of fmi2Error",
-            Category::StatusFatal => "Reasons of fmi2Fatal",
-            Category::All => "All messages",
-        }
-    }
-
-    fn of(status: Status) -> Self {
-        match status {
-            Status::Ok => Category::Events,
-            Status::Warning | Status::Discard => Category::StatusWarning,
-            Status::Error => Category::StatusError,
-            Status::Fatal => Category::StatusFatal,
-        }
-    }
-}
-
-/// The importer's logger with the categories that it wants.
+/// The importer's logger.
 #[derive(Debug)]
-pub struct Logger {
-    callback: Option<CallbackLogger>,
+struct Logger {
+    callback: CallbackLogger,
     environment: ComponentEnvironment,
     instance_name: CString,
-    wanted: Vec<Category>,
 }
 
-/// What is told when debug logging is off: a warning or an error without a reason costs its finder days.
-const ALWAYS: [Category; 3] = [Category::StatusWarning, Category::StatusError, Category::StatusFatal];
-
-impl Logger {
-    /// With all categories when `logging_on`, else warnings and errors only.
-    ///
-    /// The callback must be safe to call with `environment` from the thread that uses the instance: the
-    /// importer grants that by passing both to `fmi2Instantiate`.
-    pub fn new(
-        callback: Option<CallbackLogger>,
-        environment: ComponentEnvironment,
-        instance_name: &str,
-        logging_on: bool,
-    ) -> Self {
-        let mut logger =
-            Logger { callback, environment, instance_name: c_text(instance_name), wanted: Vec::new() };
-        logger.choose(logging_on, &[]);
-        logger
-    }
-
-    /// `fmi2SetDebugLogging`: these categories only (none given: all), or warnings and errors only when off.
-    pub fn choose(&mut self, logging_on: bool, categories: &[Category]) {
-        let chosen = match (logging_on, categories) {
-            (false, _) => &ALWAYS,
-            (true, []) => &[Category::All][..],
-            (true, some) => some,
-        };
-        self.wanted = chosen.to_vec();
-    }
-
-    /// Whether a message with this status would be passed on.
-    pub fn wants(&self, status: Status) -> bool {
-        self.callback.is_some()
-            && (self.wanted.contains(&Category::All) || self.wanted.contains(&Category::of(status)))
-    }
-
-    /// Passes a message on if its category is wanted. The status determines the category.
-    pub fn log(&self, status: Status, text: &str) {
-        let Some(callback) = self.callback.filter(|_| self.wants(status)) else { return };
-        let category = c_text(Category::of(status).name());
+impl Messenger for Logger {
+    fn pass_on(&self, status: Status, category: Category, text: &str) {
+        let category = c_text(category.name());
         let format = c_text(&text.replace('%', "%%"));
         // SAFETY: the importer passed this function and its environment to fmi2Instantiate for this
         // purpose; the strings are NUL-terminated and outlive the call; the format has no conversions.
         unsafe {
-            callback(
+            (self.callback)(
                 self.environment,
                 self.instance_name.as_ptr(),
                 status,

@@ -1,6 +1,8 @@
 //! The C types of FMI 2.0 (`fmi2TypesPlatform.h`, `fmi2FunctionTypes.h`), platform "default".
 
-use std::ffi::{c_char, c_int, c_uint, c_void};
+use libc::{c_char, c_double, c_int, c_uint, c_void, size_t};
+
+pub use crate::fmi::status::Status;
 
 /// `fmi2Component`: an instance, opaque to the importer.
 pub type Component = *mut c_void;
@@ -10,10 +12,16 @@ pub type FmuState = *mut c_void;
 pub type ComponentEnvironment = *mut c_void;
 /// `fmi2ValueReference`.
 pub type ValueReference = c_uint;
+/// `fmi2Real`.
+pub type Real = c_double;
+/// `fmi2Integer`.
+pub type Integer = c_int;
 /// `fmi2Boolean`: 0 is false.
 pub type Boolean = c_int;
 /// `fmi2String`: NUL-terminated UTF-8.
 pub type CString = *const c_char;
+/// `fmi2Byte`.
+pub type Byte = c_char;
 
 /// `fmi2False`.
 pub const FALSE: Boolean = 0;
@@ -23,22 +31,6 @@ pub const CO_SIMULATION: c_int = 1;
 pub const LAST_SUCCESSFUL_TIME: c_int = 2;
 /// `fmi2Terminated` of `fmi2StatusKind`.
 pub const TERMINATED: c_int = 3;
-
-/// `fmi2Status`. `fmi2Pending` (5) is missing: this slave computes while it is called.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Status {
-    /// `fmi2OK`
-    Ok = 0,
-    /// `fmi2Warning`
-    Warning = 1,
-    /// `fmi2Discard`
-    Discard = 2,
-    /// `fmi2Error`
-    Error = 3,
-    /// `fmi2Fatal`
-    Fatal = 4,
-}
 
 /// `fmi2CallbackLogger`: environment, instance name, status, category, format, arguments of the format.
 pub type CallbackLogger = unsafe extern "C" fn(ComponentEnvironment, CString, Status, CString, CString, ...);
@@ -50,7 +42,7 @@ pub struct CallbackFunctions {
     /// May be NULL: then nothing is logged.
     pub logger: Option<CallbackLogger>,
     /// Not used, as `canNotUseMemoryManagementFunctions` says.
-    pub allocate_memory: Option<unsafe extern "C" fn(usize, usize) -> *mut c_void>,
+    pub allocate_memory: Option<unsafe extern "C" fn(size_t, size_t) -> *mut c_void>,
     /// Not used.
     pub free_memory: Option<unsafe extern "C" fn(*mut c_void)>,
     /// Not used: no step runs asynchronously.

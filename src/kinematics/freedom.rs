@@ -1,4 +1,4 @@
-//! What support and symmetry leave free of the rigid motion.
+//! What support and symmetry leave free of the rigid motion [theory: equations-of-motion.freedom, symmetry.freedom].
 
 /// Which components of v and ω move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! How the deformed aircraft moves [2.1; physics.md §2].
+//! How the deformed aircraft moves [theory: frames.displacement, frames.velocity; thesis eq. 2.1, 2.2].
 
 mod freedom;
 mod rigid_motion;

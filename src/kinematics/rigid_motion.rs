@@ -1,4 +1,4 @@
-//! The motion of the body axes.
+//! The motion of the body axes [theory: frames.velocity, frames.rates].
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,4 @@
-//! Displacements and rotations as sums of mode shapes.
+//! Displacements and rotations as sums of mode shapes [theory: frames.displacement; thesis eq. 2.2].
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,4 @@
-//! Attitude: a unit quaternion inside, 3-2-1 Euler angles outside.
+//! Attitude: a unit quaternion inside, 3-2-1 Euler angles outside [theory: frames.attitude; thesis §2.1].
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -53,7 +53,7 @@ pub fn quaternion_of_euler_angles(angles: &Vector3<f64>) -> [f64; 4] {
     ]
 }
 
-/// Rate of a quaternion under the body-axis angular velocity.
+/// Rate of a quaternion under the body-axis angular velocity [theory: frames.kinematics].
 pub fn quaternion_rate(quaternion: &[f64], rate: &Vector3<f64>) -> [f64; 4] {
     let (w, x, y, z) = (quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
     [

@@ -1,4 +1,6 @@
 //! The rotation exp(φ×) of a section by its elastic rotation vector (Rodrigues).
+//!
+//! [theory: frames.rotation, frames.spin]
 
 use nalgebra::Vector3;
 use pulp::Scalar;
@@ -7,7 +9,7 @@ use super::arithmetic::Arithmetic;
 use super::lane_vectors::{Arrow, LaneVector, PlaneVector};
 use super::lanes::Lanes;
 
-/// Below this φ² the series are exact to rounding, and cheaper than a sine.
+/// Below this φ² the series are exact to rounding, and cheaper than a sine [theory: frames.rotation].
 const SERIES_LIMIT: f64 = 0.25;
 
 /// The first term left out is below 1e-17 of the sum.
@@ -73,7 +75,7 @@ impl<S: Arithmetic> Rotation<S> {
     }
 
     /// How far the spin of the turning section exceeds the rate of its rotation vector, rad/s: the left
-    /// Jacobian of the exponential less one, times φ̇.
+    /// Jacobian of the exponential less one, times φ̇ [theory: frames.spin].
     #[inline(always)]
     pub fn excess_spin(&self, vector_rate: &LaneVector<S>) -> LaneVector<S> {
         let once = self.vector.cross(vector_rate);

@@ -1,4 +1,4 @@
-//! The initial heading: a plant is computed in axes forward, right, down along it.
+//! The initial heading: a plant is computed in axes forward, right, down along it [theory: frames.course].
 //!
 //! Nothing depends on where north is but the wind and what one reads. Along the course, symmetric flight is exactly
 //! symmetric whatever the heading.

@@ -1,4 +1,4 @@
-//! Natural modes of the aircraft as it flies: free, in air, about one state.
+//! Natural modes of the aircraft as it flies: free, in air, about one state [theory: linearisation.free-modes].
 //!
 //! The generalised coordinates belong to the clamped structure. In flight the rigid motion answers every
 //! deformation and air moves along, so that the coordinates swing in other combinations q = Qz and at other

@@ -1,5 +1,7 @@
 //! The equations of motion linearised at a trim: ẋ = A x for small departures from steady flight.
 //!
+//! [theory: linearisation.state-matrix, linearisation.differences]
+//!
 //! The derivatives are central differences of fourth order. Their steps are a thousandth of what each unknown
 //! is measured by, where the truncation error (∝ step⁴) and rounding (∝ 1/step) are both near 1e-12 of an
 //! entry; strain energy and inertia are polynomials of q for which the formula is exact.
@@ -7,7 +9,7 @@
 //! **Which unknowns.** Nothing depends on position north and east or on heading: they would only add zero
 //! eigenvalues, and are left out. Height stays, for the air thins with it. Roll and pitch angle stand for the
 //! attitude, since the length of a quaternion is no motion. Of a clamped aircraft the rigid-body unknowns are
-//! constants, and only q, q̇ and the inflow remain.
+//! constants, and only q, q̇ and the inflow remain [theory: linearisation.unknowns].
 
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{Complex, DMatrix, Schur};
@@ -76,7 +78,7 @@ pub struct StateMatrix {
 pub struct EigenvaluesNotFound;
 
 impl StateMatrix {
-    /// All eigenvalues, 1/s, in no particular order.
+    /// All eigenvalues, 1/s, in no particular order [theory: linearisation.eigenvalues].
     ///
     /// # Errors
     /// When the iteration does not converge.
@@ -199,7 +201,7 @@ impl Plant {
         }
     }
 
-    /// Rates of roll and pitch angle, rad/s.
+    /// Rates of roll and pitch angle, rad/s [theory: linearisation.unknowns].
     fn tilt_rates(&self, state: &[f64]) -> [f64; 2] {
         let angles = Attitude::from_quaternion(&state[self.layout().attitude()]).euler_angles();
         let rate = self.equations.motion(state).rate;

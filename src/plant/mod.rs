@@ -1,5 +1,7 @@
 //! The plant: what everybody above asks of the aircraft. Rates, outputs and the linear part at any state under any
-//! inputs, trims, linearised motion [5.1; physics.md §6].
+//! inputs, trims, linearised motion.
+//!
+//! [theory: equations-of-motion.rows, outputs.sensors, trim.steady-flight, linearisation.state-matrix; thesis §5.1]
 
 mod course;
 mod free_modes;

@@ -1,4 +1,4 @@
-//! What an engineer reads after a step.
+//! What an engineer reads after a step [theory: outputs.air-data, outputs.load-factor, outputs.deflection].
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -42,7 +42,7 @@ pub struct Outputs {
     pub thrust: Vec<f64>,
 }
 
-/// The undisturbed flow at O.
+/// The undisturbed flow at O [theory: outputs.air-data].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AirData {
     /// True airspeed, m/s.
@@ -59,7 +59,7 @@ pub struct AirData {
     pub dynamic_pressure: f64,
 }
 
-/// Elastic displacement and twist of a station.
+/// Elastic displacement and twist of a station [theory: outputs.deflection].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Deflection {
     /// Body axes, m.
@@ -156,6 +156,8 @@ impl Outputs {
 }
 
 /// (inertial acceleration − gravity)/g along x_b, y_b, −z_b; without gravity, in units of standard gravity.
+///
+/// [theory: outputs.load-factor]
 fn load_factor(inertial: &Vector3<f64>, to_body: &Matrix3<f64>, gravity: f64) -> Vector3<f64> {
     let unit = if gravity > 0.0 { gravity } else { STANDARD_GRAVITY };
     let specific_force = (inertial - to_body * Vector3::new(0.0, 0.0, gravity)) / unit;

@@ -1,4 +1,4 @@
-//! What sensors fixed to a section of the deformed structure read [2.1; physics.md §2, §4].
+//! What sensors fixed to a section of the deformed structure read [theory: outputs.sensors; thesis eq. 2.1].
 //!
 //! Symbols: R = r + Ψᵘq the place of the section, φ = Ψᵠq its rotation vector. Its axes are the body axes turned
 //! by exp(φ×); it spins at ω plus the true rate of that rotation, which for finite φ is not quite Ψᵠq̇.

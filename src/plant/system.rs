@@ -1,5 +1,7 @@
 //! The plant, as control engineers call it: states x and inputs u in, rates ẋ, outputs y and the linear part of ẋ out.
 //!
+//! [theory: frames.state, equations-of-motion.rows, integration.linear-part]
+//!
 //! Nobody above asks which strips, modes or fidelity level there are. Time enters by the inputs alone, of which the motion
 //! of the air is one.
 
@@ -153,6 +155,8 @@ impl Plant {
     }
 
     /// The linear part of ẋ that belongs to the structure: the modes in which it swings freely about a trim.
+    ///
+    /// [theory: linearisation.free-modes]
     pub(crate) fn free_modes(&self, trim: &Trim) -> Option<FreeModes> {
         FreeModes::new(&self.equations, &trim.state, &trim.controls)
     }

@@ -1,5 +1,5 @@
 //! Trim: steady straight flight, without sideslip where the controls for roll and yaw can hold it, or the static deformation in a
-//! wind tunnel [5.1; physics.md §6].
+//! wind tunnel [theory: trim.steady-flight, trim.unknowns, trim.lateral, trim.glide, trim.tunnel; thesis §5.1].
 //!
 //! Pitch, its control and thrust balance a symmetric aircraft. Where another one would go aside, bank angle and the controls for
 //! roll and yaw are unknowns too, sideslip instead of a control that it has not. Without engines the climb angle takes the place
@@ -54,7 +54,7 @@ pub struct Trim {
 }
 
 impl TrimPoint {
-    /// α, rad: the angle of attack at which the path climbs at γ.
+    /// α, rad: the angle of attack at which the path climbs at γ [theory: trim.steady-flight].
     ///
     /// With v = V (cos α cos β, sin β, sin α cos β) in body axes, sin γ = a cos α − b sin α − sin β sin φ cos θ, where
     /// a = cos β sin θ and b = cos β cos φ cos θ.

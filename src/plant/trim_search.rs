@@ -1,4 +1,4 @@
-//! Newton's method for the trim.
+//! Newton's method for the trim [theory: trim.residual, trim.newton, trim.balance].
 
 use nalgebra::Vector3;
 
@@ -169,6 +169,8 @@ impl<'a> Search<'a> {
     }
 
     /// Takes bank angle and the controls for roll and yaw that there are as unknowns too; sideslip for one that is not.
+    ///
+    /// [theory: trim.lateral]
     fn add_lateral(&mut self, [roll, yaw]: [bool; 2]) {
         let place = self.flight.len();
         let control = |there, role| if there { TrimUnknown::Control(role) } else { TrimUnknown::Sideslip };
@@ -202,6 +204,8 @@ impl<'a> Search<'a> {
     }
 
     /// The generalised forces that must vanish: those that the flight's unknowns balance, and on each q.
+    ///
+    /// [theory: trim.residual]
     pub fn residual(&mut self, out: &mut [f64]) {
         self.evaluate();
         let forces = self.workspace.forces();
@@ -219,7 +223,7 @@ impl<'a> Search<'a> {
         self.check_balance(end)
     }
 
-    /// Iterates until the steps stop shrinking.
+    /// Iterates until the steps stop shrinking [theory: trim.newton].
     fn iterate(&mut self) -> SearchEnd {
         let n = self.values.len();
         let (mut jacobian, mut step) = (vec![0.0; n * n], vec![0.0; n]);
@@ -276,7 +280,7 @@ impl<'a> Search<'a> {
             || ASIDE.iter().all(|&row| self.rigid()[row].abs() < STRAIGHT)
     }
 
-    /// Accepts the present unknowns only when nothing accelerates, laterally too.
+    /// Accepts the present unknowns only when nothing accelerates, laterally too [theory: trim.balance].
     fn check_balance(&mut self, end: SearchEnd) -> Result<(), Box<TrimError>> {
         self.evaluate();
         let modal = largest(&self.workspace.accelerations()[6..]);

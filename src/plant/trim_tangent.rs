@@ -1,4 +1,4 @@
-//! How a trim moves with what it depends on: flight condition, the tunnel's flow, stiffness.
+//! How a trim moves with what it depends on: flight condition, the tunnel's flow, stiffness [theory: trim.tangent].
 //!
 //! A trim is a root x of a residual F(x, p). While p moves along a direction p′, x moves along a tangent x′ on which F does
 //! not change: D(x′) = d/dε F(x + εx′, p + εp′) = 0. From x′ = 0 on, x′ is corrected by −J⁻¹ D(x′) with J = ∂F/∂x. D is a
@@ -20,6 +20,8 @@ pub const WIDTHS: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 const CORRECTIONS: usize = 3;
 
 /// The derivative by the width at 0 of a function with these values at [`WIDTHS`]: exact for polynomials of the fourth degree.
+///
+/// [theory: trim.tangent]
 pub fn slope([far_behind, behind, ahead, far_ahead]: [f64; 4]) -> f64 {
     (8.0 * (ahead - behind) - (far_ahead - far_behind)) / 6.0
 }

@@ -1,5 +1,7 @@
 //! The linearised motion with its wake eliminated: a small nonlinear eigenvalue problem.
 //!
+//! [theory: stability.condensed, stability.inverse-iteration]
+//!
 //! With x the rigid motion, q and q̇ and η the inflow, ẋ = F x + B η and η̇ = C x + D η. D is diagonal but for
 //! the 2 × 2 blocks of complex inflow states, so that η = (λ − D)⁻¹ C x is cheap and
 //!
@@ -143,7 +145,7 @@ impl Condensed {
         self.refine(&Root { eigenvalue: beside, shape }).filter(|root| root.is_at(eigenvalue))
     }
 
-    /// The root near a guess.
+    /// The root near a guess [theory: stability.inverse-iteration].
     pub fn refine(&self, guess: &Root) -> Option<Root> {
         let Root { mut eigenvalue, mut shape } = guess.clone();
         let (relative, absolute) = CONVERGED;

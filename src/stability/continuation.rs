@@ -1,4 +1,4 @@
-//! Following one root along a path of problems.
+//! Following one root along a path of problems [theory: stability.continuation].
 
 use std::sync::Arc;
 

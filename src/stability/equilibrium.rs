@@ -1,4 +1,6 @@
 //! The shape and attitude in which an aircraft is in equilibrium, to be compared with others.
+//!
+//! [theory: stability.losses]
 
 use nalgebra::Vector3;
 

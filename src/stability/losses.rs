@@ -1,4 +1,4 @@
-//! Where the equilibrium that is linearised is lost between two airspeeds.
+//! Where the equilibrium that is linearised is lost between two airspeeds [theory: stability.losses].
 //!
 //! Near divergence an aircraft may have several equilibria. The trim is one of them, and it may be another one at the
 //! next airspeed: then no root leads across, and an unstable one appears without having crossed the stability limit.

@@ -1,5 +1,7 @@
 //! Flutter and divergence: how the roots of the linearised motion move as the airspeed grows.
 //!
+//! [theory: stability.branches]
+//!
 //! At each airspeed of a range the aircraft is trimmed and [linearised](crate::plant::StateMatrix). Its
 //! roots are told apart by following each from speed to speed, never by sorting them: `condensed` eliminates
 //! the wake from the eigenvalue problem and finds a root near a known one, `continuation` follows a root with

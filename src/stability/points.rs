@@ -1,4 +1,4 @@
-//! The linearised motion at one airspeed of a range.
+//! The linearised motion at one airspeed of a range [theory: linearisation.state-matrix, stability.branches].
 
 use std::sync::Arc;
 use std::thread;

@@ -1,5 +1,7 @@
 //! All roots of an aircraft over a range of airspeeds, and where they become unstable.
 //!
+//! [theory: stability.branches, stability.crossings]
+//!
 //! **Caveat.** A root that is unstable only between two neighbouring speeds of the range is not noticed.
 
 use nalgebra::Complex;

@@ -1,5 +1,7 @@
 //! The branches of a sweep, as they are being followed from speed to speed.
 //!
+//! [theory: stability.branches, stability.crossings]
+//!
 //! At the first speed each root of the motion with its wake frozen is followed to the moving wake; these roots
 //! (rigid motion and structure) are then followed from speed to speed. To miss none, all eigenvalues of the
 //! whole state matrix are computed at each speed too: an unstable one that no branch has reached (divergence

@@ -1,4 +1,4 @@
-//! Every analysed airspeed with an unstable root, whether a crossing leads to it or not.
+//! Every analysed airspeed with an unstable root, whether a crossing leads to it or not [theory: stability.unstable].
 
 use nalgebra::Complex;
 

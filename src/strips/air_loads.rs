@@ -1,4 +1,6 @@
-//! The loads and the apparent mass of all strips, and how their wakes change [4.1; physics.md §4].
+//! The loads and the apparent mass of all strips, and how their wakes change.
+//!
+//! [theory: air-loads.distribution, air-loads.apparent-mass, inflow.state; thesis §4.1]
 
 use crate::math::{Arithmetic, LANES, Place, SquareMatrix, Work};
 
@@ -67,6 +69,8 @@ impl SumLoads<'_> {
 }
 
 /// Finds the induced velocity of strips and writes the rates of their inflow states; notes reverse flow.
+///
+/// [theory: inflow.state, air-loads.reverse-flow]
 #[inline(always)]
 fn follow_wake<S: Arithmetic, Motion>(
     place: Place<S>,

@@ -1,4 +1,6 @@
-//! Drag of strips that symmetric flow meets edge-on: fins and the sides of the body [4.1; physics.md §4].
+//! Drag of strips that symmetric flow meets edge-on: fins and the sides of the body.
+//!
+//! [theory: symmetry.edge-on, air-loads.drag; thesis §4.1]
 //!
 //! They lie in the mirror plane with their normals across it. While all motion is in the plane, w, Ω and λ₀ vanish,
 //! V_s is (f·V) f, and of the loads only D₀ = CD0 ρ b |V_s| V_s remains. Everything here is in x and z.

@@ -1,4 +1,6 @@
-//! Trailing-edge flap by thin-aerofoil theory [4.1 with corrections 2 and 3 of physics.md §9].
+//! Trailing-edge flap by thin-aerofoil theory.
+//!
+//! [theory: air-loads.flap, corrections.flap-lift, corrections.flap-moment; thesis §4.1]
 
 use crate::aircraft::Flap;
 
@@ -13,6 +15,8 @@ pub struct FlapEffect {
 
 impl FlapEffect {
     /// The effect of a flap: cos φ_m = 2·hinge − 1, c1 = (φ_m + sin φ_m)/π, c4 = −sin φ_m (1 + cos φ_m)/2π.
+    ///
+    /// [theory: air-loads.flap]
     pub fn new(flap: &Flap) -> Self {
         let cos_hinge = 2.0 * flap.hinge - 1.0;
         let hinge = libm::acos(cos_hinge);

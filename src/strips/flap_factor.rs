@@ -1,10 +1,12 @@
-//! What the loads of flaps are proportional to [4.1; physics.md §4].
+//! What the loads of flaps are proportional to [theory: air-loads.flap-products; thesis §4.1].
 
 use std::collections::BTreeSet;
 
 use crate::aircraft::Flap;
 
 /// What the loads of flaps are proportional to: the angle of a control, or the product of two.
+///
+/// [theory: air-loads.flap-products]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum FlapFactor {
     Angle(usize),

@@ -1,4 +1,4 @@
-//! The strips of an aircraft, side by side in groups of eight [4.1; physics.md §4].
+//! The strips of an aircraft, side by side in groups of eight [theory: air-loads.strip; thesis §4.1].
 //!
 //! The last group is filled up with strips of no size.
 
@@ -126,6 +126,8 @@ impl Strips {
     }
 
     /// Whether ẇ and the loads are linear in the same rows, so that apparent mass is symmetric.
+    ///
+    /// [theory: air-loads.apparent-mass]
     pub fn zero_lift_lines_are_chords(&self) -> bool {
         self.groups.iter().all(|group| group.zero_lift_offset == Eight::ZERO)
     }
@@ -213,7 +215,7 @@ impl Group {
         }
     }
 
-    /// m = n + α0 f.
+    /// m = n + α0 f [theory: air-loads.triad].
     #[inline(always)]
     pub(crate) fn zero_lift_normal<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool>(
         &self,
@@ -224,7 +226,7 @@ impl Group {
     }
 
     /// The flow by f·V, n·V and Ω, and by those parts of ẇ and Ω̇ that no acceleration makes; the induced velocity is left
-    /// at zero.
+    /// at zero [theory: air-loads.flow, air-loads.rates].
     #[inline(always)]
     pub(crate) fn flow<S: Arithmetic, const SYMMETRIC: bool>(
         &self,
@@ -297,7 +299,7 @@ impl Group {
     }
 }
 
-/// 1 − η, where there is lift to lose suction from.
+/// 1 − η, where there is lift to lose suction from [theory: air-loads.suction].
 fn suction_loss(strip: &ReducedStrip) -> f64 {
     if strip.lift_slope == 0.0 { 0.0 } else { 1.0 - strip.leading_edge_suction }
 }
@@ -321,7 +323,7 @@ fn coefficient(strip: &ReducedStrip, factor: FlapFactor) -> f64 {
     }
 }
 
-/// The first lane whose lifting strip meets the air from behind.
+/// The first lane whose lifting strip meets the air from behind [theory: air-loads.reverse-flow].
 #[cold]
 pub(crate) fn first_reversed<S: Arithmetic>(chordwise: Lanes<S>, lift_slope: Lanes<S>) -> Option<usize> {
     let mut strips = chordwise.numbers().iter().zip(lift_slope.numbers());

@@ -1,4 +1,4 @@
-//! Strips in the mirror plane while all motion is in it [4.1; physics.md §4].
+//! Strips in the mirror plane while all motion is in it [theory: symmetry.in-plane; thesis §4.1].
 //!
 //! Everything is in x and z but rates and turns, which are about y. The triad turns about a fixed axis: Ψᵠq̇ is its
 //! spin in the body. Symbols as in `in_space`.
@@ -104,6 +104,8 @@ impl Group {
     }
 
     /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
+    ///
+    /// [theory: air-loads.distribution, air-loads.apparent-mass]
     #[inline(always)]
     pub(crate) fn distribute_in_plane<S: Arithmetic, const SYMMETRIC: bool>(
         &self,

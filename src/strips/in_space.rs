@@ -1,4 +1,6 @@
-//! How strips move with the deformed aircraft and where their loads go [4.1; physics.md §4].
+//! How strips move with the deformed aircraft and where their loads go.
+//!
+//! [theory: air-loads.triad, air-loads.flow, air-loads.rows, air-loads.rates; thesis §4.1]
 //!
 //! Symbols: f, s, n the deformed triad, R = r + Ψᵘq, V the velocity relative to the air, m = n + α0 f, and
 //! the rows G_w = nᵀ[1, −R×, Ψᵘ], G_Ω = sᵀ[0, 1, Ψᵠ] on ν = [v; ω; q̇]. The triad turns by the finite rotation
@@ -23,6 +25,8 @@ pub(crate) struct SpaceMotion<S: Arithmetic> {
 
 impl Group {
     /// Deforms the sections and finds their flow; the induced velocity is left at zero.
+    ///
+    /// [theory: air-loads.flow, air-loads.rates]
     #[inline(always)]
     pub(crate) fn deform<S: Arithmetic, const SYMMETRIC: bool>(
         &self,
@@ -80,6 +84,8 @@ impl Group {
     }
 
     /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
+    ///
+    /// [theory: air-loads.distribution, air-loads.apparent-mass]
     #[inline(always)]
     pub(crate) fn distribute<S: Arithmetic, const SYMMETRIC: bool>(
         &self,

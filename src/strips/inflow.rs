@@ -1,4 +1,6 @@
-//! Peters' finite-state inflow in its eigenbasis [4.1; physics.md §4; architecture.md §2].
+//! Peters' finite-state inflow in its eigenbasis.
+//!
+//! [theory: inflow.equations, inflow.eigenbasis, inflow.state; thesis eq. 4.1]
 //!
 //! A λ̇ + (U/b) λ = c ẇ₃ with w₃ = w + (b/2 − d)Ω and λ₀ = ½ bᵀλ is, in the eigenbasis of A⁻¹ and with each
 //! eigenvector scaled so that ẇ₃ enters with unit gain, a sum of independent lags: with η = η̃ + w₃,
@@ -24,7 +26,7 @@ struct Lag {
     weight: f64,
 }
 
-/// A pair of complex eigenvalues μ = decay ± i·frequency.
+/// A pair of complex eigenvalues μ = decay ± i·frequency [theory: inflow.complex].
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct LagPair {
     decay: f64,
@@ -82,7 +84,7 @@ impl PetersInflow {
         self.pairs.len()
     }
 
-    /// λ₀, m/s, of strips from their states and w₃ = w + (b/2 − d)Ω.
+    /// λ₀, m/s, of strips from their states and w₃ = w + (b/2 − d)Ω [theory: inflow.state, inflow.complex].
     #[inline(always)]
     pub fn induced_velocity<S: Arithmetic>(
         &self,
@@ -103,7 +105,7 @@ impl PetersInflow {
     }
 
     /// Rates of the states of strips, m/s². Air that comes from behind, as it may where a wing swings in still air, carries
-    /// no wake away.
+    /// no wake away [theory: inflow.state].
     #[inline(always)]
     pub fn write_rates<S: Arithmetic>(
         &self,
@@ -129,6 +131,8 @@ impl PetersInflow {
     }
 
     /// The coefficients L of η̃' = Lη̃ + … of a group of strips at a constant U/b, 1/s.
+    ///
+    /// [theory: integration.linear-part]
     pub fn linear_part(&self, passing: &Eight, linear: &mut InflowStates<&mut [f64]>) {
         let write = |rate: f64, coefficients: &mut [f64]| {
             for (coefficient, passing) in coefficients.iter_mut().zip(passing.0) {
@@ -145,7 +149,7 @@ impl PetersInflow {
         }
     }
 
-    /// Sets the states of strips to a wake long at rest: λ = 0.
+    /// Sets the states of strips to a wake long at rest: λ = 0 [theory: inflow.state].
     pub fn settle<S: Arithmetic>(
         &self,
         place: Place<S>,
@@ -181,7 +185,7 @@ pub struct InflowStates<T> {
     pub im: T,
 }
 
-/// A, b, c of [4.1] for N states.
+/// A, b, c for N states [theory: inflow.matrices; thesis §4.1].
 fn peters_matrices(states: usize) -> (DMatrix<f64>, DVector<f64>, DVector<f64>) {
     let factorial = |k: usize| (1..=k).map(|i| i as f64).product::<f64>();
     let d_matrix = DMatrix::from_fn(states, states, |row, column| {
@@ -223,7 +227,7 @@ fn null_vector(matrix: &DMatrix<f64>, eigenvalue: Complex<f64>) -> DVector<Compl
 mod tests {
     use super::*;
 
-    /// Lift deficiency C(k) = 1 − λ₀/w₃ for harmonic w₃.
+    /// Lift deficiency C(k) = 1 − λ₀/w₃ for harmonic w₃ [theory: inflow.lift-deficiency].
     fn lift_deficiency(inflow: &PetersInflow, k: f64) -> Complex<f64> {
         let s = Complex::new(0.0, k);
         let lags = inflow.lags.iter().map(|lag| s / (s + lag.rate) * lag.weight).sum::<Complex<f64>>();
@@ -262,8 +266,8 @@ mod tests {
     }
 
     #[test]
-    fn five_states_have_the_lift_deficiency_of_physics_md() {
-        // physics.md §4: C(0.1) = 0.7987 − 0.1872i, C(0.3) = 0.6594 − 0.1577i for N = 5.
+    fn five_states_have_the_lift_deficiency_of_the_theory() {
+        // [theory: inflow.lift-deficiency]: C(0.1) = 0.7987 − 0.1872i, C(0.3) = 0.6594 − 0.1577i for N = 5.
         let inflow = PetersInflow::new(5);
         for (k, expected) in [(0.1, Complex::new(0.7987, -0.1872)), (0.3, Complex::new(0.6594, -0.1577))] {
             assert!((lift_deficiency(&inflow, k) - expected).norm() < 1e-4);

@@ -1,4 +1,6 @@
 //! Where the inflow states of all strips stand, in the order in which wide vectors read them.
+//!
+//! [theory: inflow.complex, frames.state]
 
 use std::ops::Range;
 

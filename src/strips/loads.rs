@@ -1,4 +1,6 @@
-//! What loads and apparent mass of whole strips do on each component of ν [4.1; physics.md §4].
+//! What loads and apparent mass of whole strips do on each component of ν.
+//!
+//! [theory: air-loads.distribution, air-loads.apparent-mass; thesis §4.1]
 //!
 //! A component of ν moves the attachment of a strip by δu and turns it by δθ about s. Its entries are then
 //!

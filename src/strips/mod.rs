@@ -1,4 +1,6 @@
-//! Aerodynamic strips: sections with their inflow and flaps, side by side on the deformed aircraft [4.1; physics.md §4].
+//! Aerodynamic strips: sections with their inflow and flaps, side by side on the deformed aircraft.
+//!
+//! [theory: air-loads.flow, air-loads.distribution, inflow.state; thesis §4.1]
 
 mod air_loads;
 mod edge_on;

@@ -1,4 +1,6 @@
-//! Lift, moment, suction and drag of aerofoil sections, several side by side [4.1; physics.md §4].
+//! Lift, moment, suction and drag of aerofoil sections, several side by side.
+//!
+//! [theory: air-loads.lift, air-loads.moment, air-loads.suction, air-loads.drag; thesis §4.1]
 //!
 //! Symbols: U `chordwise`, w `upwash`, Ω `pitch_rate`, λ₀ `induced`. Loads are per unit width and leave out
 //! the apparent-mass part that is proportional to accelerations, which the equations of motion carry on
@@ -32,7 +34,7 @@ pub struct Section<T = Eight> {
     pub flap_moment: T,
 }
 
-/// The air as the sections meet it.
+/// The air as the sections meet it [theory: air-loads.flow].
 #[derive(Clone, Copy, Debug)]
 pub struct LocalFlow<S: Arithmetic> {
     /// ρ, kg/m³.
@@ -119,6 +121,9 @@ impl<S: Arithmetic> LocalFlow<S> {
 
 impl<S: Arithmetic> Section<Lanes<S>> {
     /// The loads with the flaps neutral, without the apparent-mass terms in the accelerations.
+    ///
+    /// [theory: air-loads.lift, air-loads.moment, air-loads.suction, air-loads.drag]; departures from the printed thesis
+    /// [theory: corrections.moment-arm, corrections.drag].
     #[inline(always)]
     pub fn loads(&self, flow: &LocalFlow<S>) -> SectionLoads<S> {
         let (b, d) = (self.semichord, self.elastic_axis_aft_of_midchord);
@@ -152,6 +157,8 @@ impl<S: Arithmetic> Section<Lanes<S>> {
     }
 
     /// What the flaps add: the loads are linear in δ but for a drag, which is proportional to δ².
+    ///
+    /// [theory: air-loads.flap-products]
     #[inline(always)]
     pub fn flap_loads(&self, flow: &LocalFlow<S>) -> FlapLoads<S> {
         let (b, d) = (self.semichord, self.elastic_axis_aft_of_midchord);

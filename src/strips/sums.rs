@@ -1,4 +1,6 @@
-//! Sums over all strips: their generalised forces and their apparent mass [4.1; physics.md §4].
+//! Sums over all strips: their generalised forces and their apparent mass.
+//!
+//! [theory: air-loads.apparent-mass; thesis §4.1]
 //!
 //! The apparent mass πρb²Δy [(G_w − dG_Ω)ᵀ(G_m − dG_Ω) + (b²/8) G_ΩᵀG_Ω], summed over strips, is a product
 //! ρXᵀY of two rows per strip, each scaled by the root of its mass in air of unit density. Each entry is summed lane

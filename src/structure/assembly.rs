@@ -1,4 +1,6 @@
-//! The assembled structure: stiffness and mass matrices clamped at node 0 [3.1; physics.md §1].
+//! The assembled structure: stiffness and mass matrices clamped at node 0.
+//!
+//! [theory: structure.tree, structure.stiffness, structure.mass-matrix; thesis §3.1]
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -8,7 +10,7 @@ use super::beam::{BeamGeometry, NodalMap, NodalRow};
 use super::particles::{Particle, particles};
 use super::{ModeShapes, StructureError};
 
-/// EA of axially rigid elements, N (physics.md §1, third trap).
+/// EA of axially rigid elements, N [theory: structure.axially-rigid].
 const RIGID_AXIAL_STIFFNESS: f64 = 1e12;
 
 /// An aircraft's structure: beams with their geometry, particles, and the numbering of unknowns.
@@ -51,7 +53,7 @@ impl<'a> Structure<'a> {
         matrix
     }
 
-    /// Mass matrix (singular: lumps are fewer than unknowns).
+    /// Mass matrix (singular: lumps are fewer than unknowns) [theory: structure.mass-matrix].
     pub fn mass(&self) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.unknowns(), self.unknowns());
         for particle in &self.particles {
@@ -80,7 +82,7 @@ impl<'a> Structure<'a> {
         rows
     }
 
-    /// Mode shapes on the elastic axis.
+    /// Mode shapes on the elastic axis [theory: structure.shapes].
     pub fn shapes_at(&self, attachment: Attachment, shapes: &DMatrix<f64>) -> ModeShapes {
         let (translation, rotation) = self.geometry[attachment.beam].section(attachment.fraction);
         ModeShapes {

@@ -1,4 +1,6 @@
-//! The straight 3D Euler–Bernoulli beam element [3.1, 3.2; physics.md §1].
+//! The straight 3D Euler–Bernoulli beam element.
+//!
+//! [theory: structure.beam, structure.gradients, structure.stiffness; thesis eq. 3.6]
 //!
 //! Bending in two planes is cubic, stretch and twist are linear along the element. Local axes: x from the
 //! first node to the second, y the element's `y_axis`, z = x × y; right-handed rotations φ_y = −w′,
@@ -17,7 +19,9 @@ pub type NodalMap = SMatrix<f64, 3, 12>;
 /// Abscissae and weights on (0, 1) of the 2-point Gauss rule: exact for the quadratic part of the energy.
 pub const GAUSS_2: [(f64, f64); 2] = [(0.211_324_865_405_187_13, 0.5), (0.788_675_134_594_812_9, 0.5)];
 
-/// The 5-point Gauss rule on (0, 1): exact to degree 9, as the quartic strain energy asks (physics.md §3).
+/// The 5-point Gauss rule on (0, 1): exact to degree 9, as the quartic strain energy asks.
+///
+/// [theory: strain-energy.polynomial]
 pub const GAUSS_5: [(f64, f64); 5] = [
     (0.046_910_077_030_668_004, 0.118_463_442_528_094_54),
     (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
@@ -37,7 +41,9 @@ pub struct BeamGeometry {
     pub axes: Matrix3<f64>,
 }
 
-/// The displacement gradients of [3.2] at one section, each a linear form on the nodal unknowns.
+/// The displacement gradients at one section, each a linear form on the nodal unknowns.
+///
+/// [theory: structure.gradients; thesis eq. 3.4]
 #[derive(Clone, Debug)]
 pub struct Gradients {
     /// u′: stretch.
@@ -77,6 +83,8 @@ impl BeamGeometry {
     }
 
     /// Displacement and rotation vector (body axes) of the section at `fraction` of the length.
+    ///
+    /// [theory: structure.beam]
     pub fn section(&self, fraction: f64) -> (NodalMap, NodalMap) {
         let l = self.length;
         let s = fraction;
@@ -141,6 +149,8 @@ impl BeamGeometry {
     }
 
     /// Stiffness matrix on the nodal unknowns in body axes, with the axial stiffness given.
+    ///
+    /// [theory: structure.stiffness]
     pub fn stiffness(&self, beam: &Beam, axial_stiffness: f64) -> SMatrix<f64, 12, 12> {
         let mut stiffness = SMatrix::zeros();
         for (fraction, weight) in GAUSS_2 {

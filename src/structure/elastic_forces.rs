@@ -1,4 +1,4 @@
-//! ∂U/∂q arranged for evaluation in every step [3.2; physics.md §3].
+//! ∂U/∂q arranged for evaluation in every step [theory: strain-energy.packed; thesis eq. 2.5].
 //!
 //! With the products p_ab = q_a q_b (a ≤ b) all of it is one product of a constant matrix with the vector [q; p]:
 //!
@@ -16,6 +16,8 @@ use super::StrainEnergy;
 use super::mode::ModeFamily;
 
 /// The elastic generalised forces of a choice of modes, with the opposite sign: ∂U/∂q.
+///
+/// [theory: strain-energy.force, strain-energy.tensors]
 #[derive(Clone, Debug)]
 pub struct ElasticForces {
     /// a and b of each product, in the order of the vector's second part.

@@ -1,4 +1,4 @@
-//! The mirror plane y = 0 and the subspaces of symmetric and antisymmetric motion (physics.md §1).
+//! The mirror plane y = 0 and the subspaces of symmetric and antisymmetric motion [theory: structure.families].
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -20,6 +20,8 @@ pub struct Mirror {
 const SYMMETRIC: f64 = 1e-9;
 
 /// How translations (x, y, z) and rotations (x, y, z) of a node reflect.
+///
+/// [theory: structure.families, symmetry.mirror]
 pub(super) const SIGN: [f64; 6] = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
 
 impl Mirror {

@@ -1,4 +1,6 @@
-//! From beams and masses to modes, modal integrals and strain-energy tensors [3; physics.md §1, §3].
+//! From beams and masses to modes, modal integrals and strain-energy tensors.
+//!
+//! [theory: structure.tree, structure.modes, structure.integrals, strain-energy.polynomial; thesis §3]
 
 mod archive;
 mod assembly;

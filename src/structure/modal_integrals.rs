@@ -1,4 +1,4 @@
-//! The integrals of the mode shapes over the mass [2.2, 3.1; physics.md §1].
+//! The integrals of the mode shapes over the mass [theory: structure.integrals; thesis §2.2, §3.1].
 //!
 //! Symbols: c₀ `first_moment`, J₀ `inertia`, p `momentum`, h `angular_momentum`, Γ `gamma`, Π `pi`,
 //! υ `upsilon`, M `mass_matrix`. With particle positions r and mode shapes ψ there, each is one sum.

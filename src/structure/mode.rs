@@ -1,8 +1,8 @@
-//! A natural mode: its family, its frequency, its shape at a point.
+//! A natural mode: its family, its frequency, its shape at a point [theory: structure.modes, structure.families].
 
 use serde::{Deserialize, Serialize};
 
-/// How a mode behaves under reflection in the plane y = 0.
+/// How a mode behaves under reflection in the plane y = 0 [theory: structure.families].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ModeFamily {
     /// Its own mirror image.
@@ -21,10 +21,12 @@ pub struct Mode {
     /// ω at nominal stiffness, rad/s.
     pub angular_frequency: f64,
     /// Whether it belongs to lower modes: a basis that ends right before it has one of a pair and not the other.
+    ///
+    /// [theory: structure.pairs]
     pub completes_a_pair: bool,
 }
 
-/// Mode shapes at one point of the structure, row-major 3 × n each.
+/// Mode shapes at one point of the structure, row-major 3 × n each [theory: structure.shapes].
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ModeShapes {
     /// Ψᵘ: displacement per generalised coordinate, body axes.

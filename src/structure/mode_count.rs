@@ -1,4 +1,4 @@
-//! How many modes an aircraft is reduced to: the one rule for everybody who asks.
+//! How many modes an aircraft is reduced to: the one rule for everybody who asks [theory: structure.mode-count].
 
 use super::{ModeFamily, ModeKind, StructureError};
 

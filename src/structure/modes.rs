@@ -1,4 +1,4 @@
-//! Natural modes of the clamped structure by family [2.2, 3.2; physics.md §1, the four traps].
+//! Natural modes of the clamped structure by family [theory: structure.modes, structure.families; thesis §3.1].
 
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
@@ -69,7 +69,7 @@ impl ModalBasis {
 }
 
 /// All modes of a subspace, lowest first: solves M φ = (1/ω²) K φ with the Cholesky factor of K, since M is
-/// singular.
+/// singular [theory: structure.modes].
 fn family_modes(
     stiffness: &DMatrix<f64>,
     mass: &DMatrix<f64>,
@@ -106,6 +106,8 @@ fn family_modes(
 }
 
 /// Makes the largest nodal translation component positive: the first of equals in node order.
+///
+/// [theory: structure.modes]
 fn fix_sign(shape: &mut DVector<f64>) {
     let translations = || (0..shape.len()).filter(|unknown| unknown % 6 < 3);
     let largest = translations().map(|unknown| shape[unknown].abs()).fold(0.0, f64::max);
@@ -115,7 +117,7 @@ fn fix_sign(shape: &mut DVector<f64>) {
     }
 }
 
-/// Merges two ascending families by frequency.
+/// Merges two ascending families by frequency [theory: structure.families].
 fn merge<T>(symmetric: Vec<(Mode, T)>, antisymmetric: Vec<(Mode, T)>) -> Vec<(Mode, T)> {
     let mut merged = Vec::with_capacity(symmetric.len() + antisymmetric.len());
     let (mut s, mut a) = (symmetric.into_iter().peekable(), antisymmetric.into_iter().peekable());

@@ -1,5 +1,7 @@
 //! Modes that only together are what a symmetric aircraft has: a basis with one of them and not the other bends one wing.
 //!
+//! [theory: structure.pairs]
+//!
 //! Clamped at O, left and right wing swing by themselves. With a mirror plane their modes are combined to symmetric and
 //! antisymmetric ones; the least trace of asymmetry leaves one mode of either wing, alike but mirrored, at almost the same
 //! frequency. Modes of exactly the same frequency are a pair too, for any mixture of them is a mode.

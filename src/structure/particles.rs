@@ -1,4 +1,4 @@
-//! Equimomental particles: a rigid mass bay as six point masses [3.1; physics.md §1].
+//! Equimomental particles: a rigid mass bay as six point masses [theory: structure.particles; thesis §3.1].
 //!
 //! Six masses m/6 at ±√(3 s_k/m) e_k from the centre of mass, with s_k, e_k the eigenpairs of
 //! S = ½ tr(I) 1 − I, have the bay's mass, centre and inertia exactly; every integral over the mass is then
@@ -24,6 +24,8 @@ pub struct Particle {
 
 impl Particle {
     /// Displacement of the particle as a map of its element's nodal unknowns: u + φ × offset.
+    ///
+    /// [theory: structure.bay; thesis eq. 3.1, 3.2]
     pub fn displacement(&self, geometry: &BeamGeometry) -> NodalMap {
         let (translation, rotation) = geometry.section(self.attachment.fraction);
         translation - self.offset.cross_matrix() * rotation

@@ -1,4 +1,6 @@
 //! The reduced model: everything that the flight needs of an aircraft, and nothing else.
+//!
+//! [theory: structure.shapes, structure.integrals, strain-energy.polynomial, air-loads.strip]
 
 use nalgebra::{DMatrix, Vector3};
 use serde::{Deserialize, Serialize};

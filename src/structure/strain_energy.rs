@@ -1,4 +1,6 @@
-//! Strain energy as a quartic polynomial of the generalised coordinates [3.2; physics.md §3].
+//! Strain energy as a quartic polynomial of the generalised coordinates.
+//!
+//! [theory: strain-energy.green, strain-energy.section, strain-energy.polynomial; thesis §3.2]
 //!
 //! Green's axial strain ε = e + ½[e² + (v′ − zφ′)² + (w′ + yφ′)²] with e = u′ − y v″ − z w″ at the four
 //! booms of each section, and ½ GJ φ′² for torsion. The polynomial's coefficients are computed once:
@@ -12,7 +14,7 @@ use crate::aircraft::Beam;
 use super::assembly::Structure;
 use super::beam::{GAUSS_5, Gradients};
 
-/// Coefficients of the strain energy of n modes at nominal stiffness.
+/// Coefficients of the strain energy of n modes at nominal stiffness [theory: strain-energy.packed].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StrainEnergy {
     /// Number of modes.
@@ -86,7 +88,7 @@ impl StrainEnergy {
         ascending_tuples(self.modes).zip(self.quartic.iter().copied())
     }
 
-    /// U₂ = ½ qᵀK₀q, with K₀ q added to `gradient`.
+    /// U₂ = ½ qᵀK₀q, with K₀ q added to `gradient` [theory: strain-energy.force].
     pub fn add_quadratic(&self, q: &[f64], gradient: &mut [f64]) -> f64 {
         let mut value = 0.0;
         for (a, row) in self.linear_stiffness.chunks_exact(self.modes.max(1)).enumerate() {
@@ -97,7 +99,7 @@ impl StrainEnergy {
         value
     }
 
-    /// U₃, with its gradient (½K₁q) added to `gradient`.
+    /// U₃, with its gradient (½K₁q) added to `gradient` [theory: strain-energy.force; thesis eq. 2.5, 3.5].
     pub fn add_cubic(&self, q: &[f64], gradient: &mut [f64]) -> f64 {
         let mut rest = self.cubic.as_slice();
         let mut value = 0.0;
@@ -116,7 +118,7 @@ impl StrainEnergy {
         value
     }
 
-    /// U₄, with its gradient (⅓K₂q) added to `gradient`.
+    /// U₄, with its gradient (⅓K₂q) added to `gradient` [theory: strain-energy.force; thesis eq. 2.5, 3.5].
     pub fn add_quartic(&self, q: &[f64], gradient: &mut [f64]) -> f64 {
         let mut rest = self.quartic.as_slice();
         let mut value = 0.0;
@@ -141,6 +143,8 @@ impl StrainEnergy {
     }
 
     /// Adds the energy of one integration section that stands for `length` metres of the beam.
+    ///
+    /// [theory: strain-energy.section]
     fn add_section(&mut self, beam: &Beam, section: &SectionGradients, length: f64) {
         let torsion = &section.twist * section.twist.transpose() * (beam.torsional_stiffness * length);
         self.add_linear_stiffness(&torsion);
@@ -152,7 +156,7 @@ impl StrainEnergy {
         }
     }
 
-    /// Adds ½ EA ε² of a boom at (y, z): ε = e·q + ½ qᵀQq.
+    /// Adds ½ EA ε² of a boom at (y, z): ε = e·q + ½ qᵀQq [theory: strain-energy.polynomial].
     fn add_boom(&mut self, section: &SectionGradients, [y, z]: [f64; 2], rigidity: f64) {
         let e = &section.stretch - &section.curvature_v * y - &section.curvature_w * z;
         let v = &section.slope_v - &section.twist * z;
@@ -194,6 +198,8 @@ impl StrainEnergy {
 }
 
 /// Displacement gradients at one section as linear forms on the generalised coordinates.
+///
+/// [theory: structure.gradients]
 struct SectionGradients {
     stretch: DVector<f64>,
     slope_v: DVector<f64>,

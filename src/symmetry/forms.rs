@@ -1,4 +1,6 @@
 //! The two forms in which an aircraft flies: as the whole, or as its half while motion is its own mirror image.
+//!
+//! [theory: symmetry.half]
 
 /// The form in which a state stands for the aircraft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,6 @@
-//! The right half of an aircraft, for motion that is its own mirror image in the plane y = 0 (physics.md §1).
+//! The right half of an aircraft, for motion that is its own mirror image in the plane y = 0.
+//!
+//! [theory: symmetry.half, symmetry.conditions]
 //!
 //! In such motion antisymmetric modes rest, left and right carry the same loads, and what the left half does is known
 //! from the right one. The half keeps the symmetric modes, the strips on the right at twice their width and those in
@@ -119,7 +121,7 @@ fn half_strip(strip: &ReducedStrip, is_in_plane: bool, controls: &EvenControls) 
     strip
 }
 
-/// Takes off what symmetry up to rounding has left across the plane.
+/// Takes off what symmetry up to rounding has left across the plane [theory: symmetry.in-plane].
 fn lay_in_plane(strip: &mut ReducedStrip) {
     let ReducedStrip { position, forward, span, shapes: ModeShapes { translation, rotation }, .. } = strip;
     (position.y, forward.y) = (0.0, 0.0);
@@ -139,7 +141,7 @@ struct Image {
 }
 
 impl Image {
-    /// Whether symmetric flow meets the strip edge-on.
+    /// Whether symmetric flow meets the strip edge-on [theory: symmetry.edge-on].
     fn is_edge_on(self) -> bool {
         self.is_in_plane && self.sign < 0.0
     }
@@ -269,13 +271,13 @@ impl Mirror {
         })
     }
 
-    /// Whether an arrow becomes another one in the mirror.
+    /// Whether an arrow becomes another one in the mirror [theory: symmetry.mirror].
     fn maps(&self, arrow: &Vector3<f64>, image: &Vector3<f64>, size: f64) -> bool {
         (Vector3::new(arrow.x, -arrow.y, arrow.z) - image).amax() <= SYMMETRIC * size
     }
 }
 
-/// Whether an axis of rotation becomes another one in the mirror.
+/// Whether an axis of rotation becomes another one in the mirror [theory: symmetry.mirror].
 fn maps_axial(axis: &Vector3<f64>, image: &Vector3<f64>, size: f64) -> bool {
     (Vector3::new(-axis.x, axis.y, -axis.z) - image).amax() <= SYMMETRIC * size
 }

@@ -1,4 +1,4 @@
-//! Symmetry: the one room that knows that half the aircraft can fly for the whole (physics.md §1).
+//! Symmetry: the one room that knows that half the aircraft can fly for the whole [theory: symmetry.half].
 
 mod even_controls;
 mod forms;

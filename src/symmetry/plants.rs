@@ -1,4 +1,4 @@
-//! The plants of an aircraft, and which of them may fly.
+//! The plants of an aircraft, and which of them may fly [theory: symmetry.half, symmetry.unfolding].
 //!
 //! An aircraft with a mirror plane that nothing has ever moved out of symmetry needs half its strips, half its modes
 //! and half its rigid motion. As soon as something acts on one side alone, the whole aircraft takes over for good.
@@ -133,7 +133,7 @@ impl Plants {
 }
 
 impl Mirror {
-    /// Whether everything acts alike on both sides, but for rounding, and will.
+    /// Whether everything acts alike on both sides, but for rounding, and will [theory: symmetry.unfolding].
     fn are_symmetric(&self, actions: &impl Actions) -> bool {
         let are_alike = |a: f64, b: f64| (a - b).abs() <= ROUNDING * a.abs().max(b.abs());
         let mut engines = self.engines.iter().enumerate();

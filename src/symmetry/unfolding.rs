@@ -1,4 +1,4 @@
-//! How the state of the half becomes that of the whole.
+//! How the state of the half becomes that of the whole [theory: symmetry.unfolding].
 
 use crate::equations::StateLayout;
 

@@ -8,94 +8,17 @@ mod dependence;
 mod slot;
 mod table;
 mod unit;
+mod variable;
 
 pub use slot::{
     AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot,
     Value,
 };
 pub use unit::{BaseUnit, DisplayUnit, Unit};
+pub use variable::{Type, Variability, Variable};
 
 use crate::aircraft::TrimRole;
 use crate::structure::ReducedModel;
-
-/// The type of a variable.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Type {
-    /// A double.
-    Real,
-    /// A 32-bit integer.
-    Integer,
-    /// An integer that names one of a list, from 1.
-    Enumeration(EnumerationType),
-}
-
-/// When a value may change.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Variability {
-    /// Constant after initialisation.
-    Fixed,
-    /// Changes only when the flight is initialised anew.
-    Discrete,
-    /// Changes with time.
-    Continuous,
-}
-
-/// One row of the table.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Variable {
-    /// As users connect to it.
-    pub name: String,
-    /// For people.
-    pub description: String,
-    /// Type of its value.
-    pub kind: Type,
-    /// When its value changes.
-    pub variability: Variability,
-    /// Every Real has one, except the modal coordinates: no unit of FMI is made of √kg.
-    pub unit: Option<Unit>,
-    /// Value before it is set; inputs and parameters have one, outputs are calculated.
-    pub start: Option<Value>,
-    /// Smallest value that is accepted (parameters) or possible (outputs).
-    pub min: Option<f64>,
-    /// Largest value that is accepted (parameters) or possible (outputs).
-    pub max: Option<f64>,
-    /// Typical magnitude.
-    pub nominal: Option<f64>,
-    /// Where the value lives; it implies the causality.
-    pub slot: Slot,
-}
-
-impl Variable {
-    /// Whether the value is within `min` and `max` (enumerations: one of the list).
-    pub fn allows(&self, value: Value) -> bool {
-        let number = match value {
-            Value::Real(x) => x,
-            Value::Integer(i) => f64::from(i),
-        };
-        number.is_finite()
-            && self.min.is_none_or(|min| number >= min)
-            && self.max.is_none_or(|max| number <= max)
-    }
-
-    /// What [`allows`](Self::allows) accepts, for people, with its unit.
-    pub fn allowed(&self) -> String {
-        if let Type::Enumeration(enumeration) = self.kind {
-            let items = enumeration.items().iter().enumerate();
-            return items.map(|(i, (item, _))| format!("{} ({item})", i + 1)).collect::<Vec<_>>().join(", ");
-        }
-        let unit = match self.unit {
-            None | Some(Unit::One) => String::new(),
-            Some(unit) => format!(" {}", unit.name()),
-        };
-        match (self.min, self.max) {
-            (Some(min), Some(max)) => format!("{min} to {max}{unit}"),
-            (Some(min), None) => format!("{min}{unit} and above"),
-            (None, Some(max)) => format!("{max}{unit} and below"),
-            (None, None) if unit.is_empty() => "any finite number".to_owned(),
-            (None, None) => format!("any finite number, in{unit}"),
-        }
-    }
-}
 
 /// All variables of the FMU of one aircraft; the index is the value reference.
 #[derive(Clone, Debug, PartialEq)]

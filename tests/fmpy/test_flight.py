@@ -61,7 +61,7 @@ def test_a_mirrored_rudder_gives_the_mirrored_flight(fly):
     assert np.abs(right[tips[0]] - left[tips[1]]).max() <= 1e-9
 
 
-# Table of physics.md §8: trims at 127 m/s, 7620 m, one tenth of the stiffness, 8 symmetric modes, of this
+# [theory: thesis-runs.trims]: trims at 127 m/s, 7620 m, one tenth of the stiffness, 8 symmetric modes, of this
 # aircraft. Wing tip and h-tail tip up in m, pitch and elevator in rad.
 TRIMS = {
     EXACT: (2.831, 0.1597, 0.13632, -0.1786),

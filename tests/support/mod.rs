@@ -48,12 +48,12 @@ pub fn up(outputs: &Outputs, name: &str) -> f64 {
     -outputs.deflections[station(name)].displacement.z
 }
 
-/// Longitudinal cases use the eight lowest symmetric modes (physics.md §1, fourth trap).
+/// Longitudinal cases use the eight lowest symmetric modes [theory: structure.mode-count].
 pub fn eight_symmetric() -> Settings {
     Settings { mode_selection: ModeSelection::Symmetric, mode_count: 8, ..Settings::of(&jet()) }
 }
 
-/// The 2-3-1-1 of physics.md §7 at a time, before its filter: 0.05 rad, unit 0.7 s, from 1 s, nose-up first.
+/// The 2-3-1-1 of [theory: thesis-runs.inputs] at a time, before its filter: 0.05 rad, unit 0.7 s, from 1 s, nose-up first.
 pub fn two_three_one_one(time: f64) -> f64 {
     const STEPS: [(f64, f64); 4] = [(2.0, -0.05), (5.0, 0.05), (6.0, -0.05), (7.0, 0.05)];
     let units = (time - 1.0) / 0.7;
@@ -63,7 +63,7 @@ pub fn two_three_one_one(time: f64) -> f64 {
     STEPS.iter().find(|(end, _)| units < *end).map_or(0.0, |(_, angle)| *angle)
 }
 
-/// The rudder doublet of physics.md §7 at a time, before its filter: 0.05 rad, 2 s each way, from 1 s.
+/// The rudder doublet of [theory: thesis-runs.inputs] at a time, before its filter: 0.05 rad, 2 s each way, from 1 s.
 pub fn doublet(time: f64) -> f64 {
     match time {
         1.0..3.0 => 0.05,

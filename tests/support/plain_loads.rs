@@ -1,5 +1,7 @@
-//! The loads of strips as physics.md §4 writes them, one strip after the other, from the state alone: nothing of the
+//! The loads of strips as the theory writes them, one strip after the other, from the state alone: nothing of the
 //! program's load summation is used. Steady inflow (N = 0): λ₀ = 0.
+//!
+//! [theory: air-loads.lift, air-loads.moment, air-loads.suction, air-loads.drag; thesis §4.1]
 
 use std::f64::consts::PI;
 
@@ -108,7 +110,7 @@ impl Instant<'_> {
         self.flow_in(strip, &state, &(self.controls.wind + self.controls.wind_rate * time))
     }
 
-    /// ẇ and Ω̇ as physics.md §4 writes them.
+    /// ẇ and Ω̇ as the theory writes them [theory: air-loads.rates].
     pub fn flow_rates(&self, strip: &ReducedStrip, flow: &Flow) -> [f64; 2] {
         let Flow { forward, span, normal, velocity, at, .. } = flow;
         let layout = self.equations.layout();

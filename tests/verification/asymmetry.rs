@@ -250,7 +250,7 @@ fn without_aileron_and_rudder_the_unbalanced_moments_are_named() {
 
 #[test]
 fn with_one_engine_out_the_trim_is_that_of_an_independent_code() {
-    // analyses.md §5, "nominal, right engine out, β 0": a numpy prototype that shares nothing with this program.
+    // Nominal, right engine out, no sideslip [theory: trim.lateral]: by a numpy prototype that shares nothing with this program.
     let aircraft = changed_jet(|aircraft| aircraft.engines.retain(|engine| engine.name == "left"));
     let model = ReducedModel::new(&aircraft, ReducedModel::USUAL_MODES).unwrap();
     let point = trim(&model, &Settings::of(&model));

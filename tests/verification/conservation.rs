@@ -1,4 +1,4 @@
-//! In vacuum and without gravity E and I conserve energy and momentum, CL and RL do not (physics.md §2).
+//! In vacuum and without gravity E and I conserve energy and momentum, CL and RL do not [theory: equations-of-motion.conservation].
 
 use flexible_aircraft::equations::{Configuration, EquationsOfMotion, Fidelity, Mechanics, Workspace};
 use flexible_aircraft::structure::ReducedModel;
@@ -87,7 +87,7 @@ fn exact_and_inconsistent_models_conserve_energy_and_momentum_at_large_amplitude
     let mut record = Record::new(
         "conservation-kept",
         "Relative drifts over 5 s of violent motion, models that follow from a Lagrangian",
-        "physics.md §2; Runge–Kutta steps of 0.2 ms, one-tenth stiffness, 12 modes, no air, no gravity",
+        "[theory: equations-of-motion.conservation]; Runge–Kutta steps of 0.2 ms, one-tenth stiffness, 12 modes, no air, no gravity",
     );
     for fidelity in [Fidelity::Exact, Fidelity::Inconsistent] {
         let ([energy, linear, angular], tip) = drifts(fidelity);
@@ -104,7 +104,7 @@ fn linearised_models_conserve_neither() {
     let mut record = Record::new(
         "conservation-lost",
         "The same for the linearised models, which conserve neither",
-        "physics.md §2",
+        "[theory: equations-of-motion.conservation]",
     );
     for fidelity in [Fidelity::ConsistentlyLinearised, Fidelity::RuthlesslyLinearised] {
         let ([energy, linear, angular], _) = drifts(fidelity);

@@ -1,4 +1,4 @@
-//! Eigenvalues of the trimmed jet are those of physics.md §8 (N = 5, 8 symmetric modes, 127 m/s).
+//! Eigenvalues of the trimmed jet with N = 5 and 8 symmetric modes at 127 m/s [theory: thesis-runs.eigenvalues].
 
 use flexible_aircraft::equations::Fidelity;
 use nalgebra::Complex;
@@ -25,7 +25,7 @@ fn the_eigenvalues_of_the_trimmed_jet_are_the_published_ones() {
     let mut record = Record::new(
         "eigenvalues",
         "Eigenvalues of the trimmed jet, 1/s: N = 5, 8 symmetric modes, 127 m/s, 7620 m",
-        "physics.md §8 and §10; the tolerance is 0.6 units of the last published digit",
+        "[theory: thesis-runs.eigenvalues]; the tolerance is 0.6 units of the last published digit",
     );
     let rigid = &[(-0.0108, 0.1154, 5e-5), (-0.5289, 1.2093, 5e-5)];
     check(&mut record, Fidelity::Rigid, 1.0, rigid);

@@ -1,7 +1,9 @@
 //! Energy balance in air: along a flight the work of aerodynamic forces, thrust and gravity is the change of kinetic
-//! and strain energy, for the two models that follow from a Lagrangian [2.2, 4; physics.md §2, §4, §5].
+//! and strain energy, for the two models that follow from a Lagrangian.
 //!
-//! The work is summed strip by strip as physics.md §4 writes the loads, apparent mass included
+//! [theory: equations-of-motion.conservation, air-loads.distribution; thesis §2.2, §4]
+//!
+//! The work is summed strip by strip as the theory writes the loads, apparent mass included
 //! (`support/plain_loads.rs`).
 
 use flexible_aircraft::equations::{Configuration, Controls, EquationsOfMotion, Fidelity, Mechanics};
@@ -154,7 +156,7 @@ fn the_work_of_air_thrust_and_gravity_is_the_change_of_energy() {
     let mut record = Record::new(
         "energy-balance",
         "Jet at one-tenth stiffness in air, all surfaces and thrust moving: energy and work over 4 s, and at random states",
-        "work of the loads as physics.md §4 and §5 write them, summed here; Runge–Kutta steps of 1 ms",
+        "work of the loads of [theory: air-loads.distribution, gravity-and-thrust.gravity, gravity-and-thrust.thrust], summed here; Runge–Kutta steps of 1 ms",
     );
     for fidelity in [Fidelity::Exact, Fidelity::Inconsistent] {
         let (largest, difference) = balance(fidelity);

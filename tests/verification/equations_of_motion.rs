@@ -1,5 +1,5 @@
 //! The accelerations of the exact and the inconsistent model in vacuum satisfy the Boltzmann–Hamel equations of
-//! the particles' Lagrangian, row by row [2.2]:
+//! the particles' Lagrangian, row by row [theory: equations-of-motion.lagrange; thesis §2.2]:
 //!
 //! ```text
 //! d/dt ∂L/∂v + ω × ∂L/∂v = 0

@@ -73,11 +73,11 @@ fn at_one_tenth_stiffness_the_exact_wing_deflects_least() {
 #[test]
 fn at_one_tenth_stiffness_the_exact_aircraft_is_damped_most() {
     // The slowest mode of wing against fuselage, near 9 rad/s, is the one that rings after a manoeuvre
-    // (physics.md §8 has it for E: −0.2142 ± 9.7578i at 127 m/s).
+    // ([theory: thesis-runs.eigenvalues] has it for E: −0.2142 ± 9.7578i at 127 m/s).
     let mut record = Record::new(
         "damping",
         "At one-tenth stiffness the exact aircraft is damped most: its damping over the next best, wing-against-fuselage mode",
-        "thesis §5.4, in words; physics.md §8 has the exact model's eigenvalue",
+        "thesis §5.4, in words; [theory: thesis-runs.eigenvalues] has the exact model's eigenvalue",
     );
     for airspeed in [127.0, 177.8] {
         let dampings = FLEXIBLE.map(|fidelity| {

@@ -192,7 +192,7 @@ fn a_speed_at_which_a_free_aircraft_has_no_trim_is_skipped_and_the_others_are_no
     assert_eq!(skipped.airspeed, 3.0);
     assert!(skipped.reason.to_string().contains("no steady level flight found at 3 m/s"));
     assert_eq!(sweep.airspeeds, [127.0, 130.0]);
-    // physics.md §8: the short period at 127 m/s, with these modes.
+    // [theory: thesis-runs.eigenvalues]: the short period at 127 m/s, with these modes.
     let short_period = Complex::new(-0.534, 1.186);
     let nearest = sweep.branches.iter().filter_map(|branch| branch.roots[0].as_ref());
     assert!(nearest.into_iter().any(|root| (root.eigenvalue - short_period).norm() < 1e-3));

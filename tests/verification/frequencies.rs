@@ -1,11 +1,11 @@
-//! The clamped modes and the mass of the jet are those of physics.md §8.
+//! Clamped modes and mass of the jet [theory: thesis-runs.frequencies, thesis-runs.aircraft].
 
 use flexible_aircraft::structure::ModeFamily::{self, Antisymmetric, Symmetric};
 
 use super::record::Record;
 use crate::support::jet;
 
-/// physics.md §8: nominal clamped frequencies, Hz.
+/// Nominal clamped frequencies, Hz [theory: thesis-runs.frequencies].
 const FREQUENCIES: [(f64, ModeFamily); 12] = [
     (2.166, Symmetric),
     (2.166, Antisymmetric),
@@ -23,8 +23,11 @@ const FREQUENCIES: [(f64, ModeFamily); 12] = [
 
 #[test]
 fn the_twelve_lowest_clamped_frequencies_and_the_mass_are_the_published_ones() {
-    let mut record =
-        Record::new("frequencies", "Clamped modes of the jet, Hz, and its mass, kg", "physics.md §8");
+    let mut record = Record::new(
+        "frequencies",
+        "Clamped modes of the jet, Hz, and its mass, kg",
+        "[theory: thesis-runs.frequencies, thesis-runs.aircraft]",
+    );
     for (index, (mode, (frequency, family))) in jet().modes.iter().zip(FREQUENCIES).enumerate() {
         let found = mode.angular_frequency / std::f64::consts::TAU;
         assert_eq!(mode.family, family, "{frequency} Hz");

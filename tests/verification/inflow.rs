@@ -1,6 +1,8 @@
 //! Unsteady aerodynamics of a strip: Peters' inflow approaches Theodorsen's and Wagner's functions as its states
 //! grow in number, leading-edge suction propels as Garrick says, a flap lifts and pitches as thin-aerofoil theory
-//! says [4.1; physics.md §4]. A strip is moved through the equations of motion, nothing is taken from the inside.
+//! says. A strip is moved through the equations of motion, nothing is taken from the inside.
+//!
+//! [theory: inflow.lift-deficiency, air-loads.suction, air-loads.flap; thesis §4.1]
 
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -67,7 +69,7 @@ fn the_lift_deficiency_approaches_theodorsens_function() {
         "theodorsen",
         "Lift deficiency C(k) of N inflow states: largest error |C_N − C| for 0.01 ≤ k ≤ 2",
         "Theodorsen, NACA TR 496 (1935), with exact Hankel functions; Peters, Karunamoorthy, Cao, *J. Aircraft* 32 (1995) 313–322. \
-         The tolerances are the model's own truncation as found; physics.md §4 has C₅(0.1) and C₅(0.3)",
+         The tolerances are the model's own truncation as found; [theory: inflow.lift-deficiency] has C₅(0.1) and C₅(0.3)",
     );
     record.absolute("exact C(0.1), real part, against Theodorsen's table", 0.8319, 1e-4, theodorsen(0.1).re);
     record.absolute("exact C(0.1), imaginary part", -0.1723, 1e-4, theodorsen(0.1).im);

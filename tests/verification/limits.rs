@@ -48,7 +48,7 @@ fn mach_0_7_is_worth_a_warning() {
     assert!(!warned(215.0) && warned(217.0));
 }
 
-/// At 127 m/s the jet trims with −0.2343 rad of elevator and 23 716 N per engine (physics.md §8).
+/// At 127 m/s the jet trims with −0.2343 rad of elevator and 23 716 N per engine [theory: thesis-runs.trims].
 #[test]
 fn limits_of_the_aircraft_file_count_in_place_of_the_usual_ones_and_change_no_flight() {
     let settings = eight_symmetric();

@@ -1,5 +1,7 @@
 //! Energy, momentum and the mass matrix from the modal integrals p, h, Γ, Π, υ, M are those of the particles,
-//! summed one by one, at random states of large amplitude [2.2; physics.md §1, §2].
+//! summed one by one, at random states of large amplitude.
+//!
+//! [theory: structure.integrals, equations-of-motion.deformed-integrals; thesis §2.2]
 
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::{Configuration, EquationsOfMotion, Fidelity, Mechanics};

@@ -130,8 +130,8 @@ fn verification_md_says_what_the_tests_measured() {
         "# What is verified, against what, how closely\n\n\
          Written by the tests in [`tests/verification`](tests/verification), one file per claim; a test fails when this\n\
          page or a measured value changes. `UPDATE_GOLDEN=1 cargo nextest run --release verification`, run twice, rewrites it.\n\
-         *Deviation* is relative where the tolerance is; *< x* stands for anything at rounding level. \"physics.md\" is the\n\
-         authors' specification of the equations, confirmed there by two independent implementations.\n",
+         *Deviation* is relative where the tolerance is; *< x* stands for anything at rounding level. [theory: air-loads.lift] cites a\n\
+         label of [`docs/theory`](docs/theory/README.md).\n",
     );
     for (heading, file, records) in CLAIMS {
         page.push_str(&format!("\n## {heading}\n\n[`{file}.rs`](tests/verification/{file}.rs)\n"));

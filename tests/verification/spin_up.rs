@@ -365,9 +365,9 @@ fn the_exact_beam_lags_as_published_and_as_in_kanes_theory_and_ends_stretched() 
     }
     record.remark(
         "CL keeps the cubic energy ½EA u′w′² and drops the quartic ⅛EA w′⁴ that bounds it. Once axial modes can follow, \
-         u′ → −½w′² takes away −⅛EA w′⁴, and a lag of a few centimetres suffices to break the beam away. This is the third \
-         trap of physics.md §1, by which CL loses static stability with axial modes: CL is for bending–torsion bases, or for \
-         motion as small as in the next two cases.",
+         u′ → −½w′² takes away −⅛EA w′⁴, and a lag of a few centimetres suffices to break the beam away. So CL loses \
+         static stability with axial modes [theory: structure.axially-rigid]: CL is for bending–torsion bases, or for motion \
+         as small as in the next two cases.",
     );
     record.finish();
 }

@@ -1,6 +1,6 @@
 //! The strain energy polynomial is the integral of Green's axial strain and of torsion over the beams, its
 //! gradient and its Hessian are those of that integral, and its axial–bending coupling makes a stretched
-//! string sing [3.2; physics.md §3].
+//! string sing [theory: strain-energy.polynomial, strain-energy.force; thesis §3.2].
 
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::structure::{ModalBasis, StrainEnergy, Structure};

@@ -1,5 +1,5 @@
 //! The loads of all strips are those of the formulas, summed plainly, and ẇ and Ω̇ in them are the true rates of w and Ω
-//! [4.1; physics.md §4].
+//! [theory: air-loads.distribution, air-loads.rates; thesis §4.1].
 
 use flexible_aircraft::equations::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
@@ -117,7 +117,7 @@ fn the_loads_of_all_strips_are_the_plain_sum_of_the_formulas_at_every_level() {
     let mut record = Record::new(
         "strip-loads",
         "Generalised forces of all strips at ten random states, sections turned by up to 1 rad, in a changing wind: largest difference to the plain sum, over the largest force",
-        "physics.md §4, summed strip by strip in `support/plain_loads.rs`; the altered jet has camber, moments at zero lift, suction, and flaps that all controls turn",
+        "[theory: air-loads.distribution], summed strip by strip in `support/plain_loads.rs`; the altered jet has camber, moments at zero lift, suction, and flaps that all controls turn",
     );
     for (name, model) in [("jet", aircraft(false)), ("altered jet", aircraft(true))] {
         for fidelity in Fidelity::ALL.into_iter().filter(|fidelity| *fidelity != Fidelity::Rigid) {

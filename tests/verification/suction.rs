@@ -1,5 +1,5 @@
 //! Leading-edge suction: in steady flow neither camber nor flap propels, and ailerons yaw adversely where suction is lost
-//! [4.1; physics.md §4].
+//! [theory: air-loads.suction, air-loads.steady-drag; thesis §4.1].
 
 use flexible_aircraft::air::Air;
 use flexible_aircraft::equations::{Configuration, EquationsOfMotion, Fidelity, Workspace};
@@ -55,7 +55,7 @@ fn neither_camber_nor_flap_propels_in_steady_flow() {
     let mut record = Record::new(
         "steady-drag",
         "Drag of a strip (N/m) in steady flow: 5 suctions η ≤ 1, 3 cambers, 4 positions of two controls on its flap, 4 incidences",
-        "physics.md §4: without profile drag its power is (1 − η) L²/(CLα ρ b U)",
+        "[theory: air-loads.steady-drag]: without profile drag its power is (1 − η) L²/(CLα ρ b U)",
     );
     let (mut largest, mut difference, mut thrust) = (0.0_f64, 0.0_f64, 0.0_f64);
     for flow in steady_flows() {
@@ -159,7 +159,7 @@ fn ailerons_yaw_adversely_where_suction_is_lost() {
     let mut record = Record::new(
         "adverse-yaw",
         "Yaw moment of the rigid jet (N·m) about the axis across its flight path, 0.1 rad of aileron to the right",
-        "physics.md §4: drag (1 − η) L²/(CLα ρ b U²) is linear in η, and more on the left, where lift grows",
+        "[theory: air-loads.steady-drag]: drag (1 − η) L²/(CLα ρ b U²) is linear in η, and more on the left, where lift grows",
     );
     let full = yaw_of_ailerons(1.0);
     let none = yaw_of_ailerons(0.0);

@@ -1,4 +1,6 @@
-//! The trims are those of Table 5.1 as reproduced by physics.md §8 ("this aircraft").
+//! The trims are those of Table 5.1 as independent implementations found them for the shipped jet.
+//!
+//! [theory: thesis-runs.trims; thesis table 5.1]
 
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Settings, Simulation};
@@ -7,7 +9,7 @@ use crate::support::{eight_symmetric, jet, up};
 
 use super::record::Record;
 
-/// A row of physics.md §8: 127 m/s, 7620 m, 8 symmetric modes.
+/// A row of [theory: thesis-runs.trims]: 127 m/s, 7620 m, 8 symmetric modes.
 struct Row {
     fidelity: Fidelity,
     stiffness_scale: f64,
@@ -65,7 +67,7 @@ fn deflections_pitch_and_elevator_of_the_trimmed_jet_are_those_of_table_5_1() {
     let mut record = Record::new(
         "trim",
         "Steady level flight at 127 m/s, 7620 m, 8 symmetric modes: deflections (m), pitch and elevator (rad), thrust (N)",
-        "physics.md §8, which reproduces Table 5.1 of the thesis; the tolerance is 0.6 units of the last digit, of 2.831 m and the like",
+        "[theory: thesis-runs.trims], which reproduces Table 5.1 of the thesis; the tolerance is 0.6 units of the last digit, of 2.831 m and the like",
     );
     for row in TABLE {
         let settings =

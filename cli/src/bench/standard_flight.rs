@@ -1,6 +1,6 @@
 //! The standard flight through the C interface: generic business jet, nominal stiffness, exact model, 12 modes of both
-//! families, 5 inflow states, 127 m/s, elevator 2-3-1-1 of [5.2] by whichever control it has for pitch, 15 s, communication
-//! step of 10 ms.
+//! families, 5 inflow states, 127 m/s, elevator 2-3-1-1 of [theory: thesis-runs.inputs] by whichever control it has for pitch,
+//! 15 s, communication step of 10 ms.
 
 use std::time::Instant;
 

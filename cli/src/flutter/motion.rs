@@ -71,6 +71,8 @@ pub fn frequency(root: &Root) -> f64 {
 }
 
 /// g = 2 Re λ / |Im λ| of a root that oscillates: the structural damping that it lacks.
+///
+/// [theory: linearisation.eigenvalues]
 pub fn damping(root: &Root) -> f64 {
     2.0 * root.eigenvalue.re / root.eigenvalue.im.abs()
 }

@@ -1,4 +1,4 @@
-//! V–g and V–f plots, and the growth of roots that do not oscillate.
+//! V–g and V–f plots, and the growth of roots that do not oscillate [theory: linearisation.eigenvalues].
 //!
 //! g = 2 Re λ / |Im λ| is the structural damping that a root lacks: positive is unstable. A root that does not
 //! oscillate has no g; its growth Re λ is drawn in a plot of its own.

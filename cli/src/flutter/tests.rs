@@ -187,7 +187,7 @@ fn a_clamped_wing_that_nothing_moves_is_refused_and_a_free_rigid_aircraft_is_not
         assert_eq!(error, expected);
         let range = format!("--from 120 --to 130 --points 2 {option}");
         let analysis = analyse(&options("generic-business-jet.toml", &range)).unwrap();
-        // physics.md §8: the phugoid and the short period of the rigid jet oscillate.
+        // [theory: thesis-runs.eigenvalues]: the phugoid and the short period of the rigid jet oscillate.
         let oscillating = |branch: &Branch| branch.roots[0].as_ref().is_some_and(motion::oscillates);
         assert!(analysis.sweep.branches.iter().filter(|branch| oscillating(branch)).count() >= 2);
     }

@@ -1,7 +1,9 @@
-//! The flights of [5.2–5.4]: which aircraft, how fast, which input, which models.
+//! The flights of: which aircraft, how fast, which input, which models.
+//!
+//! [theory: thesis-runs.cases, thesis-runs.inputs; thesis §5.2–5.4]
 //!
 //! The thesis prints the inputs only as figures 5.1 and 5.33, which give an axis range; amplitude, unit time
-//! and start are ours (physics.md §7). What it captions 203 m/s has V_x ≈ 178 m/s on its axes and was flown
+//! and start are ours. What it captions 203 m/s has V_x ≈ 178 m/s on its axes and was flown
 //! at 177.8 m/s, 1.4 × 127.
 
 use flexible_aircraft::equations::Fidelity;
@@ -10,13 +12,13 @@ use flexible_aircraft::structure::ReducedModel;
 
 use crate::manoeuvre::Manoeuvre;
 
-/// Time constant of the low-pass filter 1/(0.05 s + 1) before the surfaces, s [5.2].
+/// Time constant of the low-pass filter 1/(0.05 s + 1) before the surfaces, s [theory: thesis-runs.inputs; thesis §5.2].
 const LAG: f64 = 0.05;
 /// Deflection of either surface, rad.
 const AMPLITUDE: f64 = 0.05;
 /// When either manoeuvre begins, s.
 const START: f64 = 1.0;
-/// Inflow states per strip [5.1].
+/// Inflow states per strip [theory: thesis-runs.cases; thesis §5.1].
 pub const UNSTEADY: usize = 5;
 
 /// One flight condition with one input.

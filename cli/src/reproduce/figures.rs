@@ -1,4 +1,4 @@
-//! The figures of [5.2–5.4] and their axes.
+//! The figures of and their axes [theory: thesis-runs.cases; thesis §5.2–5.4].
 //!
 //! The windows and the distances of the ticks are the tick labels printed at the thesis' figures. The thesis
 //! gives no numbers of its curves, but its axes have been chosen by Matlab: the narrowest range between

@@ -1,4 +1,4 @@
-//! Table 5.1: deflections in trim.
+//! Table 5.1: deflections in trim [theory: thesis-runs.trims; thesis table 5.1].
 
 use std::fmt::Write;
 
@@ -36,7 +36,7 @@ pub struct Tip {
     /// As printed in the thesis, if it is.
     pub thesis: Option<f64>,
     /// What two earlier programs, written independently of this one, found for the shipped jet
-    /// (physics.md §8).
+    /// [theory: thesis-runs.trims].
     pub expected: f64,
     /// What we find.
     pub ours: Option<f64>,
@@ -65,7 +65,7 @@ impl Row {
 /// What is known of a row: wing first, then tail.
 struct Known(Fidelity, Case, [Option<f64>; 2], [f64; 2]);
 
-/// The nominal wing tip is in the text of [5.2.1], the rest in Table 5.1; 127 m/s, 7620 m, 8 symmetric modes.
+/// The nominal wing tip is in the text of thesis §5.2.1, the rest in Table 5.1; 127 m/s, 7620 m, 8 symmetric modes.
 const KNOWN: [Known; 5] = [
     Known(Fidelity::Exact, Case::ElevatorNominal, [Some(0.58), None], [0.5577, 0.0244]),
     Known(Fidelity::Exact, Case::ElevatorTenth, [Some(2.84), Some(0.26)], [2.831, 0.1597]),

@@ -1,12 +1,13 @@
 //! Steps, derivatives and the status of the slave.
 
-use std::ffi::c_int;
+use libc::{c_int, size_t};
 
 use super::{Outcome, array, array_to_fill, on, write};
-use crate::fmi2::instance::{Instance, Refusal};
-use crate::fmi2::life_cycle::Function;
+use crate::fmi::instance::{Instance, Refusal};
+use crate::fmi::life_cycle::Operation;
 use crate::fmi2::types::{
-    Boolean, CString, Component, FALSE, LAST_SUCCESSFUL_TIME, Status, TERMINATED, ValueReference,
+    Boolean, CString, Component, FALSE, Integer, LAST_SUCCESSFUL_TIME, Real, Status, TERMINATED,
+    ValueReference,
 };
 
 /// How outputs change with inputs, along a direction.
@@ -14,11 +15,11 @@ use crate::fmi2::types::{
 pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
     component: Component,
     unknowns: *const ValueReference,
-    unknown_count: usize,
+    unknown_count: size_t,
     knowns: *const ValueReference,
-    known_count: usize,
-    known_changes: *const f64,
-    unknown_changes: *mut f64,
+    known_count: size_t,
+    known_changes: *const Real,
+    unknown_changes: *mut Real,
 ) -> Status {
     let body = |instance: &mut Instance| {
         // SAFETY: arrays as the module says.
@@ -36,7 +37,7 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
         Ok(())
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetDirectionalDerivative, body) }
+    unsafe { on(component, Operation::GetDirectionalDerivative, body) }
 }
 
 /// Rates of change of inputs, order 1.
@@ -44,9 +45,9 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
 pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
     component: Component,
     references: *const ValueReference,
-    count: usize,
-    orders: *const c_int,
-    values: *const f64,
+    count: size_t,
+    orders: *const Integer,
+    values: *const Real,
 ) -> Status {
     let body = |instance: &mut Instance| {
         // SAFETY: arrays as the module says.
@@ -56,7 +57,7 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
         instance.set_input_rates(references, orders, rates)
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::SetRealInputDerivatives, body) }
+    unsafe { on(component, Operation::SetRealInputDerivatives, body) }
 }
 
 /// Refused, as `maxOutputDerivativeOrder` 0 says.
@@ -64,34 +65,34 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
 pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
     component: Component,
     _references: *const ValueReference,
-    _count: usize,
-    _orders: *const c_int,
-    _values: *mut f64,
+    _count: size_t,
+    _orders: *const Integer,
+    _values: *mut Real,
 ) -> Status {
     let body = |_: &mut Instance| Err(Refusal::error("this FMU provides no derivatives of outputs"));
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetRealOutputDerivatives, body) }
+    unsafe { on(component, Operation::GetRealOutputDerivatives, body) }
 }
 
 /// Flies one communication step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2DoStep(
     component: Component,
-    current_communication_point: f64,
-    communication_step_size: f64,
+    current_communication_point: Real,
+    communication_step_size: Real,
     _no_set_fmu_state_prior_to_current_point: Boolean,
 ) -> Status {
     let body =
         |instance: &mut Instance| instance.do_step(current_communication_point, communication_step_size);
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::DoStep, body) }
+    unsafe { on(component, Operation::DoStep, body) }
 }
 
 /// Refused: no step is ever in progress.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2CancelStep(component: Component) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::CancelStep, |_| Ok(())) }
+    unsafe { on(component, Operation::CancelStep, |_| Ok(())) }
 }
 
 /// Why a status is discarded.
@@ -104,19 +105,19 @@ fn no_such_status(kind: c_int) -> Outcome {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetStatus(component: Component, kind: c_int, _value: *mut Status) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetStatus, |_| no_such_status(kind)) }
+    unsafe { on(component, Operation::GetStatus, |_| no_such_status(kind)) }
 }
 
 /// The last communication point that was reached.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetRealStatus(component: Component, kind: c_int, value: *mut f64) -> Status {
+pub unsafe extern "C" fn fmi2GetRealStatus(component: Component, kind: c_int, value: *mut Real) -> Status {
     let body = |instance: &mut Instance| match kind {
         // SAFETY: results as the module says.
         LAST_SUCCESSFUL_TIME => unsafe { write(value, instance.time, "value") },
         _ => no_such_status(kind),
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetRealStatus, body) }
+    unsafe { on(component, Operation::GetRealStatus, body) }
 }
 
 /// Discarded: the standard defines none.
@@ -124,10 +125,10 @@ pub unsafe extern "C" fn fmi2GetRealStatus(component: Component, kind: c_int, va
 pub unsafe extern "C" fn fmi2GetIntegerStatus(
     component: Component,
     kind: c_int,
-    _value: *mut c_int,
+    _value: *mut Integer,
 ) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetIntegerStatus, |_| no_such_status(kind)) }
+    unsafe { on(component, Operation::GetIntegerStatus, |_| no_such_status(kind)) }
 }
 
 /// Whether the slave wants to end the simulation: it never does.
@@ -143,7 +144,7 @@ pub unsafe extern "C" fn fmi2GetBooleanStatus(
         _ => no_such_status(kind),
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetBooleanStatus, body) }
+    unsafe { on(component, Operation::GetBooleanStatus, body) }
 }
 
 /// Discarded: no step is ever pending.
@@ -154,5 +155,5 @@ pub unsafe extern "C" fn fmi2GetStringStatus(
     _value: *mut CString,
 ) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetStringStatus, |_| no_such_status(kind)) }
+    unsafe { on(component, Operation::GetStringStatus, |_| no_such_status(kind)) }
 }

@@ -1,14 +1,18 @@
 //! Making, freeing and initialising instances.
 
-use std::ffi::{c_char, c_int};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr::null_mut;
 
+use libc::{c_char, c_int, size_t};
+
 use super::{array, bytes, on, text};
-use crate::fmi2::instance::{Experiment, Instance, Refusal};
-use crate::fmi2::life_cycle::Function;
-use crate::fmi2::logger::{Category, Logger};
-use crate::fmi2::types::{Boolean, CO_SIMULATION, CString, CallbackFunctions, Component, FALSE, Status};
+use crate::fmi::instance::{Experiment, Instance};
+use crate::fmi::life_cycle::Operation;
+use crate::fmi::resource;
+use crate::fmi2::logger;
+use crate::fmi2::types::{
+    Boolean, CO_SIMULATION, CString, CallbackFunctions, Component, FALSE, Real, Status,
+};
 
 /// "default": the types of `fmi2TypesPlatform.h` as they are.
 #[unsafe(no_mangle)]
@@ -37,10 +41,8 @@ pub unsafe extern "C" fn fmi2Instantiate(
     let Some(callbacks) = (unsafe { functions.as_ref() }) else { return null_mut() };
     // SAFETY: the importer passes NULL or NUL-terminated strings.
     let (name, guid, location) = unsafe { (text(instance_name), text(guid), bytes(resource_location)) };
-    let logger = |name: &str| {
-        Logger::new(callbacks.logger, callbacks.component_environment, name, logging_on != FALSE)
-    };
     let name = name.unwrap_or_default();
+    let log = || logger::log(callbacks, &name, logging_on != FALSE);
     let instantiated = catch_unwind(AssertUnwindSafe(|| {
         if name.is_empty() {
             return Err("instance name: found NULL or an empty string".to_owned());
@@ -51,10 +53,11 @@ pub unsafe extern "C" fn fmi2Instantiate(
         }
         let guid = guid.ok_or("guid: found NULL")?;
         let location = location.ok_or("resource location: found NULL")?;
-        Instance::new(location, &guid, logger(&name)).map_err(|error| error.to_string())
+        let resources = resource::directory(location).map_err(|error| error.to_string())?;
+        Instance::new(&resources, &guid, log()).map_err(|error| error.to_string())
     }));
     let refused = |status, reason: &str| {
-        logger(&name).log(status, &format!("fmi2Instantiate: {reason}"));
+        log().write(status, &format!("fmi2Instantiate: {reason}"));
         null_mut()
     };
     match instantiated {
@@ -81,27 +84,19 @@ pub unsafe extern "C" fn fmi2FreeInstance(component: Component) {
 pub unsafe extern "C" fn fmi2SetDebugLogging(
     component: Component,
     logging_on: Boolean,
-    category_count: usize,
+    category_count: size_t,
     categories: *const CString,
 ) -> Status {
     let body = |instance: &mut Instance| {
         // SAFETY: arrays as the module says.
         let names = unsafe { array(categories, category_count, "categories") }?;
-        let mut chosen = Vec::with_capacity(names.len());
-        for name in names {
-            // SAFETY: strings as the module says.
-            let name = unsafe { text(*name) }.unwrap_or_default();
-            let category = Category::ALL.into_iter().find(|category| category.name() == name);
-            chosen.push(category.ok_or_else(|| {
-                let allowed = Category::ALL.map(Category::name).join(", ");
-                Refusal::error(format!("category: found `{name}`, allowed are {allowed}"))
-            })?);
-        }
-        instance.logger.choose(logging_on != FALSE, &chosen);
-        Ok(())
+        // SAFETY: strings as the module says.
+        let names: Vec<String> =
+            names.iter().map(|name| unsafe { text(*name) }.unwrap_or_default()).collect();
+        instance.choose_log(logging_on != FALSE, &names)
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::SetDebugLogging, body) }
+    unsafe { on(component, Operation::SetDebugLogging, body) }
 }
 
 /// Tolerance, start and stop time.
@@ -109,10 +104,10 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
 pub unsafe extern "C" fn fmi2SetupExperiment(
     component: Component,
     tolerance_defined: Boolean,
-    tolerance: f64,
-    start: f64,
+    tolerance: Real,
+    start: Real,
     stop_defined: Boolean,
-    stop: f64,
+    stop: Real,
 ) -> Status {
     let experiment = Experiment {
         tolerance: (tolerance_defined != FALSE).then_some(tolerance),
@@ -120,7 +115,7 @@ pub unsafe extern "C" fn fmi2SetupExperiment(
         stop: (stop_defined != FALSE).then_some(stop),
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::SetupExperiment, |instance| instance.set_up_experiment(experiment)) }
+    unsafe { on(component, Operation::SetupExperiment, |instance| instance.set_up_experiment(experiment)) }
 }
 
 /// Begins initialisation.
@@ -131,14 +126,14 @@ pub unsafe extern "C" fn fmi2EnterInitializationMode(component: Component) -> St
         Ok(())
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::EnterInitializationMode, body) }
+    unsafe { on(component, Operation::EnterInitializationMode, body) }
 }
 
 /// Trims and ends initialisation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2ExitInitializationMode(component: Component) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::ExitInitializationMode, Instance::exit_initialization) }
+    unsafe { on(component, Operation::ExitInitializationMode, Instance::exit_initialization) }
 }
 
 /// Ends the simulation.
@@ -149,7 +144,7 @@ pub unsafe extern "C" fn fmi2Terminate(component: Component) -> Status {
         Ok(())
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::Terminate, body) }
+    unsafe { on(component, Operation::Terminate, body) }
 }
 
 /// Back to the state after instantiation.
@@ -160,5 +155,5 @@ pub unsafe extern "C" fn fmi2Reset(component: Component) -> Status {
         Ok(())
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::Reset, body) }
+    unsafe { on(component, Operation::Reset, body) }
 }

@@ -16,9 +16,9 @@ mod variables;
 use std::ffi::CStr;
 use std::mem::MaybeUninit;
 
-use super::instance::{Instance, Refusal};
-use super::life_cycle::Function;
 use super::types::{CString, Component, Status};
+use crate::fmi::instance::{Instance, Refusal};
+use crate::fmi::life_cycle::Operation;
 
 #[cfg(test)]
 pub(super) use {co_simulation::*, common::*, model_exchange::*, states::*, variables::*};
@@ -31,13 +31,13 @@ type Outcome = Result<(), Refusal>;
 /// As the module says of components.
 unsafe fn on(
     component: Component,
-    function: Function,
+    operation: Operation,
     body: impl FnOnce(&mut Instance) -> Outcome,
 ) -> Status {
     // SAFETY: a component that is not NULL is a `Box<Instance>` leaked by fmi2Instantiate, used by this
     // thread alone.
     match unsafe { component.cast::<Instance>().as_mut() } {
-        Some(instance) => instance.call(function, body),
+        Some(instance) => instance.call(operation, body),
         None => Status::Error,
     }
 }

@@ -1,30 +1,30 @@
 //! The functions of model exchange: importers look for them, the life cycle refuses them.
 
-use std::ffi::c_void;
+use libc::{c_void, size_t};
 
 use super::on;
-use crate::fmi2::life_cycle::Function;
-use crate::fmi2::types::{Boolean, Component, Status};
+use crate::fmi::life_cycle::Operation;
+use crate::fmi2::types::{Boolean, Component, Real, Status};
 
 /// Refused: model exchange.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2EnterEventMode(component: Component) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::EnterEventMode, |_| Ok(())) }
+    unsafe { on(component, Operation::EnterEventMode, |_| Ok(())) }
 }
 
 /// Refused: model exchange.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2NewDiscreteStates(component: Component, _event_info: *mut c_void) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::NewDiscreteStates, |_| Ok(())) }
+    unsafe { on(component, Operation::NewDiscreteStates, |_| Ok(())) }
 }
 
 /// Refused: model exchange.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2EnterContinuousTimeMode(component: Component) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::EnterContinuousTimeMode, |_| Ok(())) }
+    unsafe { on(component, Operation::EnterContinuousTimeMode, |_| Ok(())) }
 }
 
 /// Refused: model exchange.
@@ -36,67 +36,67 @@ pub unsafe extern "C" fn fmi2CompletedIntegratorStep(
     _terminate_simulation: *mut Boolean,
 ) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::CompletedIntegratorStep, |_| Ok(())) }
+    unsafe { on(component, Operation::CompletedIntegratorStep, |_| Ok(())) }
 }
 
 /// Refused: model exchange.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetTime(component: Component, _time: f64) -> Status {
+pub unsafe extern "C" fn fmi2SetTime(component: Component, _time: Real) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::SetTime, |_| Ok(())) }
+    unsafe { on(component, Operation::SetTime, |_| Ok(())) }
 }
 
 /// Refused: model exchange.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetContinuousStates(
     component: Component,
-    _states: *const f64,
-    _count: usize,
+    _states: *const Real,
+    _count: size_t,
 ) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::SetContinuousStates, |_| Ok(())) }
+    unsafe { on(component, Operation::SetContinuousStates, |_| Ok(())) }
 }
 
 /// Refused: model exchange.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetDerivatives(
     component: Component,
-    _derivatives: *mut f64,
-    _count: usize,
+    _derivatives: *mut Real,
+    _count: size_t,
 ) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetDerivatives, |_| Ok(())) }
+    unsafe { on(component, Operation::GetDerivatives, |_| Ok(())) }
 }
 
 /// Refused: model exchange.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetEventIndicators(
     component: Component,
-    _indicators: *mut f64,
-    _count: usize,
+    _indicators: *mut Real,
+    _count: size_t,
 ) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetEventIndicators, |_| Ok(())) }
+    unsafe { on(component, Operation::GetEventIndicators, |_| Ok(())) }
 }
 
 /// Refused: model exchange.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetContinuousStates(
     component: Component,
-    _states: *mut f64,
-    _count: usize,
+    _states: *mut Real,
+    _count: size_t,
 ) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetContinuousStates, |_| Ok(())) }
+    unsafe { on(component, Operation::GetContinuousStates, |_| Ok(())) }
 }
 
 /// Refused: model exchange.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetNominalsOfContinuousStates(
     component: Component,
-    _nominals: *mut f64,
-    _count: usize,
+    _nominals: *mut Real,
+    _count: size_t,
 ) -> Status {
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetNominalsOfContinuousStates, |_| Ok(())) }
+    unsafe { on(component, Operation::GetNominalsOfContinuousStates, |_| Ok(())) }
 }

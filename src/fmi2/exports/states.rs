@@ -2,11 +2,13 @@
 
 use std::ptr::null_mut;
 
+use libc::size_t;
+
 use super::{Outcome, array, array_to_fill, on, write};
-use crate::fmi2::instance::{Instance, Refusal};
-use crate::fmi2::life_cycle::Function;
-use crate::fmi2::saved_state::SavedState;
-use crate::fmi2::types::{Component, FmuState, Status};
+use crate::fmi::instance::{Instance, Refusal};
+use crate::fmi::life_cycle::Operation;
+use crate::fmi::saved_state::SavedState;
+use crate::fmi2::types::{Byte, Component, FmuState, Status};
 
 /// Saves the state; into the given state when there is one.
 #[unsafe(no_mangle)]
@@ -16,7 +18,7 @@ pub unsafe extern "C" fn fmi2GetFMUstate(component: Component, state: *mut FmuSt
         unsafe { store(state, |saved| instance.save_into(saved)) }
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetFMUstate, body) }
+    unsafe { on(component, Operation::GetFMUstate, body) }
 }
 
 /// Has a state written behind a handle, into the present one when there is one.
@@ -28,6 +30,9 @@ unsafe fn store(place: *mut FmuState, write: impl FnOnce(&mut SavedState)) -> Ou
     let Some(handle) = (unsafe { place.as_mut() }) else {
         return Err(Refusal::error("FMUstate: found NULL, expected a place for the result"));
     };
+    if handle.addr() == SavedState::FIRST_WORD {
+        return Err(Refusal::error("FMUstate: found a state, expected the address of one"));
+    }
     // SAFETY: by the caller, what is not NULL is a leaked `Box<SavedState>`.
     match unsafe { handle.cast::<SavedState>().as_mut() } {
         Some(present) => write(present),
@@ -43,13 +48,13 @@ unsafe fn store(place: *mut FmuState, write: impl FnOnce(&mut SavedState)) -> Ou
 /// The saved state behind a handle.
 ///
 /// # Safety
-/// As the module says of states, but the address of a handle is recognised; the result must not outlive the call into the
-/// FMU.
+/// As the module says of states, but the address of a handle, also of a null one, is recognised; the result must not
+/// outlive the call into the FMU.
 unsafe fn saved<'a>(state: FmuState) -> Result<&'a SavedState, Refusal> {
     // SAFETY: by the caller, what is not NULL is a leaked `Box<SavedState>`, which begins with a word, or the place of a handle.
     match unsafe { state.cast::<usize>().as_ref() } {
-        // SAFETY: a handle is not zero, so this is the state.
-        Some(0) => Ok(unsafe { &*state.cast::<SavedState>() }),
+        // SAFETY: a handle is never this word, so this is the state.
+        Some(&SavedState::FIRST_WORD) => Ok(unsafe { &*state.cast::<SavedState>() }),
         Some(_) => {
             Err(Refusal::error("FMUstate: found something else than a state, perhaps the address of one"))
         }
@@ -61,16 +66,18 @@ unsafe fn saved<'a>(state: FmuState) -> Result<&'a SavedState, Refusal> {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetFMUstate(component: Component, state: FmuState) -> Status {
     // SAFETY: states and components as the module says.
-    unsafe { on(component, Function::SetFMUstate, |instance| instance.restore(saved(state)?)) }
+    unsafe { on(component, Operation::SetFMUstate, |instance| instance.restore(saved(state)?)) }
 }
 
-/// Frees a saved state and sets the handle to NULL; NULL is ignored. Given a state instead of the address of its handle,
-/// it finds the null handle with which every state begins.
+/// Frees a saved state and sets the handle to NULL; NULL is ignored, and so is a state in place of the address of its handle.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2FreeFMUstate(component: Component, state: *mut FmuState) -> Status {
     let body = |_: &mut Instance| {
-        // SAFETY: `state` is NULL or a place that holds NULL or a state.
+        // SAFETY: `state` is NULL, a place that holds NULL or a state, or a state, which begins with a word.
         let Some(handle) = (unsafe { state.as_mut() }) else { return Ok(()) };
+        if handle.addr() == SavedState::FIRST_WORD {
+            return Ok(());
+        }
         let owned = std::mem::replace(handle, null_mut()).cast::<SavedState>();
         if !owned.is_null() {
             // SAFETY: it is a leaked `Box<SavedState>`, and the only handle to it has been cleared.
@@ -79,7 +86,7 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(component: Component, state: *mut FmuS
         Ok(())
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::FreeFMUstate, body) }
+    unsafe { on(component, Operation::FreeFMUstate, body) }
 }
 
 /// Length of a saved state in bytes.
@@ -87,11 +94,11 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(component: Component, state: *mut FmuS
 pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
     component: Component,
     state: FmuState,
-    size: *mut usize,
+    size: *mut size_t,
 ) -> Status {
     // SAFETY: states, results and components as the module says.
     unsafe {
-        on(component, Function::SerializedFMUstateSize, |_| write(size, saved(state)?.bytes().len(), "size"))
+        on(component, Operation::SerializedFMUstateSize, |_| write(size, saved(state)?.bytes().len(), "size"))
     }
 }
 
@@ -100,12 +107,13 @@ pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
 pub unsafe extern "C" fn fmi2SerializeFMUstate(
     component: Component,
     state: FmuState,
-    bytes: *mut u8,
-    size: usize,
+    bytes: *mut Byte,
+    size: size_t,
 ) -> Status {
     let body = |_: &mut Instance| {
         // SAFETY: states and arrays as the module says.
-        let (saved, places) = unsafe { (saved(state)?, array_to_fill(bytes, size, "serializedState")?) };
+        let (saved, places) =
+            unsafe { (saved(state)?, array_to_fill(bytes.cast::<u8>(), size, "serializedState")?) };
         let length = saved.bytes().len();
         if places.len() < length {
             return Err(Refusal::error(format!("size: found {size}, the state needs {length} bytes")));
@@ -116,23 +124,23 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
         Ok(())
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::SerializeFMUstate, body) }
+    unsafe { on(component, Operation::SerializeFMUstate, body) }
 }
 
 /// Makes a saved state of its bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     component: Component,
-    bytes: *const u8,
-    size: usize,
+    bytes: *const Byte,
+    size: size_t,
     state: *mut FmuState,
 ) -> Status {
     let body = |instance: &mut Instance| {
         // SAFETY: arrays as the module says.
-        let saved = instance.deserialise(unsafe { array(bytes, size, "serializedState") }?)?;
+        let saved = instance.deserialise(unsafe { array(bytes.cast::<u8>(), size, "serializedState") }?)?;
         // SAFETY: `state` is NULL or a place that holds NULL or a state.
         unsafe { store(state, |present| *present = saved) }
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::DeSerializeFMUstate, body) }
+    unsafe { on(component, Operation::DeSerializeFMUstate, body) }
 }

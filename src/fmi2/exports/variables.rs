@@ -1,12 +1,12 @@
 //! Getting and setting variables.
 
-use std::ffi::c_int;
+use libc::size_t;
 
 use super::{array, array_to_fill, on};
-use crate::fmi2::instance::Instance;
-use crate::fmi2::life_cycle::Function;
-use crate::fmi2::types::{Boolean, CString, Component, Status, ValueReference};
-use crate::fmi2::values::Family;
+use crate::fmi::instance::Instance;
+use crate::fmi::life_cycle::Operation;
+use crate::fmi::values::Family;
+use crate::fmi2::types::{Boolean, CString, Component, Integer, Real, Status, ValueReference};
 use crate::variables::Value;
 
 /// Values of Reals.
@@ -14,8 +14,8 @@ use crate::variables::Value;
 pub unsafe extern "C" fn fmi2GetReal(
     component: Component,
     references: *const ValueReference,
-    count: usize,
-    values: *mut f64,
+    count: size_t,
+    values: *mut Real,
 ) -> Status {
     let body = |instance: &mut Instance| {
         // SAFETY: arrays as the module says.
@@ -28,7 +28,7 @@ pub unsafe extern "C" fn fmi2GetReal(
         })
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetReal, body) }
+    unsafe { on(component, Operation::GetReal, body) }
 }
 
 /// Values of Integers and Enumerations.
@@ -36,8 +36,8 @@ pub unsafe extern "C" fn fmi2GetReal(
 pub unsafe extern "C" fn fmi2GetInteger(
     component: Component,
     references: *const ValueReference,
-    count: usize,
-    values: *mut c_int,
+    count: size_t,
+    values: *mut Integer,
 ) -> Status {
     let body = |instance: &mut Instance| {
         // SAFETY: arrays as the module says.
@@ -50,7 +50,7 @@ pub unsafe extern "C" fn fmi2GetInteger(
         })
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::GetInteger, body) }
+    unsafe { on(component, Operation::GetInteger, body) }
 }
 
 /// Sets Reals.
@@ -58,8 +58,8 @@ pub unsafe extern "C" fn fmi2GetInteger(
 pub unsafe extern "C" fn fmi2SetReal(
     component: Component,
     references: *const ValueReference,
-    count: usize,
-    values: *const f64,
+    count: size_t,
+    values: *const Real,
 ) -> Status {
     let body = |instance: &mut Instance| {
         // SAFETY: arrays as the module says.
@@ -68,7 +68,7 @@ pub unsafe extern "C" fn fmi2SetReal(
         instance.set(Family::Real, references, values.iter().map(|x| Value::Real(*x)))
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::SetReal, body) }
+    unsafe { on(component, Operation::SetReal, body) }
 }
 
 /// Sets Integers and Enumerations.
@@ -76,8 +76,8 @@ pub unsafe extern "C" fn fmi2SetReal(
 pub unsafe extern "C" fn fmi2SetInteger(
     component: Component,
     references: *const ValueReference,
-    count: usize,
-    values: *const c_int,
+    count: size_t,
+    values: *const Integer,
 ) -> Status {
     let body = |instance: &mut Instance| {
         // SAFETY: arrays as the module says.
@@ -86,7 +86,7 @@ pub unsafe extern "C" fn fmi2SetInteger(
         instance.set(Family::Integer, references, values.iter().map(|i| Value::Integer(*i)))
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, Function::SetInteger, body) }
+    unsafe { on(component, Operation::SetInteger, body) }
 }
 
 /// Refuses any Boolean or String: there are none.
@@ -95,9 +95,9 @@ pub unsafe extern "C" fn fmi2SetInteger(
 /// As the module says.
 unsafe fn none_of_type(
     component: Component,
-    function: Function,
+    operation: Operation,
     references: *const ValueReference,
-    count: usize,
+    count: size_t,
     wanted: &str,
 ) -> Status {
     let body = |instance: &mut Instance| {
@@ -105,7 +105,7 @@ unsafe fn none_of_type(
         instance.none_of_type(unsafe { array(references, count, "vr") }?, wanted)
     };
     // SAFETY: components as the module says.
-    unsafe { on(component, function, body) }
+    unsafe { on(component, operation, body) }
 }
 
 /// Values of Booleans, of which there are none.
@@ -113,11 +113,11 @@ unsafe fn none_of_type(
 pub unsafe extern "C" fn fmi2GetBoolean(
     component: Component,
     references: *const ValueReference,
-    count: usize,
+    count: size_t,
     _values: *mut Boolean,
 ) -> Status {
     // SAFETY: as the module says.
-    unsafe { none_of_type(component, Function::GetBoolean, references, count, "a Boolean") }
+    unsafe { none_of_type(component, Operation::GetBoolean, references, count, "a Boolean") }
 }
 
 /// Values of Strings, of which there are none.
@@ -125,11 +125,11 @@ pub unsafe extern "C" fn fmi2GetBoolean(
 pub unsafe extern "C" fn fmi2GetString(
     component: Component,
     references: *const ValueReference,
-    count: usize,
+    count: size_t,
     _values: *mut CString,
 ) -> Status {
     // SAFETY: as the module says.
-    unsafe { none_of_type(component, Function::GetString, references, count, "a String") }
+    unsafe { none_of_type(component, Operation::GetString, references, count, "a String") }
 }
 
 /// Sets Booleans, of which there are none.
@@ -137,11 +137,11 @@ pub unsafe extern "C" fn fmi2GetString(
 pub unsafe extern "C" fn fmi2SetBoolean(
     component: Component,
     references: *const ValueReference,
-    count: usize,
+    count: size_t,
     _values: *const Boolean,
 ) -> Status {
     // SAFETY: as the module says.
-    unsafe { none_of_type(component, Function::SetBoolean, references, count, "a Boolean") }
+    unsafe { none_of_type(component, Operation::SetBoolean, references, count, "a Boolean") }
 }
 
 /// Sets Strings, of which there are none.
@@ -149,9 +149,9 @@ pub unsafe extern "C" fn fmi2SetBoolean(
 pub unsafe extern "C" fn fmi2SetString(
     component: Component,
     references: *const ValueReference,
-    count: usize,
+    count: size_t,
     _values: *const CString,
 ) -> Status {
     // SAFETY: as the module says.
-    unsafe { none_of_type(component, Function::SetString, references, count, "a String") }
+    unsafe { none_of_type(component, Operation::SetString, references, count, "a String") }
 }

@@ -1,6 +1,6 @@
 use super::*;
-use crate::fmi2::instance::{Experiment, Instance};
-use crate::fmi2::life_cycle::{Function, State};
+use crate::fmi::instance::{Experiment, Instance};
+use crate::fmi::life_cycle::{Operation, State};
 
 fn state(fmu: &Fmu) -> State {
     // SAFETY: a component is an `Instance`.
@@ -109,7 +109,7 @@ fn a_panic_is_fatal_and_then_only_free_is_accepted() {
     let fmu = Fmu::new();
     // SAFETY: a component is an `Instance`, and no other reference to it is alive.
     let instance = unsafe { &mut *fmu.component.cast::<Instance>() };
-    assert_eq!(instance.call(Function::Reset, |_| panic!("100% broken")), Status::Fatal);
+    assert_eq!(instance.call(Operation::Reset, |_| panic!("100% broken")), Status::Fatal);
     let message = fmu.last_message();
     assert_eq!((message.status, message.category.as_str()), (Status::Fatal, "logStatusFatal"));
     assert!(message.format.contains("100%% broken"), "{}", message.format);
@@ -144,59 +144,59 @@ fn fmu_in(state: State) -> Fmu {
             let fmu = Fmu::new();
             // SAFETY: a component is an `Instance`, and no other reference to it is alive.
             let instance = unsafe { &mut *fmu.component.cast::<Instance>() };
-            assert_eq!(instance.call(Function::Reset, |_| panic!("for the test")), Status::Fatal);
+            assert_eq!(instance.call(Operation::Reset, |_| panic!("for the test")), Status::Fatal);
             fmu
         }
     }
 }
 
 /// Calls a function with arguments that ask for as little as possible.
-pub(super) fn call(function: Function, c: Component) -> Status {
-    use Function as F;
+pub(super) fn call(function: Operation, c: Component) -> Status {
+    use Operation as O;
     let (v, r, i, s, b) = (null(), null_mut(), null_mut(), null_mut(), null_mut());
     // SAFETY: the component is alive, empty arrays may be NULL, and results at NULL are refused.
     unsafe {
         match function {
-            F::SetDebugLogging => fmi2SetDebugLogging(c, 0, 0, null()),
-            F::SetupExperiment => fmi2SetupExperiment(c, 0, 0.0, 0.0, 0, 0.0),
-            F::EnterInitializationMode => fmi2EnterInitializationMode(c),
-            F::ExitInitializationMode => fmi2ExitInitializationMode(c),
-            F::Terminate => fmi2Terminate(c),
-            F::Reset => fmi2Reset(c),
-            F::GetReal => fmi2GetReal(c, v, 0, r),
-            F::GetInteger => fmi2GetInteger(c, v, 0, i),
-            F::GetBoolean => fmi2GetBoolean(c, v, 0, b),
-            F::GetString => fmi2GetString(c, v, 0, s),
-            F::SetReal => fmi2SetReal(c, v, 0, null()),
-            F::SetInteger => fmi2SetInteger(c, v, 0, null()),
-            F::SetBoolean => fmi2SetBoolean(c, v, 0, null()),
-            F::SetString => fmi2SetString(c, v, 0, null()),
-            F::GetFMUstate => fmi2GetFMUstate(c, null_mut()),
-            F::SetFMUstate => fmi2SetFMUstate(c, null_mut()),
-            F::FreeFMUstate => fmi2FreeFMUstate(c, null_mut()),
-            F::SerializedFMUstateSize => fmi2SerializedFMUstateSize(c, null_mut(), null_mut()),
-            F::SerializeFMUstate => fmi2SerializeFMUstate(c, null_mut(), null_mut(), 0),
-            F::DeSerializeFMUstate => fmi2DeSerializeFMUstate(c, null(), 0, null_mut()),
-            F::GetDirectionalDerivative => fmi2GetDirectionalDerivative(c, v, 0, v, 0, null(), r),
-            F::SetRealInputDerivatives => fmi2SetRealInputDerivatives(c, v, 0, null(), null()),
-            F::GetRealOutputDerivatives => fmi2GetRealOutputDerivatives(c, v, 0, null(), r),
-            F::DoStep => fmi2DoStep(c, 0.0, 0.0, 1),
-            F::CancelStep => fmi2CancelStep(c),
-            F::GetStatus => fmi2GetStatus(c, 0, null_mut()),
-            F::GetRealStatus => fmi2GetRealStatus(c, 0, r),
-            F::GetIntegerStatus => fmi2GetIntegerStatus(c, 0, i),
-            F::GetBooleanStatus => fmi2GetBooleanStatus(c, 0, b),
-            F::GetStringStatus => fmi2GetStringStatus(c, 0, s),
-            F::EnterEventMode => fmi2EnterEventMode(c),
-            F::NewDiscreteStates => fmi2NewDiscreteStates(c, null_mut()),
-            F::EnterContinuousTimeMode => fmi2EnterContinuousTimeMode(c),
-            F::CompletedIntegratorStep => fmi2CompletedIntegratorStep(c, 0, b, b),
-            F::SetTime => fmi2SetTime(c, 0.0),
-            F::SetContinuousStates => fmi2SetContinuousStates(c, null(), 0),
-            F::GetDerivatives => fmi2GetDerivatives(c, r, 0),
-            F::GetEventIndicators => fmi2GetEventIndicators(c, r, 0),
-            F::GetContinuousStates => fmi2GetContinuousStates(c, r, 0),
-            F::GetNominalsOfContinuousStates => fmi2GetNominalsOfContinuousStates(c, r, 0),
+            O::SetDebugLogging => fmi2SetDebugLogging(c, 0, 0, null()),
+            O::SetupExperiment => fmi2SetupExperiment(c, 0, 0.0, 0.0, 0, 0.0),
+            O::EnterInitializationMode => fmi2EnterInitializationMode(c),
+            O::ExitInitializationMode => fmi2ExitInitializationMode(c),
+            O::Terminate => fmi2Terminate(c),
+            O::Reset => fmi2Reset(c),
+            O::GetReal => fmi2GetReal(c, v, 0, r),
+            O::GetInteger => fmi2GetInteger(c, v, 0, i),
+            O::GetBoolean => fmi2GetBoolean(c, v, 0, b),
+            O::GetString => fmi2GetString(c, v, 0, s),
+            O::SetReal => fmi2SetReal(c, v, 0, null()),
+            O::SetInteger => fmi2SetInteger(c, v, 0, null()),
+            O::SetBoolean => fmi2SetBoolean(c, v, 0, null()),
+            O::SetString => fmi2SetString(c, v, 0, null()),
+            O::GetFMUstate => fmi2GetFMUstate(c, null_mut()),
+            O::SetFMUstate => fmi2SetFMUstate(c, null_mut()),
+            O::FreeFMUstate => fmi2FreeFMUstate(c, null_mut()),
+            O::SerializedFMUstateSize => fmi2SerializedFMUstateSize(c, null_mut(), null_mut()),
+            O::SerializeFMUstate => fmi2SerializeFMUstate(c, null_mut(), null_mut(), 0),
+            O::DeSerializeFMUstate => fmi2DeSerializeFMUstate(c, null(), 0, null_mut()),
+            O::GetDirectionalDerivative => fmi2GetDirectionalDerivative(c, v, 0, v, 0, null(), r),
+            O::SetRealInputDerivatives => fmi2SetRealInputDerivatives(c, v, 0, null(), null()),
+            O::GetRealOutputDerivatives => fmi2GetRealOutputDerivatives(c, v, 0, null(), r),
+            O::DoStep => fmi2DoStep(c, 0.0, 0.0, 1),
+            O::CancelStep => fmi2CancelStep(c),
+            O::GetStatus => fmi2GetStatus(c, 0, null_mut()),
+            O::GetRealStatus => fmi2GetRealStatus(c, 0, r),
+            O::GetIntegerStatus => fmi2GetIntegerStatus(c, 0, i),
+            O::GetBooleanStatus => fmi2GetBooleanStatus(c, 0, b),
+            O::GetStringStatus => fmi2GetStringStatus(c, 0, s),
+            O::EnterEventMode => fmi2EnterEventMode(c),
+            O::NewDiscreteStates => fmi2NewDiscreteStates(c, null_mut()),
+            O::EnterContinuousTimeMode => fmi2EnterContinuousTimeMode(c),
+            O::CompletedIntegratorStep => fmi2CompletedIntegratorStep(c, 0, b, b),
+            O::SetTime => fmi2SetTime(c, 0.0),
+            O::SetContinuousStates => fmi2SetContinuousStates(c, null(), 0),
+            O::GetDerivatives => fmi2GetDerivatives(c, r, 0),
+            O::GetEventIndicators => fmi2GetEventIndicators(c, r, 0),
+            O::GetContinuousStates => fmi2GetContinuousStates(c, r, 0),
+            O::GetNominalsOfContinuousStates => fmi2GetNominalsOfContinuousStates(c, r, 0),
         }
     }
 }
@@ -204,7 +204,7 @@ pub(super) fn call(function: Function, c: Component) -> Status {
 #[test]
 fn every_function_obeys_the_table_in_every_state() {
     for before in State::ALL {
-        for function in Function::all() {
+        for function in Operation::all() {
             let fmu = fmu_in(before);
             let status = call(function, fmu.component);
             match function.objection(before) {

@@ -4,7 +4,6 @@ mod allocation;
 mod derivatives;
 mod endurance;
 mod flight;
-mod identity;
 mod importers;
 mod initial_derivatives;
 mod input_rates;
@@ -25,7 +24,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::exports::*;
 use super::types::{CallbackFunctions, CallbackLogger, Component, FmuState, Status};
-use super::{RESOURCE_FILE, guid};
+use crate::fmi::RESOURCE_FILE;
+use crate::fmi::description::guid;
 use crate::variables::VariableTable;
 use crate::variables::tests::jet;
 
@@ -288,8 +288,8 @@ fn reference(name: &str) -> u32 {
 }
 
 /// The state of an instance.
-fn saved(instance: &super::instance::Instance) -> super::saved_state::SavedState {
-    let mut saved = super::saved_state::SavedState::default();
+fn saved(instance: &crate::fmi::instance::Instance) -> crate::fmi::saved_state::SavedState {
+    let mut saved = crate::fmi::saved_state::SavedState::default();
     instance.save_into(&mut saved);
     saved
 }

@@ -13,7 +13,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
 use crate::aircraft::{Aircraft, AircraftFileError};
 use crate::flight::{Inputs, Settings, Simulation};
-use crate::fmi2::model_description;
+use crate::fmi::description;
 use crate::sealed::hash;
 use crate::structure::ReducedModel;
 
@@ -103,7 +103,7 @@ fn each<S: Strategy>(cases: u32, strategy: S, check: impl Fn(S::Value)) {
 
 /// Everything that an FMU does with a model that has been accepted.
 fn fly(model: ReducedModel) {
-    assert!(model_description::write(&model).contains(&guid(&model)));
+    assert!(description::write(&model).contains(&guid(&model)));
     let settings = Settings { mode_count: model.modes.len(), ..Settings::of(&model) };
     let (inputs, zero) = (Inputs::zero(&model), Inputs::zero(&model));
     if let Ok(mut flight) = Simulation::new(Arc::new(model), &settings, 0.0) {

@@ -18,8 +18,8 @@ use call::{
 use super::allocation::bytes_held;
 use super::*;
 use crate::aircraft::Aircraft;
-use crate::fmi2::instance::Instance;
-use crate::fmi2::life_cycle::{Function, State};
+use crate::fmi::instance::Instance;
+use crate::fmi::life_cycle::{Operation, State};
 use crate::sealed::{CHECKSUM, HEADER, hash};
 use crate::structure::ReducedModel;
 
@@ -90,10 +90,10 @@ impl World<'_> {
 
     fn take_off(&mut self, call: &Call) {
         for function in [
-            Function::Reset,
-            Function::SetupExperiment,
-            Function::EnterInitializationMode,
-            Function::ExitInitializationMode,
+            Operation::Reset,
+            Operation::SetupExperiment,
+            Operation::EnterInitializationMode,
+            Operation::ExitInitializationMode,
         ] {
             let quiet = Call { pointers: Pointers::Whole, choice: 0, reals: vec![0.0; 3], ..call.clone() };
             self.check(&quiet, function);
@@ -101,7 +101,7 @@ impl World<'_> {
     }
 
     /// Calls a function and checks what must hold whatever the arguments are.
-    fn check(&mut self, call: &Call, function: Function) {
+    fn check(&mut self, call: &Call, function: Operation) {
         let component = self.component(call);
         let messages = |world: &Self| {
             let fmu = world.fmus.get(call.component).and_then(Option::as_ref);
@@ -123,7 +123,7 @@ impl World<'_> {
         }
         let instance = instance(component);
         assert!(saved(instance) == before, "{function:?} was refused and changed something: {call:?}");
-        if instance.logger.wants(status) {
+        if instance.log.wants(status) {
             let fmu = self.fmus[call.component].as_ref().expect("it has a component");
             let message = fmu.last_message();
             assert_eq!(messages(self), messages_before + 1, "{function:?}: {message:?}");
@@ -133,39 +133,39 @@ impl World<'_> {
         }
     }
 
-    fn call(&mut self, call: &Call, function: Function, c: Component) -> Status {
-        use Function as F;
+    fn call(&mut self, call: &Call, function: Operation, c: Component) -> Status {
+        use Operation as O;
         match function {
-            F::GetReal | F::GetInteger | F::GetBoolean | F::GetString => get(call, function, c),
-            F::SetReal | F::SetInteger | F::SetBoolean | F::SetString => set(call, function, c),
-            F::GetFMUstate
-            | F::SetFMUstate
-            | F::FreeFMUstate
-            | F::SerializedFMUstateSize
-            | F::SerializeFMUstate
-            | F::DeSerializeFMUstate => self.call_on_state(call, function, c),
-            F::SetDebugLogging => set_debug_logging(call, c),
-            F::DoStep => do_step(call, c),
-            F::GetDirectionalDerivative | F::SetRealInputDerivatives | F::GetRealOutputDerivatives => {
+            O::GetReal | O::GetInteger | O::GetBoolean | O::GetString => get(call, function, c),
+            O::SetReal | O::SetInteger | O::SetBoolean | O::SetString => set(call, function, c),
+            O::GetFMUstate
+            | O::SetFMUstate
+            | O::FreeFMUstate
+            | O::SerializedFMUstateSize
+            | O::SerializeFMUstate
+            | O::DeSerializeFMUstate => self.call_on_state(call, function, c),
+            O::SetDebugLogging => set_debug_logging(call, c),
+            O::DoStep => do_step(call, c),
+            O::GetDirectionalDerivative | O::SetRealInputDerivatives | O::GetRealOutputDerivatives => {
                 differentiate(call, function, c)
             }
-            F::SetupExperiment => {
+            O::SetupExperiment => {
                 let x = &call.reals;
                 let flags = [call.flag(0), call.flag(1)].map(c_int::from);
                 // SAFETY: the component is alive or NULL.
                 unsafe { fmi2SetupExperiment(c, flags[0], x[0], x[1], flags[1], x[2]) }
             }
-            F::GetStatus
-            | F::GetRealStatus
-            | F::GetIntegerStatus
-            | F::GetBooleanStatus
-            | F::GetStringStatus => ask(call, function, c),
+            O::GetStatus
+            | O::GetRealStatus
+            | O::GetIntegerStatus
+            | O::GetBooleanStatus
+            | O::GetStringStatus => ask(call, function, c),
             _ => life_cycle::call(function, c),
         }
     }
 
-    fn call_on_state(&mut self, call: &Call, function: Function, c: Component) -> Status {
-        use Function as F;
+    fn call_on_state(&mut self, call: &Call, function: Operation, c: Component) -> Status {
+        use Operation as O;
         let state = self.states[call.state];
         let place = call.place(&mut self.states[call.state]);
         let mut size = 0;
@@ -173,17 +173,17 @@ impl World<'_> {
         // length, alignment or being NULL. States may serve another component than they came from.
         unsafe {
             match function {
-                F::GetFMUstate => fmi2GetFMUstate(c, place),
-                F::SetFMUstate => fmi2SetFMUstate(c, state),
-                F::FreeFMUstate => fmi2FreeFMUstate(c, place),
-                F::SerializedFMUstateSize => fmi2SerializedFMUstateSize(c, state, call.place(&mut size)),
-                F::SerializeFMUstate => {
+                O::GetFMUstate => fmi2GetFMUstate(c, place),
+                O::SetFMUstate => fmi2SetFMUstate(c, state),
+                O::FreeFMUstate => fmi2FreeFMUstate(c, place),
+                O::SerializedFMUstateSize => fmi2SerializedFMUstateSize(c, state, call.place(&mut size)),
+                O::SerializeFMUstate => {
                     if !state.is_null() {
                         fmi2SerializedFMUstateSize(c, state, &mut size);
                     }
-                    let mut bytes = vec![0; if call.flag(0) { size } else { size / 2 }];
+                    let mut bytes = vec![0_u8; if call.flag(0) { size } else { size / 2 }];
                     let (pointer, count) = call.array_to_fill(&mut bytes);
-                    let status = fmi2SerializeFMUstate(c, state, pointer, count);
+                    let status = fmi2SerializeFMUstate(c, state, pointer.cast(), count);
                     if status == Status::Ok && call.pointers == Pointers::Whole {
                         self.bytes = bytes;
                     }
@@ -192,7 +192,7 @@ impl World<'_> {
                 _ => {
                     let bytes = self.damaged(call);
                     let (pointer, count) = call.array(&bytes);
-                    fmi2DeSerializeFMUstate(c, pointer, count, place)
+                    fmi2DeSerializeFMUstate(c, pointer.cast(), count, place)
                 }
             }
         }
@@ -263,7 +263,7 @@ fn a_hundred_thousand_random_calls_crash_nothing_hang_nothing_and_leave_nothing_
         Config { cases: SEQUENCES, failure_persistence: None, max_shrink_iters: 200, ..Config::default() };
     let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &key));
     let unpacked = aircraft().map(|model| (Unpacked::of(&model.to_bytes(), "a {b}"), guid(&model)));
-    let tally = RefCell::new(Function::all().map(|function| (function.name(), [0; 2])).collect());
+    let tally = RefCell::new(Operation::all().map(|function| (function.name(), [0; 2])).collect());
     let played = runner.run(&vec(call(), CALLS), |calls| {
         let held = bytes_held();
         let mut world = World {

@@ -21,7 +21,7 @@ impl<'a> Saved<'a> {
         let mut state = null_mut();
         // SAFETY: the component is alive, the array is as long as said.
         let status =
-            unsafe { fmi2DeSerializeFMUstate(fmu.component, bytes.as_ptr(), bytes.len(), &mut state) };
+            unsafe { fmi2DeSerializeFMUstate(fmu.component, bytes.as_ptr().cast(), bytes.len(), &mut state) };
         if status == Status::Ok { Ok(Saved { fmu, state }) } else { Err(status) }
     }
 
@@ -33,7 +33,7 @@ impl<'a> Saved<'a> {
         let mut bytes = vec![0; size];
         // SAFETY: component and state are alive, the array is as long as said.
         let status =
-            unsafe { fmi2SerializeFMUstate(self.fmu.component, self.state, bytes.as_mut_ptr(), size) };
+            unsafe { fmi2SerializeFMUstate(self.fmu.component, self.state, bytes.as_mut_ptr().cast(), size) };
         assert_eq!(status, Status::Ok);
         bytes
     }
@@ -112,12 +112,16 @@ fn a_buffer_too_small_and_null_states_are_refused() {
 
 /// As fmusim 0.0.39 does: the state itself where the address of its handle belongs, and once more the other way round.
 #[test]
-fn a_state_in_place_of_its_address_is_a_null_handle_and_the_address_is_no_state() {
+fn a_state_in_place_of_its_address_is_left_alone_and_the_address_is_no_state() {
     let fmu = Fmu::flying();
     let saved = Saved::of(&fmu);
     let bytes = saved.bytes();
     // SAFETY: component and state are alive, and a state begins with a word that can be read as a handle.
-    assert_eq!(unsafe { fmi2FreeFMUstate(fmu.component, saved.state.cast()) }, Status::Ok);
+    unsafe {
+        assert_eq!(fmi2FreeFMUstate(fmu.component, saved.state.cast()), Status::Ok);
+        assert_eq!(fmi2GetFMUstate(fmu.component, saved.state.cast()), Status::Error);
+    }
+    fmu.assert_refused(&["fmi2GetFMUstate", "found a state, expected the address of one"]);
     assert_eq!(saved.bytes(), bytes);
     assert_eq!(saved.restore(), Status::Ok);
 
@@ -135,6 +139,25 @@ fn a_state_in_place_of_its_address_is_a_null_handle_and_the_address_is_no_state(
     assert_eq!(statuses, [Status::Error; 3]);
     fmu.assert_refused(&["fmi2SerializeFMUstate", "found something else than a state"]);
     assert_eq!(saved.restore(), Status::Ok);
+}
+
+/// What stands behind the handle is nobody's business: words that would make a state with the handle before them.
+#[test]
+fn the_address_of_a_null_handle_is_no_state() {
+    let fmu = Fmu::flying();
+    let mut handle_and_more: [FmuState; 4] = [null_mut(); 4];
+    let address: FmuState = handle_and_more.as_mut_ptr().cast();
+    let (mut size, mut byte) = (0, 0);
+    // SAFETY: the component is alive; what is no state can be read as a word.
+    let statuses = unsafe {
+        [
+            fmi2SetFMUstate(fmu.component, address),
+            fmi2SerializedFMUstateSize(fmu.component, address, &mut size),
+            fmi2SerializeFMUstate(fmu.component, address, &mut byte, 1),
+        ]
+    };
+    assert_eq!(statuses, [Status::Error; 3]);
+    fmu.assert_refused(&["fmi2SerializeFMUstate", "found something else than a state"]);
 }
 
 #[test]

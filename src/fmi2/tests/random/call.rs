@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use proptest::sample::{Index, select};
 
 use super::instance;
-use crate::fmi2::life_cycle::Function;
+use crate::fmi::life_cycle::Operation;
 use crate::fmi2::tests::*;
 
 /// What a call does with its arrays.
@@ -24,7 +24,7 @@ pub enum Action {
     Instantiate,
     Free,
     TakeOff,
-    Call(Function),
+    Call(Operation),
 }
 
 /// One call; every function takes of it what it needs.
@@ -49,24 +49,24 @@ pub const COMPONENTS: usize = 3;
 pub const STATES: usize = 4;
 
 fn action() -> impl Strategy<Value = Action> {
-    use Function as F;
+    use Operation as O;
     let often = select(vec![
-        F::DoStep,
-        F::DoStep,
-        F::DoStep,
-        F::GetReal,
-        F::GetReal,
-        F::SetReal,
-        F::SetReal,
-        F::SetInteger,
-        F::SetRealInputDerivatives,
-        F::GetDirectionalDerivative,
-        F::GetFMUstate,
-        F::SetFMUstate,
-        F::SerializeFMUstate,
-        F::DeSerializeFMUstate,
+        O::DoStep,
+        O::DoStep,
+        O::DoStep,
+        O::GetReal,
+        O::GetReal,
+        O::SetReal,
+        O::SetReal,
+        O::SetInteger,
+        O::SetRealInputDerivatives,
+        O::GetDirectionalDerivative,
+        O::GetFMUstate,
+        O::SetFMUstate,
+        O::SerializeFMUstate,
+        O::DeSerializeFMUstate,
     ]);
-    let any = select(Function::all().collect::<Vec<_>>());
+    let any = select(Operation::all().collect::<Vec<_>>());
     prop_oneof![
         1 => Just(Action::Instantiate),
         1 => Just(Action::Free),
@@ -146,7 +146,7 @@ impl Call {
     }
 }
 
-pub fn get(call: &Call, function: Function, c: Component) -> Status {
+pub fn get(call: &Call, function: Operation, c: Component) -> Status {
     let (references, count) = call.array(&call.references);
     let room = call.references.len() + 1;
     let (mut reals, mut integers, mut strings) = (vec![f64::NAN; room], vec![0; room], vec![null(); room]);
@@ -154,28 +154,28 @@ pub fn get(call: &Call, function: Function, c: Component) -> Status {
     // SAFETY: arrays are as long as said or are refused for their length, alignment or being NULL.
     let status = unsafe {
         match function {
-            Function::GetReal => fmi2GetReal(c, references, count, call.array_to_fill(&mut reals).0),
-            Function::GetInteger => fmi2GetInteger(c, references, count, integer_places),
-            Function::GetBoolean => fmi2GetBoolean(c, references, count, integer_places),
+            Operation::GetReal => fmi2GetReal(c, references, count, call.array_to_fill(&mut reals).0),
+            Operation::GetInteger => fmi2GetInteger(c, references, count, integer_places),
+            Operation::GetBoolean => fmi2GetBoolean(c, references, count, integer_places),
             _ => fmi2GetString(c, references, count, call.array_to_fill(&mut strings).0),
         }
     };
     reals.truncate(call.references.len());
-    if status == Status::Ok && function == Function::GetReal {
+    if status == Status::Ok && function == Operation::GetReal {
         assert!(reals.iter().all(|x| x.is_finite()), "{reals:?}: {call:?}");
     }
     status
 }
 
-pub fn set(call: &Call, function: Function, c: Component) -> Status {
+pub fn set(call: &Call, function: Operation, c: Component) -> Status {
     let (references, count) = call.array(&call.references);
     let (reals, integers) = (call.array(&call.reals).0, call.array(&call.integers).0);
     // SAFETY: arrays are at least as long as said or are refused for their length, alignment or being NULL.
     unsafe {
         match function {
-            Function::SetReal => fmi2SetReal(c, references, count, reals),
-            Function::SetInteger => fmi2SetInteger(c, references, count, integers),
-            Function::SetBoolean => fmi2SetBoolean(c, references, count, integers),
+            Operation::SetReal => fmi2SetReal(c, references, count, reals),
+            Operation::SetInteger => fmi2SetInteger(c, references, count, integers),
+            Operation::SetBoolean => fmi2SetBoolean(c, references, count, integers),
             _ => fmi2SetString(c, references, count, null()),
         }
     }
@@ -209,7 +209,7 @@ pub fn do_step(call: &Call, c: Component) -> Status {
     }
 }
 
-pub fn differentiate(call: &Call, function: Function, c: Component) -> Status {
+pub fn differentiate(call: &Call, function: Operation, c: Component) -> Status {
     let (references, count) = call.array(&call.references);
     let (reals, orders) = (
         call.array(&call.reals).0,
@@ -221,7 +221,7 @@ pub fn differentiate(call: &Call, function: Function, c: Component) -> Status {
     // SAFETY: arrays are at least as long as said or are refused for their length, alignment or being NULL.
     unsafe {
         match function {
-            Function::GetDirectionalDerivative => fmi2GetDirectionalDerivative(
+            Operation::GetDirectionalDerivative => fmi2GetDirectionalDerivative(
                 c,
                 references,
                 count,
@@ -230,7 +230,7 @@ pub fn differentiate(call: &Call, function: Function, c: Component) -> Status {
                 reals,
                 places,
             ),
-            Function::SetRealInputDerivatives => {
+            Operation::SetRealInputDerivatives => {
                 fmi2SetRealInputDerivatives(c, references, count, call.array(&orders).0, reals)
             }
             _ => fmi2GetRealOutputDerivatives(c, references, count, call.array(&orders).0, places),
@@ -238,16 +238,16 @@ pub fn differentiate(call: &Call, function: Function, c: Component) -> Status {
     }
 }
 
-pub fn ask(call: &Call, function: Function, c: Component) -> Status {
+pub fn ask(call: &Call, function: Operation, c: Component) -> Status {
     let kind = call.integers.first().copied().unwrap_or(2);
     let (mut real, mut integer, mut status, mut text) = (0.0, 0, Status::Ok, null());
     // SAFETY: the component is alive or NULL, the places are there or NULL.
     unsafe {
         match function {
-            Function::GetStatus => fmi2GetStatus(c, kind, call.place(&mut status)),
-            Function::GetRealStatus => fmi2GetRealStatus(c, kind, call.place(&mut real)),
-            Function::GetIntegerStatus => fmi2GetIntegerStatus(c, kind, call.place(&mut integer)),
-            Function::GetBooleanStatus => fmi2GetBooleanStatus(c, kind, call.place(&mut integer)),
+            Operation::GetStatus => fmi2GetStatus(c, kind, call.place(&mut status)),
+            Operation::GetRealStatus => fmi2GetRealStatus(c, kind, call.place(&mut real)),
+            Operation::GetIntegerStatus => fmi2GetIntegerStatus(c, kind, call.place(&mut integer)),
+            Operation::GetBooleanStatus => fmi2GetBooleanStatus(c, kind, call.place(&mut integer)),
             _ => fmi2GetStringStatus(c, kind, call.place(&mut text)),
         }
     }

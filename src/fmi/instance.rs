@@ -1,7 +1,7 @@
-//! An instance of the FMU, without any C: life cycle, experiment and steps.
+//! An instance of the FMU: life cycle, experiment and steps.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::aircraft::Support;
@@ -9,10 +9,11 @@ use crate::flight::{Inputs, LATEST, LimitExceeded, Neighbours, Settings, Simulat
 use crate::structure::{ReducedModel, StructureError};
 use crate::variables::{Slot, VariableTable};
 
-use super::life_cycle::{Function, State};
-use super::logger::Logger;
-use super::types::Status;
-use super::{RESOURCE_FILE, guid_of, identity, resource};
+use super::description::{guid_of, identity};
+use super::life_cycle::{Operation, State};
+use super::log::{Category, Log};
+use super::resource::RESOURCE_FILE;
+use super::status::Status;
 
 /// Why a call is refused, and with which status.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,9 +39,6 @@ impl Refusal {
 /// Why no instance can be made.
 #[derive(Debug, thiserror::Error)]
 pub enum InstantiationError {
-    /// The location is not that of a directory.
-    #[error(transparent)]
-    Location(#[from] resource::ResourceError),
     /// The model is not there or not readable.
     #[error("resource {}: {source}", path.display())]
     Read {
@@ -67,7 +65,7 @@ pub enum InstantiationError {
     },
 }
 
-/// What `fmi2SetupExperiment` says.
+/// What the importer says of the experiment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Experiment {
     /// The tighter of it and the parameter counts.
@@ -122,18 +120,18 @@ pub struct Instance {
     pub(super) model: Arc<ReducedModel>,
     pub(super) identity: u128,
     pub(super) table: VariableTable,
-    pub(super) logger: Logger,
-    pub(super) state: State,
-    pub(super) experiment: Experiment,
+    pub(crate) log: Log,
+    pub(crate) state: State,
+    pub(crate) experiment: Experiment,
     pub(super) settings: Settings,
     pub(super) inputs: Inputs,
-    /// Rates of change of the inputs, from `fmi2SetRealInputDerivatives`.
+    /// Rates of change of the inputs that the importer gives beside their values.
     pub(super) rates: Inputs,
     /// Which of them, by value reference, were given at the present communication point: setting the input's value
     /// does not end them.
     pub(super) rate_is_new: Vec<bool>,
     /// The communication point that has been reached, s.
-    pub(super) time: f64,
+    pub(crate) time: f64,
     /// Made when first needed, for it must be trimmed; made anew when a parameter changes.
     pub(super) flight: Option<Simulation>,
     /// What the call in progress will warn of.
@@ -147,34 +145,30 @@ impl Instance {
     ///
     /// # Errors
     /// When the resources are not there or of another FMU.
-    pub fn new(
-        resource_location: &[u8],
-        given_guid: &str,
-        logger: Logger,
-    ) -> Result<Self, InstantiationError> {
-        let path = resource::directory(resource_location)?.join(RESOURCE_FILE);
+    pub fn new(resources: &Path, given_guid: &str, log: Log) -> Result<Self, InstantiationError> {
+        let path = resources.join(RESOURCE_FILE);
         let bytes =
             std::fs::read(&path).map_err(|source| InstantiationError::Read { path: path.clone(), source })?;
         let model =
             ReducedModel::from_bytes(&bytes).map_err(|source| InstantiationError::Model { path, source })?;
-        let instance = Instance::of_model(model, logger);
+        let instance = Instance::of_model(model, log);
         let expected = guid_of(instance.identity);
         if given_guid != expected {
             return Err(InstantiationError::Guid { found: given_guid.to_owned(), expected });
         }
-        instance.logger.log(Status::Ok, &format!("instantiated the aircraft `{}`", instance.model.name));
+        instance.log.write(Status::Ok, &format!("instantiated the aircraft `{}`", instance.model.name));
         Ok(instance)
     }
 
     /// In the state instantiated, with all variables at their starts.
-    pub(super) fn of_model(model: ReducedModel, logger: Logger) -> Self {
+    fn of_model(model: ReducedModel, log: Log) -> Self {
         let table = VariableTable::new(&model);
         let input_count =
             table.iter().filter(|(_, variable)| matches!(variable.slot, Slot::Input(_))).count();
         Instance {
             identity: identity(&model),
             table,
-            logger,
+            log,
             state: State::Instantiated,
             experiment: Experiment::default(),
             settings: Settings::of(&model),
@@ -189,15 +183,15 @@ impl Instance {
         }
     }
 
-    /// Runs the body of a function if the life cycle allows it; logs what is refused; turns a panic into
+    /// Runs the body of an operation if the life cycle allows it; logs what is refused; turns a panic into
     /// `Fatal`, after which the instance can only be freed.
     pub fn call(
         &mut self,
-        function: Function,
+        operation: Operation,
         body: impl FnOnce(&mut Self) -> Result<(), Refusal>,
     ) -> Status {
-        if let Some(objection) = function.objection(self.state) {
-            self.logger.log(Status::Error, &objection);
+        if let Some(objection) = operation.objection(self.state) {
+            self.log.write(Status::Error, &objection);
             return Status::Error;
         }
         // The instance is not used again after a panic, so a state broken halfway does no harm.
@@ -205,29 +199,43 @@ impl Instance {
             Ok(Ok(())) if self.warnings.is_empty() => Status::Ok,
             Ok(Ok(())) => {
                 for warning in std::mem::take(&mut self.warnings) {
-                    self.logger.log(Status::Warning, &format!("{}: {warning}", function.name()));
+                    self.log.write(Status::Warning, &format!("{}: {warning}", operation.name()));
                 }
                 Status::Warning
             }
             Ok(Err(refusal)) => {
                 self.warnings.clear();
-                self.logger.log(refusal.status, &format!("{}: {}", function.name(), refusal.reason));
+                self.log.write(refusal.status, &format!("{}: {}", operation.name(), refusal.reason));
                 refusal.status
             }
             Err(panic) => {
                 self.state = State::Fatal;
-                self.logger.log(Status::Fatal, &format!("{}: {}", function.name(), panic_text(&*panic)));
+                self.log.write(Status::Fatal, &format!("{}: {}", operation.name(), panic_text(&*panic)));
                 Status::Fatal
             }
         }
     }
 
-    /// Has the call in progress end with `fmi2Warning` if it succeeds, and this in the log.
+    /// Has the call in progress end with a warning if it succeeds, and this in the log.
     pub(super) fn warn(&mut self, warning: String) {
         self.warnings.push(warning);
     }
 
-    /// `fmi2SetupExperiment`.
+    /// Chooses log categories by name (none given: all), or warnings and errors only when off.
+    pub fn choose_log(&mut self, logging_on: bool, categories: &[String]) -> Result<(), Refusal> {
+        let named = |name: &String| {
+            let category = Category::ALL.into_iter().find(|category| category.name() == name);
+            category.ok_or_else(|| {
+                let allowed = Category::ALL.map(Category::name).join(", ");
+                Refusal::error(format!("category: found `{name}`, allowed are {allowed}"))
+            })
+        };
+        let chosen = categories.iter().map(named).collect::<Result<Vec<_>, _>>()?;
+        self.log.choose(logging_on, &chosen);
+        Ok(())
+    }
+
+    /// Takes the experiment.
     pub fn set_up_experiment(&mut self, experiment: Experiment) -> Result<(), Refusal> {
         if let Some(objection) = experiment.objection() {
             return Err(Refusal::error(objection));
@@ -237,13 +245,12 @@ impl Instance {
         Ok(())
     }
 
-    /// `fmi2EnterInitializationMode`.
+    /// Begins initialisation.
     pub fn enter_initialization(&mut self) {
         self.state = State::InitializationMode;
     }
 
-    /// `fmi2ExitInitializationMode`: trims, unless an output has been read already. Warns of a trim beyond the
-    /// aircraft's limits.
+    /// Ends initialisation: trims, unless an output has been read already. Warns of a trim beyond the aircraft's limits.
     pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
         let (model, settings) = (Arc::clone(&self.model), self.settings.clone());
         let warning = LimitExceeded::warning(self.flight()?.limits_exceeded(), &model, &settings);
@@ -255,13 +262,13 @@ impl Instance {
         Ok(())
     }
 
-    /// `fmi2Terminate`.
+    /// Ends the simulation.
     pub fn terminate(&mut self) {
         self.state = State::Terminated;
-        self.logger.log(Status::Ok, &format!("terminated at t = {} s", self.time));
+        self.log.write(Status::Ok, &format!("terminated at t = {} s", self.time));
     }
 
-    /// `fmi2Reset`: as after instantiation; the log settings stay.
+    /// As after instantiation; the log settings stay.
     pub fn reset(&mut self) {
         self.state = State::Instantiated;
         self.experiment = Experiment::default();
@@ -272,10 +279,10 @@ impl Instance {
         self.time = 0.0;
         self.flight = None;
         self.neighbours = None;
-        self.logger.log(Status::Ok, "reset");
+        self.log.write(Status::Ok, "reset");
     }
 
-    /// `fmi2DoStep`, without allocating when it succeeds.
+    /// Flies one communication step, without allocating when it succeeds.
     pub fn do_step(&mut self, point: f64, size: f64) -> Result<(), Refusal> {
         if !size.is_finite() || size < 0.0 {
             let reason = format!("step size: found {size}, allowed is a finite number that is not negative");
@@ -328,7 +335,7 @@ impl Instance {
             Support::Free => format!("trimmed: {}", flight.trim().describe(controls, !engines.is_empty())),
             Support::Clamped => "at rest in the tunnel's flow".to_owned(),
         };
-        self.logger.log(Status::Ok, &text);
+        self.log.write(Status::Ok, &text);
         Ok(flight)
     }
 

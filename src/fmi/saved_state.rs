@@ -12,28 +12,37 @@ use crate::variables::{Slot, Type, Value};
 use super::instance::{Experiment, Instance, Refusal, is_time};
 use super::life_cycle::State;
 
-/// What `fmi2FMUstate` points to.
+/// What the importer has a handle of.
 ///
-/// It begins with a null pointer: fmusim (0.0.39) frees a state by the state instead of by its address, and so finds a
-/// handle there to which nothing belongs.
+/// It begins with a word that tells it from a handle, whatever that is: fmusim (0.0.39) frees a state by the state instead
+/// of by its address.
 #[repr(C)]
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SavedState {
-    no_handle: usize,
+    first_word: usize,
     bytes: Vec<u8>,
+}
+
+impl Default for SavedState {
+    fn default() -> Self {
+        SavedState { first_word: SavedState::FIRST_WORD, bytes: Vec::new() }
+    }
 }
 
 const MARK: Mark = *b"FlexAcSt";
 
 impl SavedState {
-    /// For `fmi2SerializeFMUstate`.
+    /// Odd, and so neither NULL nor the address of a state.
+    pub const FIRST_WORD: usize = 0x0fac_57a7;
+
+    /// To be kept elsewhere.
     pub fn bytes(&self) -> &[u8] {
         &self.bytes
     }
 }
 
 impl Instance {
-    /// `fmi2GetFMUstate`: replaces a saved state, without allocating where one of the same aircraft was.
+    /// Replaces a saved state, without allocating where one of the same aircraft was.
     pub fn save_into(&self, saved: &mut SavedState) {
         saved.bytes.clear();
         sealed::seal(&mut saved.bytes, &MARK, self.identity, |writer| {
@@ -58,7 +67,7 @@ impl Instance {
         });
     }
 
-    /// `fmi2DeSerializeFMUstate`: checks that the bytes are whole, undamaged and of this FMU.
+    /// A saved state of its bytes: checks that the bytes are whole, undamaged and of this FMU.
     pub fn deserialise(&self, bytes: &[u8]) -> Result<SavedState, Refusal> {
         let reason = match sealed::open(bytes, &MARK, self.identity) {
             Ok(_) => return Ok(SavedState { bytes: bytes.to_vec(), ..SavedState::default() }),
@@ -75,7 +84,7 @@ impl Instance {
         Err(Refusal::error(format!("serialised state: {reason}")))
     }
 
-    /// `fmi2SetFMUstate`: goes back to a saved state, or changes nothing.
+    /// Goes back to a saved state, or changes nothing.
     pub fn restore(&mut self, saved: &SavedState) -> Result<(), Refusal> {
         let restored = sealed::open(&saved.bytes, &MARK, self.identity)
             .ok()

@@ -1,6 +1,9 @@
-//! From `fmi2ResourceLocation`, a URI, to the directory that it means.
+//! From the URI of the FMU's resources to the directory that it means.
 
 use std::path::PathBuf;
+
+/// Name of the reduced model's file in the FMU's `resources/`.
+pub const RESOURCE_FILE: &str = "model.bin";
 
 /// Why a resource location cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -3,6 +3,8 @@
 //!
 //! Inputs act on the outputs of an instant through forces and the flow at O, parameters through the trim; all that is smooth
 //! and most of it linear, so that central differences of fourth order over small changes are exact to rounding.
+//!
+//! [theory: trim.tangent]
 
 use std::f64::consts::TAU;
 
@@ -12,8 +14,7 @@ use crate::variables::{InputSlot, OutputSlot, ParameterSlot, Slot, Value};
 
 use super::instance::{Instance, Refusal};
 use super::life_cycle::State;
-use super::types::ValueReference;
-use super::values::Family;
+use super::values::{Family, ValueReference};
 
 /// Changes over which the outputs bend little, yet far beyond rounding: rad, N, m/s, m/s², m, rad, parts of the parameter.
 const CONTROL_CHANGE: f64 = 0.01;
@@ -28,7 +29,7 @@ const SHARE_CHANGED: f64 = 1e-3;
 type Sample = [Vec<f64>; 4];
 
 impl Instance {
-    /// `fmi2GetDirectionalDerivative`: the changes of the unknown outputs along a direction of known inputs and, in
+    /// The changes of the unknown outputs along a direction of known inputs and, in
     /// initialisation mode, parameters.
     pub fn derivatives(
         &mut self,

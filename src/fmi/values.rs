@@ -7,9 +7,11 @@ use crate::variables::{InputSlot, ParameterSlot, Slot, Type, Value, Variable};
 
 use super::instance::{Instance, Refusal};
 use super::life_cycle::State;
-use super::types::ValueReference;
 
-/// Which variables a function reads or writes.
+/// The number of a variable: its row in the table.
+pub type ValueReference = u32;
+
+/// Which variables a call reads or writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// Reals.
@@ -118,7 +120,7 @@ impl Instance {
         Ok(())
     }
 
-    /// `fmi2SetRealInputDerivatives`: from now on the input changes at this rate, until its rate is given again or its
+    /// From now on the input changes at this rate, until its rate is given again or its
     /// value is set at a later communication point. Derivatives of higher orders are left out with a warning.
     pub fn set_input_rates(
         &mut self,

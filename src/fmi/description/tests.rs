@@ -1,5 +1,6 @@
 use super::*;
-use crate::fmi2::model_description;
+use crate::variables::VariableTable;
+use crate::variables::tests::jet;
 
 #[test]
 fn the_guid_follows_the_content() {
@@ -14,15 +15,15 @@ fn the_guid_follows_the_content() {
 
 #[test]
 fn the_model_description_is_reproducible_and_carries_the_guid() {
-    let xml = model_description::write(jet());
-    assert_eq!(xml, model_description::write(jet()));
+    let xml = write(jet());
+    assert_eq!(xml, write(jet()));
     assert!(xml.contains(&format!("guid=\"{}\"", guid(jet()))));
     assert!(!xml.contains("generationDateAndTime"));
 }
 
 #[test]
 fn every_variable_and_every_output_is_in_the_model_description() {
-    let xml = model_description::write(jet());
+    let xml = write(jet());
     let table = VariableTable::new(jet());
     assert_eq!(xml.matches("<ScalarVariable ").count(), table.iter().count());
     let outputs = table.iter().filter(|(_, v)| matches!(v.slot, crate::variables::Slot::Output(_))).count();
@@ -33,14 +34,14 @@ fn every_variable_and_every_output_is_in_the_model_description() {
 fn names_of_people_are_escaped_in_the_xml() {
     let mut model = jet().clone();
     model.name = "A<B & \"C\"".into();
-    assert!(model_description::write(&model).contains("A&lt;B &amp; &quot;C&quot;"));
+    assert!(write(&model).contains("A&lt;B &amp; &quot;C&quot;"));
 }
 
 /// Rewritten with `UPDATE_GOLDEN=1 cargo test model_description`.
 #[test]
 fn the_checked_in_model_description_of_the_jet_is_current() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/modelDescription/modelDescription.xml");
-    let current = model_description::write(jet());
+    let current = write(jet());
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
         std::fs::write(path, &current).unwrap();
     }

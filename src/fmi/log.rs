@@ -1,0 +1,105 @@
+//! Messages to the importer: which of them it wants, and who passes them on.
+
+use std::fmt::Debug;
+
+use super::status::Status;
+
+/// A log category of the model description.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Category {
+    Events,
+    StatusWarning,
+    StatusError,
+    StatusFatal,
+    All,
+}
+
+impl Category {
+    /// All categories, in the order of the model description.
+    pub const ALL: [Category; 5] = [
+        Category::Events,
+        Category::StatusWarning,
+        Category::StatusError,
+        Category::StatusFatal,
+        Category::All,
+    ];
+
+    /// Name in the model description.
+    pub fn name(self) -> &'static str {
+        match self {
+            Category::Events => "logEvents",
+            Category::StatusWarning => "logStatusWarning",
+            Category::StatusError => "logStatusError",
+            Category::StatusFatal => "logStatusFatal",
+            Category::All => "logAll",
+        }
+    }
+
+    /// What falls into it.
+    pub fn description(self) -> &'static str {
+        match self {
+            Category::Events => "Instantiation, initialisation, trim, reset and termination",
+            Category::StatusWarning => "Reasons of fmi2Warning and fmi2Discard",
+            Category::StatusError => "Reasons of fmi2Error",
+            Category::StatusFatal => "Reasons of fmi2Fatal",
+            Category::All => "All messages",
+        }
+    }
+
+    fn of(status: Status) -> Self {
+        match status {
+            Status::Ok => Category::Events,
+            Status::Warning | Status::Discard => Category::StatusWarning,
+            Status::Error => Category::StatusError,
+            Status::Fatal => Category::StatusFatal,
+        }
+    }
+}
+
+/// Who passes messages on to the importer, as its version of FMI wants them.
+pub trait Messenger: Debug {
+    /// Passes a message on.
+    fn pass_on(&self, status: Status, category: Category, text: &str);
+}
+
+/// The importer's log with the categories that it wants.
+#[derive(Debug)]
+pub struct Log {
+    messenger: Option<Box<dyn Messenger>>,
+    wanted: Vec<Category>,
+}
+
+/// What is told when debug logging is off: a warning or an error without a reason costs its finder days.
+const ALWAYS: [Category; 3] = [Category::StatusWarning, Category::StatusError, Category::StatusFatal];
+
+impl Log {
+    /// With all categories when `logging_on`, else warnings and errors only; without a messenger nothing is told.
+    pub fn new(messenger: Option<Box<dyn Messenger>>, logging_on: bool) -> Self {
+        let mut log = Log { messenger, wanted: Vec::new() };
+        log.choose(logging_on, &[]);
+        log
+    }
+
+    /// These categories only from now on (none given: all), or warnings and errors only when off.
+    pub fn choose(&mut self, logging_on: bool, categories: &[Category]) {
+        let chosen = match (logging_on, categories) {
+            (false, _) => &ALWAYS,
+            (true, []) => &[Category::All][..],
+            (true, some) => some,
+        };
+        self.wanted = chosen.to_vec();
+    }
+
+    /// Whether a message with this status would be passed on.
+    pub fn wants(&self, status: Status) -> bool {
+        self.messenger.is_some()
+            && (self.wanted.contains(&Category::All) || self.wanted.contains(&Category::of(status)))
+    }
+
+    /// Has a message passed on if its category is wanted. The status determines the category.
+    pub fn write(&self, status: Status, text: &str) {
+        if let Some(messenger) = self.messenger.as_ref().filter(|_| self.wants(status)) {
+            messenger.pass_on(status, Category::of(status), text);
+        }
+    }
+}
