@@ -1,5 +1,7 @@
 //! Under which angles of its controls an aircraft with a mirror plane stays its own mirror image.
 //!
+//! [theory: symmetry.controls]
+//!
 //! Two flaps that are images of each other turn alike where (g_right − s g_left)·u = 0, with u the angles of the controls, g
 //! the gains of the flaps, and s = −1 where positive angles mirror into negative ones. A flap on a strip edge-on in the plane is
 //! its own image with s = −1. Most flaps say the same; what is left are a few independent conditions on u.

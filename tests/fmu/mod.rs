@@ -1,5 +1,6 @@
 //! The FMU of the generic business jet, packaged and then used through its C interface.
 
+mod controls;
 mod merging;
 
 use std::path::{Path, PathBuf};

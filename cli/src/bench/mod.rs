@@ -135,7 +135,7 @@ pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
     let equations = EquationCosts::measure(&model)?;
     terminal::note("larger and smaller aircraft …");
     let scaling = Scaling::measure(&aircraft, &model)?;
-    let report = Report { model: &model, flight, equations, scaling };
+    let report = Report { model: &model, control: &control.name, flight, equations, scaling };
     drafts.keep([report.markdown().as_str(), &report.chart().to_svg()])?;
     Ok(terminal::print(&format!("{}\n", report.summary()))?)
 }

@@ -10,6 +10,8 @@ use crate::chart::{Axis, Chart, Curve, Mark, Window};
 /// All measurements of one run.
 pub struct Report<'a> {
     pub model: &'a ReducedModel,
+    /// That moves.
+    pub control: &'a str,
     pub flight: StandardFlight,
     pub equations: EquationCosts,
     pub scaling: Scaling,
@@ -47,7 +49,7 @@ impl Report<'_> {
             "# How fast it flies\n\n\
              Written by `flexair bench`; processor times of one core of {machine}, the least of several runs.\n\n\
              ## The standard flight\n\n\
-             {name}, nominal stiffness, exact model, 12 modes of both families, 5 inflow states a strip, 127 m/s, elevator 2-3-1-1, 15 s,\n\
+             {name}, nominal stiffness, exact model, 12 modes of both families, 5 inflow states a strip, 127 m/s, {control} 2-3-1-1, 15 s,\n\
              communication step 10 ms, through the C interface of the packaged FMU, from the end of the initialisation on. Errors are the\n\
              largest of the flight in parts of the quantity's peak, against a flight with the relative tolerance 1e-12, whose steps are\n\
              hundreds of times shorter. The flight is symmetric: half the aircraft flies for the whole. Everything that acts on one side\n\
@@ -59,7 +61,7 @@ impl Report<'_> {
              gains stay visible. One step of 10 ms and ten of 1 ms give {same}.\n\n\
              | communication step | half of the steps within | 99 % | 99.9 % | all | longest step of a single flight |\n\
              | --- | --- | --- | --- | --- | --- |\n{latencies}\n\
-             Latencies are wall clock, with the elevator moving every 10 ms; of each step the least of five flights, all of which compute the\n\
+             Latencies are wall clock, with the {control} moving every 10 ms; of each step the least of five flights, all of which compute the\n\
              same. The last column has what else the machine did in it. `fmi2Instantiate` takes {instantiation:.2} ms, initialisation with the trim \
              {trim:.2} ms; a simulation holds {memory}.\n\n\
              {right}\
@@ -67,6 +69,7 @@ impl Report<'_> {
              ![Cost of the right-hand side over modes, strips and inflow states](docs/performance.svg)\n\n{scaling}",
             machine = machine(),
             name = self.model.name,
+            control = self.control,
             plain = self.equations.plain_time_per_second,
             plain_times = 1.0 / self.equations.plain_time_per_second,
             instantiation = 1e3 * instantiation,
