@@ -5,7 +5,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::kinematics::{RigidFreedom, RigidMotion};
+use crate::kinematics::{GeneralisedVectorMut, RigidFreedom, RigidMotion};
 use crate::math::{AlignedNumbers, Arithmetic, Columns, LANES, SquareMatrix, zeros};
 use crate::structure::ModalIntegrals;
 
@@ -132,18 +132,20 @@ impl DeformedInertia {
         let RigidMotion { velocity, rate } = motion;
         let transport = rate.cross(velocity);
         let c = &self.first_moment;
-        add(&mut force[0..3], &(-transport * mass + rate.cross(&c.cross(rate))));
-        add(&mut force[3..6], &(-c.cross(&transport) - rate.cross(&(self.inertia * rate))));
-        for (force, p) in force[6..].iter_mut().zip(momentum) {
+        let mut force = GeneralisedVectorMut::of(force);
+        force.add_rigid(
+            &(-transport * mass + rate.cross(&c.cross(rate))),
+            &(-c.cross(&transport) - rate.cross(&(self.inertia * rate))),
+        );
+        for (force, p) in force.modal.iter_mut().zip(momentum) {
             *force -= p.dot(&transport);
         }
         let axes = self.freedom.axes();
         for (i, &axis) in axes.iter().enumerate() {
             for (j, &other) in axes.iter().enumerate() {
                 let squares = rate[axis] * rate[other];
-                for (force, gamma) in
-                    force[6..].iter_mut().zip(gamma(&self.deformed, axes, [i, j], momentum.len()))
-                {
+                let gamma = gamma(&self.deformed, axes, [i, j], momentum.len());
+                for (force, gamma) in force.modal.iter_mut().zip(gamma) {
                     *force += gamma * squares;
                 }
             }
@@ -165,16 +167,17 @@ impl DeformedInertia {
         for (p, &q_dot) in integrals.momentum.iter().zip(q_dot) {
             momentum += p * q_dot;
         }
-        add(&mut force[0..3], &(rate.cross(&momentum) * -2.0));
+        let mut force = GeneralisedVectorMut::of(force);
+        force.add_translation(&(rate.cross(&momentum) * -2.0));
         let axes = self.freedom.axes();
         self.upsilon.times(simd, q_dot, &mut self.coriolis);
         for (i, &axis) in axes.iter().enumerate() {
             for (j, &other) in axes.iter().enumerate() {
                 let turned = dot(gamma(&self.deformed, axes, [i, j], n), q_dot);
-                force[3 + other] -= 2.0 * rate[axis] * turned;
+                force.rotation[other] -= 2.0 * rate[axis] * turned;
             }
             let upsilon = &self.coriolis[i * block_length(n)..][..n];
-            for (force, upsilon) in force[6..].iter_mut().zip(upsilon) {
+            for (force, upsilon) in force.modal.iter_mut().zip(upsilon) {
                 *force -= 2.0 * rate[axis] * upsilon;
             }
         }
@@ -195,13 +198,6 @@ fn gamma<'a>(numbers: &'a [f64], axes: &[usize], [i, j]: [usize; 2], modes: usiz
 #[inline(always)]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// Adds a vector to three entries of a slice.
-pub fn add(target: &mut [f64], vector: &Vector3<f64>) {
-    for (target, value) in target.iter_mut().zip(vector.iter()) {
-        *target += value;
-    }
 }
 
 /// The blocks m1, p and M of the mass matrix, which do not depend on q, without the rows and columns that do not move.

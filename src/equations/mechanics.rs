@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use pulp::Scalar;
 
-use crate::kinematics::RigidFreedom;
+use crate::kinematics::{GeneralisedVector, RigidFreedom};
 use crate::math::{Attitude, SquareMatrix};
 
 use super::inertia::DeformedInertia;
@@ -41,8 +41,9 @@ impl Mechanics {
             |row: &[f64]| row.iter().zip(&velocities).map(|(mass, velocity)| mass * velocity).sum::<f64>();
         let momenta: Vec<f64> = (0..size).map(|row| along(mass.row(row))).collect();
         let to_inertial = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial.transpose();
-        let linear_momentum = to_inertial * Vector3::from_column_slice(&momenta[0..3]);
-        let about_origin = to_inertial * Vector3::from_column_slice(&momenta[3..6]);
+        let momentum = GeneralisedVector::of(&momenta);
+        let linear_momentum = to_inertial * momentum.translation;
+        let about_origin = to_inertial * momentum.rotation;
         let position = Vector3::from_column_slice(&state[layout.position()]);
         Mechanics {
             kinetic_energy: 0.5 * momenta.iter().zip(&velocities).map(|(p, v)| p * v).sum::<f64>(),

@@ -11,7 +11,7 @@ use pulp::Arch;
 
 use crate::air::Air;
 use crate::aircraft::Support;
-use crate::kinematics::{RigidFreedom, RigidMotion};
+use crate::kinematics::{GeneralisedVector, GeneralisedVectorMut, RigidFreedom, RigidMotion};
 use crate::math::{Attitude, Counting, LinearSystem, Machine, quaternion_rate};
 use crate::strips::{FlapFactor, InflowLayout, PetersInflow, StripSums, Strips, SumLoads};
 use crate::structure::{
@@ -20,7 +20,7 @@ use crate::structure::{
 
 use super::controls::Controls;
 use super::fidelity::{Fidelity, Terms};
-use super::inertia::{DeformedInertia, add};
+use super::inertia::DeformedInertia;
 use super::layout::StateLayout;
 use super::propulsion::Engines;
 use super::structural_forces::StructuralForces;
@@ -241,9 +241,10 @@ impl EquationsOfMotion {
             accelerations[component] = if *regular { acceleration } else { f64::NAN };
         }
         let layout = &self.layout;
-        rates[layout.velocity()].copy_from_slice(&accelerations[0..3]);
-        rates[layout.rate()].copy_from_slice(&accelerations[3..6]);
-        rates[layout.coordinate_rates()].copy_from_slice(&accelerations[6..]);
+        let GeneralisedVector { translation, rotation, modal } = GeneralisedVector::of(accelerations);
+        rates[layout.velocity()].copy_from_slice(translation.as_slice());
+        rates[layout.rate()].copy_from_slice(rotation.as_slice());
+        rates[layout.coordinate_rates()].copy_from_slice(modal);
     }
 
     /// Sets the inflow states to a wake long at rest in the present flow.
@@ -348,16 +349,15 @@ impl EquationsOfMotion {
         workspace.forces.clear();
         machine.run(StructuralForces { equations: self, motion: &motion, q, q_dot, workspace });
         let Workspace { inertia, forces, elastic_force, system, strip_sums, .. } = workspace;
-        let force = forces.passive_mut();
-        for (mode, force) in force[6..].iter_mut().enumerate() {
+        let mut force = GeneralisedVectorMut::of(forces.passive_mut());
+        for (mode, force) in force.modal.iter_mut().enumerate() {
             *force -= elastic_force[mode] + self.damping[mode] * q_dot[mode];
         }
         let gravity = attitude.body_from_inertial * Vector3::new(0.0, 0.0, self.gravity);
         let arm =
             if self.terms.deformed_forcing { &inertia.first_moment } else { &self.integrals.first_moment };
-        add(&mut force[0..3], &(gravity * self.integrals.mass));
-        add(&mut force[3..6], &arm.cross(&gravity));
-        for (force, momentum) in force[6..].iter_mut().zip(&self.integrals.momentum) {
+        force.add_rigid(&(gravity * self.integrals.mass), &arm.cross(&gravity));
+        for (force, momentum) in force.modal.iter_mut().zip(&self.integrals.momentum) {
             *force += momentum.dot(&gravity);
         }
         self.engines.write_effects(q, self.terms.deformed_forcing, forces.of_thrust_mut());

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::kinematics::combine;
+use crate::kinematics::{GeneralisedVectorMut, combine};
 use crate::math::turned;
 use crate::structure::{ModeShapes, ReducedEngine, ReducedModel};
 
@@ -35,10 +35,10 @@ impl Engines {
             let ModeShapes { translation, rotation } = &engine.shapes;
             let axis = turned(&combine(rotation, q), &engine.direction);
             let displacement = if deformed_arms { combine(translation, q) } else { Vector3::zeros() };
-            effect[0..3].copy_from_slice(axis.as_slice());
-            effect[3..6].copy_from_slice((engine.position + displacement).cross(&axis).as_slice());
+            let mut effect = GeneralisedVectorMut::of(effect);
+            effect.set_rigid(&axis, &(engine.position + displacement).cross(&axis));
             let n = q.len();
-            for (mode, effect) in effect[6..].iter_mut().enumerate() {
+            for (mode, effect) in effect.modal.iter_mut().enumerate() {
                 *effect = (0..3).map(|i| translation[i * n + mode] * axis[i]).sum();
             }
         }

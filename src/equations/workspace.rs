@@ -40,7 +40,7 @@ impl Workspace {
         Workspace {
             inertia: equations.undeformed_inertia(),
             forces: GeneralisedForces::new(components, equations.flap_factors(), engines),
-            elastic_force: vec![0.0; components - 6],
+            elastic_force: vec![0.0; equations.layout().modes()],
             elastic_scratch: equations.elastic_scratch(),
             system: equations.linear_system(),
             regular: false,

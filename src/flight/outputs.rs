@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::air::{Air, STANDARD_GRAVITY};
 use crate::equations::{Controls, EquationsOfMotion};
-use crate::kinematics::combine;
+use crate::kinematics::{GeneralisedVector, combine};
 use crate::math::Attitude;
 use crate::plant::{BodyMotion, Sensors};
 use crate::structure::ReducedModel;
@@ -112,7 +112,8 @@ pub(super) fn write(simulation: &mut Simulation) {
     let layout = equations.layout();
     let to_body = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial;
     let motion = equations.motion(state);
-    let acceleration = Vector3::from_column_slice(&workspace.accelerations()[0..3]);
+    let accelerations = GeneralisedVector::of(workspace.accelerations());
+    let acceleration = accelerations.translation;
 
     outputs.position = course.north_east_down(&Vector3::from_column_slice(&state[layout.position()]));
     outputs.attitude = Attitude { body_from_inertial: to_body * course.matrix() }.euler_angles();
@@ -133,10 +134,10 @@ pub(super) fn write(simulation: &mut Simulation) {
     let body = BodyMotion {
         motion,
         acceleration,
-        angular_acceleration: Vector3::from_column_slice(&workspace.accelerations()[3..6]),
+        angular_acceleration: accelerations.rotation,
         gravity: to_body * Vector3::new(0.0, 0.0, model.gravity),
         q_dot,
-        q_ddot: &workspace.accelerations()[6..],
+        q_ddot: accelerations.modal,
     };
     let places = outputs.deflections.iter_mut().zip(&mut outputs.sensors);
     for ((deflection, sensors), station) in places.zip(stations.iter()) {

@@ -3,7 +3,9 @@
 mod freedom;
 mod rigid_motion;
 mod superposition;
+mod velocities;
 
 pub(crate) use freedom::RigidFreedom;
 pub use rigid_motion::RigidMotion;
 pub(crate) use superposition::combine;
+pub(crate) use velocities::{ASIDE, GeneralisedVector, GeneralisedVectorMut, IN_PLANE, velocities};
