@@ -49,7 +49,6 @@ impl EquationsOfMotion {
     pub(crate) fn surroundings<'a>(
         &'a self,
         state: &[f64],
-        (q, q_dot): (&'a [f64], &'a [f64]),
         attitude: &Attitude,
         controls: &Controls,
     ) -> Surroundings<'a> {
@@ -59,8 +58,6 @@ impl EquationsOfMotion {
             air_velocity: velocity - wind,
             rate,
             air_transport: rate.cross(&wind) - attitude.body_from_inertial * controls.wind_rate,
-            q,
-            q_dot,
             density: self.air(state).density,
             inflow: &self.inflow,
             deformed_arms: self.terms.deformed_forcing,

@@ -11,7 +11,9 @@ use pulp::Arch;
 
 use crate::air::Air;
 use crate::aircraft::Support;
-use crate::kinematics::{GeneralisedVector, GeneralisedVectorMut, RigidFreedom, RigidMotion};
+use crate::kinematics::{
+    GeneralisedVector, GeneralisedVectorMut, RigidFreedom, RigidMotion, Sections, Superposition,
+};
 use crate::math::{Attitude, Counting, LinearSystem, Machine, quaternion_rate};
 use crate::strips::{FlapFactor, InflowLayout, PetersInflow, StripSums, Strips, SumLoads};
 use crate::structure::{
@@ -56,6 +58,8 @@ pub struct EquationsOfMotion {
     pub(crate) stiffness_scale: f64,
     /// 2ζω_k.
     pub(crate) damping: Vec<f64>,
+    /// Where all that hangs on the structure is.
+    kinematics: Superposition,
     pub(crate) strips: Strips,
     engines: Engines,
     pub(crate) inflow: PetersInflow,
@@ -122,6 +126,7 @@ impl EquationsOfMotion {
             damping: model.modes.iter().map(|mode| damping(mode.angular_frequency)).collect(),
             symmetric: strips.zero_lift_lines_are_chords()
                 && configuration.fidelity != Fidelity::RuthlesslyLinearised,
+            kinematics: Superposition::new(model, edge_on),
             strips,
             engines: Engines::new(model),
             inflow,
@@ -179,7 +184,7 @@ impl EquationsOfMotion {
 
     /// A coordinate that moves or turns some strip by about 1 m or 1 rad.
     pub(crate) fn coordinate_magnitude(&self) -> f64 {
-        let shape = self.strips.largest_shape();
+        let shape = self.kinematics.largest_shape();
         if shape > 0.0 { 1.0 / shape } else { 1.0 }
     }
 
@@ -252,8 +257,9 @@ impl EquationsOfMotion {
         let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
         let (q, q_dot) =
             (state[self.layout.coordinates()].to_vec(), state[self.layout.coordinate_rates()].to_vec());
-        let around = self.surroundings(state, (&q, &q_dot), &attitude, controls);
-        self.strips.settle_inflow(&around, self.layout.inflow_layout(), state);
+        let sections = self.kinematics.at(&q, &q_dot);
+        let around = self.surroundings(state, &attitude, controls);
+        self.strips.settle_inflow(&sections, &around, self.layout.inflow_layout(), state);
     }
 
     /// Writes the linear part of the inflow's rates at a constant airspeed (m/s) into a vector of the state's
@@ -281,6 +287,11 @@ impl EquationsOfMotion {
             velocity: Vector3::from_column_slice(&state[self.layout.velocity()]),
             rate: Vector3::from_column_slice(&state[self.layout.rate()]),
         }
+    }
+
+    /// The sections in a state.
+    pub(crate) fn sections<'a>(&'a self, state: &'a [f64]) -> impl Sections + 'a {
+        self.kinematics.at(&state[self.layout.coordinates()], &state[self.layout.coordinate_rates()])
     }
 
     /// (A⁻¹)_qq: how the generalised coordinates answer forces on themselves, symmetrised. Allocates.
@@ -360,14 +371,16 @@ impl EquationsOfMotion {
         for (force, momentum) in force.modal.iter_mut().zip(&self.integrals.momentum) {
             *force += momentum.dot(&gravity);
         }
-        self.engines.write_effects(q, self.terms.deformed_forcing, forces.of_thrust_mut());
+        let sections = self.kinematics.at(q, q_dot);
+        self.engines.write_effects(&sections, self.terms.deformed_forcing, forces.of_thrust_mut());
 
-        let around = self.surroundings(state, (q, q_dot), attitude, controls);
+        let around = self.surroundings(state, attitude, controls);
         let (strips, layout) = (&self.strips, self.layout.inflow_layout());
         let mass = &mut system.matrix;
         let (passive, effects) = forces.of_air_mut();
         machine.run(SumLoads {
             strips,
+            sections,
             around: &around,
             layout,
             state,

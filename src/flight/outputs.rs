@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::air::{Air, STANDARD_GRAVITY};
 use crate::equations::{Controls, EquationsOfMotion};
-use crate::kinematics::{GeneralisedVector, combine};
+use crate::kinematics::{GeneralisedVector, Section, Sections};
 use crate::math::Attitude;
 use crate::plant::{BodyMotion, Sensors};
 use crate::structure::ReducedModel;
@@ -136,15 +136,14 @@ pub(super) fn write(simulation: &mut Simulation) {
         acceleration,
         angular_acceleration: accelerations.rotation,
         gravity: to_body * Vector3::new(0.0, 0.0, model.gravity),
-        q_dot,
         q_ddot: accelerations.modal,
     };
     let places = outputs.deflections.iter_mut().zip(&mut outputs.sensors);
-    for ((deflection, sensors), station) in places.zip(stations.iter()) {
-        let displacement = combine(&station.shapes.translation, q);
-        let turned = combine(&station.shapes.rotation, q);
-        *deflection = Deflection { displacement, twist: station.twist_axis.dot(&turned) };
-        *sensors = Sensors::read(station, [&displacement, &turned], &body);
+    let sections = equations.sections(state);
+    for (((deflection, sensors), station), section) in places.zip(stations).zip(sections.stations()) {
+        *deflection =
+            Deflection { displacement: section.displacement(), twist: section.twist(&station.twist_axis) };
+        *sensors = Sensors::read(&section, &body);
     }
     (outputs.elevator, outputs.rudder) = (controls.elevator, controls.rudder);
     (outputs.aileron, outputs.aileron_symmetric) = (controls.aileron, controls.aileron_symmetric);

@@ -16,5 +16,5 @@ pub(crate) use columns::Columns;
 pub(crate) use lane_vectors::{Arrow, EightVectors, LaneVector, PlaneVector};
 pub(crate) use lanes::{AlignedNumbers, Eight, LANES, Lanes, Place, zeros};
 pub(crate) use linear_solve::{LinearSystem, solve};
-pub(crate) use rotation::{Rotation, turned, turned_about_y};
+pub(crate) use rotation::{PlaneRotation, Rotation};
 pub(crate) use square_matrix::{SPARE, SquareMatrix};

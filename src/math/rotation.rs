@@ -1,8 +1,5 @@
 //! The rotation exp(φ×) of a section by its elastic rotation vector (Rodrigues).
 
-use nalgebra::Vector3;
-use pulp::Scalar;
-
 use super::arithmetic::Arithmetic;
 use super::lane_vectors::{Arrow, LaneVector, PlaneVector};
 use super::lanes::Lanes;
@@ -82,12 +79,27 @@ impl<S: Arithmetic> Rotation<S> {
     }
 }
 
-/// Vectors in the mirror plane turned by angles about y, rad.
-#[inline(always)]
-pub fn turned_about_y<S: Arithmetic>(angle: Lanes<S>, vectors: PlaneVector<S>) -> PlaneVector<S> {
-    let square = angle * angle;
-    let [sine, versine, _] = functions(square);
-    vectors * (square.splat(1.0) - square * versine) + vectors.turned_by(angle * sine)
+/// Rotation of the mirror plane, about y.
+#[derive(Clone, Copy, Debug)]
+pub struct PlaneRotation<S: Arithmetic> {
+    cosine: Lanes<S>,
+    sine: Lanes<S>,
+}
+
+impl<S: Arithmetic> PlaneRotation<S> {
+    /// By angles, rad.
+    #[inline(always)]
+    pub fn new(angle: Lanes<S>) -> Self {
+        let square = angle * angle;
+        let [sine, versine, _] = functions(square);
+        PlaneRotation { cosine: square.splat(1.0) - square * versine, sine: angle * sine }
+    }
+
+    /// The turned vectors.
+    #[inline(always)]
+    pub fn apply(&self, vectors: &PlaneVector<S>) -> PlaneVector<S> {
+        *vectors * self.cosine + vectors.turned_by(self.sine)
+    }
 }
 
 /// sin φ/φ, (1 − cos φ)/φ² and (1 − sin φ/φ)/φ² of φ².
@@ -117,11 +129,6 @@ fn closed_forms<S: Arithmetic>(
     [sine, versine, sine_deficit]
 }
 
-/// A single vector turned by a single rotation vector.
-pub fn turned(rotation: &Vector3<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
-    Rotation::<Scalar>::new(LaneVector::single(rotation)).apply(&LaneVector::single(vector)).vector()
-}
-
 /// c₀ + c₁x + c₂x² + …, in pairs: a shorter way from x to the sum.
 #[inline(always)]
 fn polynomial<S: Arithmetic>(x: Lanes<S>, [c0, c1, c2, c3, c4, c5, c6]: &[f64; TERMS]) -> Lanes<S> {
@@ -133,8 +140,16 @@ fn polynomial<S: Arithmetic>(x: Lanes<S>, [c0, c1, c2, c3, c4, c5, c6]: &[f64; T
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Vector3;
+    use pulp::Scalar;
+
     use super::*;
     use crate::math::{Eight, EightVectors, LANES, Place};
+
+    /// A single vector turned by a single rotation vector.
+    fn turned(rotation: &Vector3<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
+        Rotation::<Scalar>::new(LaneVector::single(rotation)).apply(&LaneVector::single(vector)).vector()
+    }
 
     #[test]
     fn the_exponential_is_a_rotation_about_the_vector_on_both_sides_of_the_series_limit() {
@@ -152,7 +167,7 @@ mod tests {
         for angle in [0.0, -0.2, 0.499_999, 0.500_001, 2.0] {
             let turned = turned(&Vector3::new(0.0, angle, 0.0), &arm);
             let place = Place::single();
-            let in_plane = turned_about_y(place.splat(angle), PlaneVector::splat(place, &arm));
+            let in_plane = PlaneRotation::new(place.splat(angle)).apply(&PlaneVector::splat(place, &arm));
             let [x, z] = [in_plane.x, in_plane.z].map(|lanes| lanes.numbers()[0]);
             assert!((Vector3::new(x, 0.0, z) - turned).norm() < 1e-15, "{angle}");
         }

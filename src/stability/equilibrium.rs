@@ -3,9 +3,8 @@
 use nalgebra::Vector3;
 
 use crate::equations::EquationsOfMotion;
-use crate::kinematics::combine;
+use crate::kinematics::Sections;
 use crate::plant::Trim;
-use crate::structure::{ReducedModel, ReducedStrip};
 
 /// The shape and attitude of an aircraft in trim.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,14 +16,13 @@ pub(super) struct Equilibrium {
 }
 
 impl Equilibrium {
-    pub fn new(model: &ReducedModel, equations: &EquationsOfMotion, trim: &Trim) -> Self {
+    pub fn new(equations: &EquationsOfMotion, trim: &Trim) -> Self {
         let layout = equations.layout();
-        let q = &trim.state[layout.coordinates()];
         let controls = trim.controls(equations.engine_count());
         let mut angles = trim.state[layout.attitude()].to_vec();
         angles.extend([controls.elevator, controls.aileron, controls.rudder]);
-        let displacement = |strip: &ReducedStrip| combine(&strip.shapes.translation, q);
-        Equilibrium { displacements: model.strips.iter().map(displacement).collect(), angles }
+        let displacements = equations.sections(&trim.state).strip_displacements().collect();
+        Equilibrium { displacements, angles }
     }
 
     /// How far from another one: the greatest difference, of shapes as shares of a length (m), or of angles.

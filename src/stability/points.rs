@@ -67,7 +67,7 @@ impl Family<'_> {
     /// The trim alone.
     pub fn equilibrium(&self, airspeed: f64) -> Result<Equilibrium, SimulationError> {
         let (equations, trim) = self.trimmed(airspeed)?;
-        Ok(Equilibrium::new(self.model, &equations, &trim))
+        Ok(Equilibrium::new(&equations, &trim))
     }
 
     /// The linearised motion alone; none without a trim.
@@ -103,7 +103,7 @@ impl Family<'_> {
         let in_shape = |unknown: &&Unknown| !matches!(unknown, Unknown::Inflow { .. });
         Ok(Point {
             airspeed,
-            equilibrium: Equilibrium::new(self.model, &equations, &trim),
+            equilibrium: Equilibrium::new(&equations, &trim),
             limits_exceeded: LimitExceeded::find(&self.model.limits, &equations, &trim),
             problem: Arc::new(Condensed::new(&matrix)),
             unknowns: matrix.unknowns.iter().filter(in_shape).copied().collect(),

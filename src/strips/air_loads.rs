@@ -1,5 +1,6 @@
 //! The loads and the apparent mass of all strips, and how their wakes change [4.1; physics.md §4].
 
+use crate::kinematics::Sections;
 use crate::math::{Arithmetic, LANES, Place, SquareMatrix, Work};
 
 use super::group::{Group, MovingSections, Strips, Surroundings, first_reversed};
@@ -8,9 +9,11 @@ use super::inflow_layout::InflowLayout;
 use super::sums::StripSums;
 
 /// What the loads of all strips are computed from, and where they go.
-pub struct SumLoads<'a> {
+pub struct SumLoads<'a, K> {
     /// The strips.
     pub strips: &'a Strips,
+    /// Where their sections are and how they move.
+    pub sections: K,
     /// The state of the aircraft and of the air.
     pub around: &'a Surroundings<'a>,
     /// Where the inflow states stand.
@@ -30,7 +33,7 @@ pub struct SumLoads<'a> {
     pub mass: &'a mut SquareMatrix,
 }
 
-impl Work for SumLoads<'_> {
+impl<K: Sections> Work for SumLoads<'_, K> {
     type Output = ();
 
     #[inline(always)]
@@ -39,28 +42,35 @@ impl Work for SumLoads<'_> {
     }
 }
 
-impl SumLoads<'_> {
+impl<K: Sections> SumLoads<'_, K> {
     /// `SYMMETRIC` where apparent mass is.
     #[inline(always)]
     fn sum<S: Arithmetic, const SYMMETRIC: bool>(self, simd: S) {
-        let SumLoads { strips, around, layout, state, rates, sums, passive, effects, mass } = self;
+        let SumLoads { strips, sections, around, layout, state, rates, sums, passive, effects, mass } = self;
         sums.clear();
         for (index, group) in strips.groups.iter().enumerate() {
             let inflow = layout.of_group(index);
             let (states, mut rates) = (inflow.read(state), inflow.write(rates));
+            let hung_on = sections.of_strips(index);
             for place in Place::all(simd) {
                 if group.in_plane {
-                    let mut moving = group.deform_in_plane::<S, SYMMETRIC>(place, around);
+                    let mut moving = group.deform_in_plane::<S, SYMMETRIC>(place, &hung_on, around);
                     follow_wake(place, (index, group), around, &mut moving, (&states, &mut rates), sums);
-                    group.distribute_in_plane::<S, SYMMETRIC>(place, index, around, &moving, sums);
+                    group.distribute_in_plane::<S, SYMMETRIC>(
+                        place,
+                        (index, &hung_on),
+                        around,
+                        &moving,
+                        sums,
+                    );
                 } else {
-                    let mut moving = group.deform::<S, SYMMETRIC>(place, around);
+                    let mut moving = group.deform::<S, SYMMETRIC>(place, &hung_on, around);
                     follow_wake(place, (index, group), around, &mut moving, (&states, &mut rates), sums);
-                    group.distribute::<S, SYMMETRIC>(place, index, around, &moving, sums);
+                    group.distribute::<S, SYMMETRIC>(place, (index, &hung_on), around, &moving, sums);
                 }
             }
         }
-        let edge_on = strips.edge_on.add_drag(simd, around, sums);
+        let edge_on = strips.edge_on.add_drag(simd, &sections, around, sums);
         sums.reversed = sums.reversed.or(edge_on.map(|strip| strips.count + strip));
         sums.add_to(simd, around.density, (passive, effects), mass);
     }

@@ -8,9 +8,9 @@ use nalgebra::Vector3;
 use pulp::Scalar;
 
 use crate::aircraft::Flap;
-use crate::kinematics::RigidFreedom;
+use crate::kinematics::{RigidFreedom, Sections};
 use crate::math::{Arithmetic, Arrow, Eight, EightVectors, LANES, Lanes, Place};
-use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
+use crate::structure::{ReducedModel, ReducedStrip};
 
 use super::edge_on::EdgeOnStrips;
 use super::flap::FlapEffect;
@@ -24,7 +24,6 @@ use super::sums::Row;
 /// Eight strips.
 #[derive(Clone, Debug)]
 pub(crate) struct Group {
-    pub(crate) position: EightVectors,
     pub(crate) forward: EightVectors,
     pub(crate) span: EightVectors,
     width: Eight,
@@ -43,8 +42,6 @@ pub(crate) struct Group {
     squared_gains: Vec<(usize, Eight)>,
     /// Whether motion and all strips stay in the mirror plane.
     pub(crate) in_plane: bool,
-    /// Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z of each mode.
-    pub(crate) shapes: Vec<[Eight; 6]>,
 }
 
 /// All strips of an aircraft.
@@ -67,10 +64,6 @@ pub struct Surroundings<'a> {
     pub rate: Vector3<f64>,
     /// ω × W − C_bI Ẇ of the velocity W of the air, m/s².
     pub air_transport: Vector3<f64>,
-    /// q.
-    pub q: &'a [f64],
-    /// q̇.
-    pub q_dot: &'a [f64],
     /// ρ, kg/m³.
     pub density: f64,
     /// The inflow model of every strip.
@@ -91,33 +84,26 @@ pub(crate) struct MovingSections<S: Arithmetic, Motion> {
 pub(crate) type Loads<S, V, const SYMMETRIC: bool> = (StripLoads<S, V, SYMMETRIC>, Option<FlapResultants<S>>);
 
 impl Strips {
-    /// The strips of a model, and others with the same modes that flow in the mirror plane meets edge-on; `free` says
-    /// whether motion is in that plane.
+    /// The strips of a model, and others that flow in the mirror plane meets edge-on; `free` says whether motion is in that
+    /// plane.
     pub fn new(model: &ReducedModel, edge_on: &[ReducedStrip], free: RigidFreedom) -> Self {
-        let modes = model.modes.len();
         let acts = |factor: &FlapFactor| model.strips.iter().any(|strip| coefficient(strip, *factor) != 0.0);
         let factors: Vec<FlapFactor> = FlapFactor::all().filter(acts).collect();
         let group = |strips: &[ReducedStrip]| Group {
             in_plane: free == RigidFreedom::InPlane && strips.iter().all(ReducedStrip::stays_in_plane),
-            ..Group::new(strips, &factors, modes)
+            ..Group::new(strips, &factors)
         };
         Strips {
             count: model.strips.len(),
             groups: model.strips.chunks(LANES).map(group).collect(),
             factors,
-            edge_on: EdgeOnStrips::new(edge_on, modes),
+            edge_on: EdgeOnStrips::new(edge_on),
         }
     }
 
     /// Number of strips, without those edge-on.
     pub fn count(&self) -> usize {
         self.count
-    }
-
-    /// The largest displacement or rotation of any strip by a unit coordinate, m or rad.
-    pub fn largest_shape(&self) -> f64 {
-        let shapes = self.groups.iter().flat_map(|group| group.shapes.iter().flatten());
-        shapes.flat_map(|lanes| lanes.0).fold(0.0, |largest, shape| shape.abs().max(largest))
     }
 
     /// Number of groups of strips.
@@ -145,10 +131,17 @@ impl Strips {
     }
 
     /// Sets the inflow states of every strip to a wake long at rest.
-    pub fn settle_inflow(&self, around: &Surroundings, layout: &InflowLayout, state: &mut [f64]) {
+    pub fn settle_inflow(
+        &self,
+        sections: &impl Sections,
+        around: &Surroundings,
+        layout: &InflowLayout,
+        state: &mut [f64],
+    ) {
         for (index, group) in self.groups.iter().enumerate() {
+            let sections = sections.of_strips(index);
             for place in Place::all(Scalar::new()) {
-                let w3 = group.deform::<Scalar, false>(place, around).flow.w3;
+                let w3 = group.deform::<Scalar, false>(place, &sections, around).flow.w3;
                 around.inflow.settle(place, w3, &mut layout.of_group(index).write(state));
             }
         }
@@ -156,8 +149,8 @@ impl Strips {
 }
 
 impl Group {
-    /// Up to eight strips of a model with `modes` modes.
-    fn new(strips: &[ReducedStrip], factors: &[FlapFactor], modes: usize) -> Self {
+    /// Up to eight strips of a model.
+    fn new(strips: &[ReducedStrip], factors: &[FlapFactor]) -> Self {
         let lanes = |value: &dyn Fn(&ReducedStrip) -> f64, empty: f64| {
             Eight(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
         };
@@ -175,17 +168,8 @@ impl Group {
             });
             coefficients.filter(|(_, coefficients)| *coefficients != Eight::ZERO).collect()
         };
-        let shape = |mode: usize, row: usize| {
-            lanes(
-                &|ReducedStrip { shapes: ModeShapes { translation, rotation }, .. }| {
-                    (if row < 3 { translation } else { rotation })[row % 3 * modes + mode]
-                },
-                0.0,
-            )
-        };
         let root_mass = |strip: &ReducedStrip| strip.semichord * libm::sqrt(PI * strip.width);
         Group {
-            position: vectors(&|strip| strip.position, Vector3::zeros()),
             // Forward, so that strips of no size do not meet the air from behind.
             forward: vectors(&|strip| strip.forward, Vector3::x()),
             span: vectors(&|strip| strip.span, Vector3::zeros()),
@@ -209,7 +193,6 @@ impl Group {
             gains: coefficients(&|factor| matches!(factor, FlapFactor::Angle(_))),
             squared_gains: coefficients(&|factor| matches!(factor, FlapFactor::Product(_))),
             in_plane: false,
-            shapes: (0..modes).map(|mode| std::array::from_fn(|row| shape(mode, row))).collect(),
         }
     }
 
