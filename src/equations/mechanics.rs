@@ -6,8 +6,8 @@ use pulp::Scalar;
 use crate::kinematics::{GeneralisedVector, RigidFreedom};
 use crate::math::{Attitude, SquareMatrix};
 
-use super::inertia::DeformedInertia;
 use super::of_motion::EquationsOfMotion;
+use super::superposed_inertia::SuperposedInertia;
 
 /// Energy and momentum at one state, with exact inertia whatever the fidelity level.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +27,7 @@ impl Mechanics {
     pub fn new(equations: &EquationsOfMotion, state: &[f64]) -> Self {
         let layout = equations.layout();
         let q = &state[layout.coordinates()];
-        let mut inertia = DeformedInertia::undeformed(equations.integrals(), RigidFreedom::All);
+        let mut inertia = SuperposedInertia::undeformed(equations.integrals(), RigidFreedom::All);
         inertia.deform(Scalar::new(), equations.integrals(), q);
         let size = layout.velocities();
         let mut mass = SquareMatrix::new(size);

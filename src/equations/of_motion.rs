@@ -22,10 +22,10 @@ use crate::structure::{
 
 use super::controls::Controls;
 use super::fidelity::{Fidelity, Terms};
-use super::inertia::DeformedInertia;
 use super::layout::StateLayout;
 use super::propulsion::Engines;
 use super::structural_forces::StructuralForces;
+use super::superposed_inertia::SuperposedInertia;
 use super::workspace::Workspace;
 
 /// What distinguishes one set of equations of the same reduced model from another.
@@ -330,8 +330,8 @@ impl EquationsOfMotion {
     }
 
     /// The inertia without deformation.
-    pub(crate) fn undeformed_inertia(&self) -> DeformedInertia {
-        DeformedInertia::undeformed(&self.integrals, self.freedom)
+    pub(crate) fn undeformed_inertia(&self) -> SuperposedInertia {
+        SuperposedInertia::undeformed(&self.integrals, self.freedom)
     }
 
     /// Room for the loads of the strips of these equations.
@@ -360,17 +360,12 @@ impl EquationsOfMotion {
         workspace.forces.clear();
         machine.run(StructuralForces { equations: self, motion: &motion, q, q_dot, workspace });
         let Workspace { inertia, forces, elastic_force, system, strip_sums, .. } = workspace;
-        let mut force = GeneralisedVectorMut::of(forces.passive_mut());
+        let force = GeneralisedVectorMut::of(forces.passive_mut());
         for (mode, force) in force.modal.iter_mut().enumerate() {
             *force -= elastic_force[mode] + self.damping[mode] * q_dot[mode];
         }
         let gravity = attitude.body_from_inertial * Vector3::new(0.0, 0.0, self.gravity);
-        let arm =
-            if self.terms.deformed_forcing { &inertia.first_moment } else { &self.integrals.first_moment };
-        force.add_rigid(&(gravity * self.integrals.mass), &arm.cross(&gravity));
-        for (force, momentum) in force.modal.iter_mut().zip(&self.integrals.momentum) {
-            *force += momentum.dot(&gravity);
-        }
+        inertia.add_gravity(&self.integrals, &gravity, forces.passive_mut());
         let sections = self.kinematics.at(q, q_dot);
         self.engines.write_effects(&sections, self.terms.deformed_forcing, forces.of_thrust_mut());
 

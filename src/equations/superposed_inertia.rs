@@ -1,4 +1,7 @@
-//! Inertia of the deformed aircraft: mass matrix and inertial forcing [2.2–2.4; physics.md §2].
+//! Inertia of an aircraft that deforms by superposition [2.2–2.4; physics.md §2].
+//!
+//! Constant shapes make every integral over the mass a polynomial of q, found once (`ModalIntegrals`). What the equations ask of
+//! inertia, of whatever kinematics: to be deformed, for the mass matrix, for the inertial forces and for those of gravity.
 //!
 //! Γ̂_α and ĥ_α are linear in q, and both are needed along the axes about which the aircraft spins. They are kept
 //! component by component, each for all modes, and come from one product of a constant matrix with q.
@@ -11,9 +14,9 @@ use crate::structure::ModalIntegrals;
 
 /// The deformation-dependent integrals ĉ, Ĵ, Γ̂, ĥ at one q.
 #[derive(Clone, Debug)]
-pub struct DeformedInertia {
+pub struct SuperposedInertia {
     /// ĉ = c₀ + p_α q_α, kg·m.
-    pub first_moment: Vector3<f64>,
+    first_moment: Vector3<f64>,
     /// Ĵ = J₀ + (Γᵀ + Γ)q + Πqq, kg·m².
     inertia: Matrix3<f64>,
     freedom: RigidFreedom,
@@ -31,7 +34,7 @@ pub struct DeformedInertia {
     coriolis: AlignedNumbers,
 }
 
-impl DeformedInertia {
+impl SuperposedInertia {
     /// The undeformed values.
     pub fn undeformed(integrals: &ModalIntegrals, freedom: RigidFreedom) -> Self {
         let (n, axes) = (integrals.modes(), freedom.axes());
@@ -54,7 +57,7 @@ impl DeformedInertia {
         let slope = |row: usize, b: usize| {
             number(row, &|a, i| integrals.upsilon[a * n + b][i], &|a, [i, j]| integrals.pi[a * n + b][(i, j)])
         };
-        let mut inertia = DeformedInertia {
+        let mut inertia = SuperposedInertia {
             first_moment: integrals.first_moment,
             inertia: integrals.inertia,
             undeformed_mass_matrix: constant_mass_matrix(integrals, freedom),
@@ -126,9 +129,35 @@ impl DeformedInertia {
         }
     }
 
+    /// Adds the inertial forces on ν in a motion of the body axes and, unless they are left out, the δ terms in q̇.
+    #[inline(always)]
+    pub fn add_forces<S: Arithmetic>(
+        &mut self,
+        simd: S,
+        integrals: &ModalIntegrals,
+        motion: &RigidMotion,
+        q_dot: Option<&[f64]>,
+        force: &mut [f64],
+    ) {
+        self.add_forcing(integrals.mass, &integrals.momentum, motion, force);
+        if let Some(q_dot) = q_dot {
+            self.add_coriolis(simd, integrals, &motion.rate, q_dot, force);
+        }
+    }
+
+    /// Adds the generalised forces of gravity, body axes, m/s².
+    #[inline(always)]
+    pub fn add_gravity(&self, integrals: &ModalIntegrals, gravity: &Vector3<f64>, force: &mut [f64]) {
+        let mut force = GeneralisedVectorMut::of(force);
+        force.add_rigid(&(gravity * integrals.mass), &self.first_moment.cross(gravity));
+        for (force, momentum) in force.modal.iter_mut().zip(&integrals.momentum) {
+            *force += momentum.dot(gravity);
+        }
+    }
+
     /// Adds the inertial forcing of the rigid motion: −mω×v + ω×cω… without the δ terms in q̇.
     #[inline(always)]
-    pub fn add_forcing(&self, mass: f64, momentum: &[Vector3<f64>], motion: &RigidMotion, force: &mut [f64]) {
+    fn add_forcing(&self, mass: f64, momentum: &[Vector3<f64>], motion: &RigidMotion, force: &mut [f64]) {
         let RigidMotion { velocity, rate } = motion;
         let transport = rate.cross(velocity);
         let c = &self.first_moment;
@@ -154,7 +183,7 @@ impl DeformedInertia {
 
     /// Adds the δ terms −2ω×p_αq̇_α, −2Γ̂_αᵀωq̇_α, −2υ_αβᵀωq̇_β.
     #[inline(always)]
-    pub fn add_coriolis<S: Arithmetic>(
+    fn add_coriolis<S: Arithmetic>(
         &mut self,
         simd: S,
         integrals: &ModalIntegrals,
