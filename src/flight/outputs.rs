@@ -152,9 +152,7 @@ pub(super) fn write(simulation: &mut Simulation) {
 
 /// The flow at O in a state under some controls.
 pub(super) fn air_data(equations: &EquationsOfMotion, state: &[f64], controls: &Controls) -> AirData {
-    let to_body = Attitude::from_quaternion(&state[equations.layout().attitude()]).body_from_inertial;
-    let velocity = equations.motion(state).velocity - to_body * equations.air_motion(controls);
-    AirData::new(&velocity, &equations.air(state))
+    AirData::new(&equations.air_velocity(state, controls), &equations.air(state))
 }
 
 /// (inertial acceleration − gravity)/g along x_b, y_b, −z_b; without gravity, in units of standard gravity.

@@ -29,6 +29,9 @@ impl EightVectors {
 
 /// What can be projected on others of its kind and stretched, one for each strip in a register.
 pub trait Arrow<S: Arithmetic>: Copy + Add<Output = Self> + Mul<Lanes<S>, Output = Self> {
+    /// The same vector in every lane, as far as it has components.
+    fn splat(place: Place<S>, vector: &Vector3<f64>) -> Self;
+
     /// Scalar products.
     fn dot(&self, other: &Self) -> Lanes<S>;
 }
@@ -66,12 +69,6 @@ impl LaneVector<Scalar> {
 }
 
 impl<S: Arithmetic> LaneVector<S> {
-    /// The same vector in every lane.
-    #[inline(always)]
-    pub fn splat(place: Place<S>, vector: &Vector3<f64>) -> Self {
-        LaneVector { x: place.splat(vector.x), y: place.splat(vector.y), z: place.splat(vector.z) }
-    }
-
     /// The vectors at a place of a group.
     #[inline(always)]
     pub fn load(place: Place<S>, vectors: &EightVectors) -> Self {
@@ -100,6 +97,11 @@ impl<S: Arithmetic> LaneVector<S> {
 }
 
 impl<S: Arithmetic> Arrow<S> for LaneVector<S> {
+    #[inline(always)]
+    fn splat(place: Place<S>, vector: &Vector3<f64>) -> Self {
+        LaneVector { x: place.splat(vector.x), y: place.splat(vector.y), z: place.splat(vector.z) }
+    }
+
     #[inline(always)]
     fn dot(&self, other: &Self) -> Lanes<S> {
         self.x * other.x + self.y * other.y + self.z * other.z
@@ -134,12 +136,6 @@ impl<S: Arithmetic> Mul<Lanes<S>> for LaneVector<S> {
 }
 
 impl<S: Arithmetic> PlaneVector<S> {
-    /// The same vector in every lane; its y component is left out.
-    #[inline(always)]
-    pub fn splat(place: Place<S>, vector: &Vector3<f64>) -> Self {
-        PlaneVector { x: place.splat(vector.x), z: place.splat(vector.z) }
-    }
-
     /// The vectors at a place of a group, by their x and z components.
     #[inline(always)]
     pub fn load(place: Place<S>, [x, z]: [&Eight; 2]) -> Self {
@@ -160,6 +156,11 @@ impl<S: Arithmetic> PlaneVector<S> {
 }
 
 impl<S: Arithmetic> Arrow<S> for PlaneVector<S> {
+    #[inline(always)]
+    fn splat(place: Place<S>, vector: &Vector3<f64>) -> Self {
+        PlaneVector { x: place.splat(vector.x), z: place.splat(vector.z) }
+    }
+
     #[inline(always)]
     fn dot(&self, other: &Self) -> Lanes<S> {
         self.x * other.x + self.z * other.z

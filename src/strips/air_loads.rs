@@ -1,5 +1,6 @@
 //! The loads and the apparent mass of all strips, and how their wakes change [4.1; physics.md §4].
 
+use crate::air::MetAir;
 use crate::kinematics::Sections;
 use crate::math::{Arithmetic, LANES, Place, SquareMatrix, Work};
 
@@ -9,13 +10,13 @@ use super::inflow_layout::InflowLayout;
 use super::sums::StripSums;
 
 /// What the loads of all strips are computed from, and where they go.
-pub struct SumLoads<'a, K> {
+pub struct SumLoads<'a, K, A> {
     /// The strips.
     pub strips: &'a Strips,
     /// Where their sections are and how they move.
     pub sections: K,
     /// The state of the aircraft and of the air.
-    pub around: &'a Surroundings<'a>,
+    pub around: &'a Surroundings<'a, A>,
     /// Where the inflow states stand.
     pub layout: &'a InflowLayout,
     /// All states.
@@ -33,7 +34,7 @@ pub struct SumLoads<'a, K> {
     pub mass: &'a mut SquareMatrix,
 }
 
-impl<K: Sections> Work for SumLoads<'_, K> {
+impl<K: Sections, A: MetAir> Work for SumLoads<'_, K, A> {
     type Output = ();
 
     #[inline(always)]
@@ -42,7 +43,7 @@ impl<K: Sections> Work for SumLoads<'_, K> {
     }
 }
 
-impl<K: Sections> SumLoads<'_, K> {
+impl<K: Sections, A: MetAir> SumLoads<'_, K, A> {
     /// `SYMMETRIC` where apparent mass is.
     #[inline(always)]
     fn sum<S: Arithmetic, const SYMMETRIC: bool>(self, simd: S) {
@@ -81,7 +82,7 @@ impl<K: Sections> SumLoads<'_, K> {
 fn follow_wake<S: Arithmetic, Motion>(
     place: Place<S>,
     (index, group): (usize, &Group),
-    around: &Surroundings,
+    around: &Surroundings<impl MetAir>,
     MovingSections { flow, .. }: &mut MovingSections<S, Motion>,
     (states, rates): (&InflowStates<&[f64]>, &mut InflowStates<&mut [f64]>),
     sums: &mut StripSums,

@@ -3,12 +3,13 @@
 //! They lie in the mirror plane with their normals across it. While all motion is in the plane, w, Ω and λ₀ vanish,
 //! V_s is (f·V) f, and of the loads only D₀ = CD0 ρ b |V_s| V_s remains. Everything here is in x and z.
 
+use crate::air::MetAir;
 use crate::kinematics::{RigidFreedom, Sections, SectionsInPlane, Turn};
 use crate::math::{Arithmetic, Arrow, Eight, LANES, Lanes, Place, PlaneVector};
 use crate::structure::ReducedStrip;
 
 use super::group::{Surroundings, first_reversed};
-use super::in_plane::air_velocity;
+use super::in_plane::flow_past;
 use super::sums::StripSums;
 
 /// Eight strips.
@@ -40,7 +41,7 @@ impl EdgeOnStrips {
         &self,
         simd: S,
         sections: &impl Sections,
-        around: &Surroundings,
+        around: &Surroundings<impl MetAir>,
         sums: &mut StripSums,
     ) -> Option<usize> {
         let mut reversed = None;
@@ -78,12 +79,12 @@ impl Group {
         &self,
         place: Place<S>,
         sections: &impl SectionsInPlane,
-        around: &Surroundings,
+        around: &Surroundings<impl MetAir>,
         sums: &mut StripSums,
     ) -> Lanes<S> {
         let motion = sections.motion(place);
         let forward = motion.turn.apply(&PlaneVector::load(place, self.forward.each_ref()));
-        let chordwise = forward.dot(&air_velocity(place, &motion, around));
+        let chordwise = forward.dot(&flow_past(place, &motion, around).velocity);
         let drag = place.load(&self.drag_area) * around.density * chordwise.abs() * chordwise;
         let force = forward * -drag;
 

@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 use pulp::Scalar;
 
+use crate::air::MetAir;
 use crate::aircraft::Flap;
 use crate::kinematics::{RigidFreedom, Sections};
 use crate::math::{Arithmetic, Arrow, Eight, EightVectors, LANES, Lanes, Place};
@@ -57,13 +58,11 @@ pub struct Strips {
 }
 
 /// The state of the aircraft and of the air that all strips share.
-pub struct Surroundings<'a> {
-    /// Velocity of O relative to the air, body axes, m/s.
-    pub air_velocity: Vector3<f64>,
+pub struct Surroundings<'a, A> {
+    /// The air as the aircraft meets it.
+    pub air: A,
     /// ω, body axes, rad/s.
     pub rate: Vector3<f64>,
-    /// ω × W − C_bI Ẇ of the velocity W of the air, m/s².
-    pub air_transport: Vector3<f64>,
     /// ρ, kg/m³.
     pub density: f64,
     /// The inflow model of every strip.
@@ -134,7 +133,7 @@ impl Strips {
     pub fn settle_inflow(
         &self,
         sections: &impl Sections,
-        around: &Surroundings,
+        around: &Surroundings<impl MetAir>,
         layout: &InflowLayout,
         state: &mut [f64],
     ) {

@@ -2,6 +2,7 @@
 //!
 //! Everything is in x and z but rates and turns, which are about y. Symbols as in `in_space`.
 
+use crate::air::{MetAir, MetAt};
 use crate::kinematics::{Bias, RigidFreedom, SectionMotion, SectionsInPlane, Turn};
 use crate::math::{Arithmetic, Arrow, Lanes, Place, PlaneVector};
 
@@ -20,16 +21,20 @@ pub(crate) struct PlaneSections<S: Arithmetic> {
     zero_lift_normal: PlaneVector<S>,
 }
 
-/// V of sections: how they move relative to the air.
+/// How sections move relative to the air: V, and the part of its rate that no acceleration makes.
 #[inline(always)]
-pub(crate) fn air_velocity<S: Arithmetic, T>(
+pub(crate) fn flow_past<S: Arithmetic, T>(
     place: Place<S>,
     motion: &SectionMotion<PlaneVector<S>, Lanes<S>, T>,
-    around: &Surroundings,
-) -> PlaneVector<S> {
+    around: &Surroundings<impl MetAir>,
+) -> MetAt<PlaneVector<S>> {
+    let SectionMotion { position, velocity, .. } = motion;
     let body_rate = place.splat(around.rate.y);
-    let air_velocity = PlaneVector::splat(place, &around.air_velocity);
-    air_velocity + motion.position.turned_by(body_rate) + motion.velocity
+    let air = around.air.at(place, [position, velocity]);
+    MetAt {
+        velocity: air.velocity + position.turned_by(body_rate) + *velocity,
+        drift: air.drift + velocity.turned_by(body_rate),
+    }
 }
 
 impl Group {
@@ -39,28 +44,27 @@ impl Group {
         &self,
         place: Place<S>,
         sections: &impl SectionsInPlane,
-        around: &Surroundings,
+        around: &Surroundings<impl MetAir>,
     ) -> MovingSections<S, PlaneSections<S>> {
         let motion = sections.motion(place);
-        let air_velocity = air_velocity(place, &motion, around);
-        let SectionMotion { position, turn, velocity, rate, spin, bias } = motion;
+        let MetAt { velocity, mut drift } = flow_past(place, &motion, around);
+        let SectionMotion { position, turn, rate, spin, bias, .. } = motion;
         let forward = turn.apply(&PlaneVector::load(place, [&self.forward.x, &self.forward.z]));
         let span = place.load(&self.span.y);
         let normal = forward.turned_by(-span);
         let zero_lift_normal = self.zero_lift_normal::<S, _, SYMMETRIC>(place, [normal, forward]);
 
         let body_rate = place.splat(around.rate.y);
-        let mut transport = PlaneVector::splat(place, &around.air_transport) + velocity.turned_by(body_rate);
         let mut pitch_drift = place.splat(0.0);
         if let Some(Bias { acceleration, angular_acceleration }) = bias {
-            transport = transport + acceleration;
+            drift = drift + acceleration;
             pitch_drift += span * angular_acceleration;
         }
-        let upwash_drift = zero_lift_normal.dot(&transport) + spin * zero_lift_normal.cross(&air_velocity);
+        let upwash_drift = zero_lift_normal.dot(&drift) + spin * zero_lift_normal.cross(&velocity);
         let flow = self.flow::<S, SYMMETRIC>(
             place,
             around.density,
-            [forward.dot(&air_velocity), normal.dot(&air_velocity), span * (body_rate + rate)],
+            [forward.dot(&velocity), normal.dot(&velocity), span * (body_rate + rate)],
             [upwash_drift, pitch_drift],
         );
         let motion = PlaneSections { position, forward, span, normal, zero_lift_normal };
@@ -73,7 +77,7 @@ impl Group {
         &self,
         place: Place<S>,
         (index, sections): (usize, &impl SectionsInPlane),
-        around: &Surroundings,
+        around: &Surroundings<impl MetAir>,
         moving: &MovingSections<S, PlaneSections<S>>,
         sums: &mut StripSums,
     ) {

@@ -4,6 +4,7 @@
 //! air, m = n + α0 f, and the rows G_w = nᵀ[1, −X×, J], G_Ω = sᵀ[0, 1, S] on ν = [v; ω; q̇]. ẇ and Ω̇ are the rates of w and
 //! Ω with the true spin σ of the triad.
 
+use crate::air::MetAir;
 use crate::kinematics::{Bias, RigidFreedom, SectionMotion, SectionsInSpace, Turn};
 use crate::math::{Arithmetic, Arrow, LaneVector, Place};
 
@@ -28,7 +29,7 @@ impl Group {
         &self,
         place: Place<S>,
         sections: &impl SectionsInSpace,
-        around: &Surroundings,
+        around: &Surroundings<impl MetAir>,
     ) -> MovingSections<S, SpaceMotion<S>> {
         let SectionMotion { position, turn, velocity, rate, spin, bias } = sections.motion(place);
         let forward = turn.apply(&LaneVector::load(place, &self.forward));
@@ -37,18 +38,17 @@ impl Group {
         let zero_lift_normal = self.zero_lift_normal::<S, _, SYMMETRIC>(place, [normal, forward]);
 
         let body_rate = LaneVector::splat(place, &around.rate);
-        let air_velocity =
-            LaneVector::splat(place, &around.air_velocity) + body_rate.cross(&position) + velocity;
-        let mut transport = LaneVector::splat(place, &around.air_transport) + body_rate.cross(&velocity);
+        let air = around.air.at(place, [&position, &velocity]);
+        let air_velocity = air.velocity + body_rate.cross(&position) + velocity;
+        let mut drift = air.drift + body_rate.cross(&velocity);
         let turning = body_rate + rate;
         // (σ × m)·V = σ·(m × V): how w and Ω change with the spin of the triad.
         let mut pitch_drift = spin.dot(&span.cross(&turning));
         if let Some(Bias { acceleration, angular_acceleration }) = bias {
-            transport = transport + acceleration;
+            drift = drift + acceleration;
             pitch_drift += span.dot(&angular_acceleration);
         }
-        let upwash_drift =
-            zero_lift_normal.dot(&transport) + spin.dot(&zero_lift_normal.cross(&air_velocity));
+        let upwash_drift = zero_lift_normal.dot(&drift) + spin.dot(&zero_lift_normal.cross(&air_velocity));
         let flow = self.flow::<S, SYMMETRIC>(
             place,
             around.density,
@@ -65,7 +65,7 @@ impl Group {
         &self,
         place: Place<S>,
         (index, sections): (usize, &impl SectionsInSpace),
-        around: &Surroundings,
+        around: &Surroundings<impl MetAir>,
         moving: &MovingSections<S, SpaceMotion<S>>,
         sums: &mut StripSums,
     ) {
