@@ -10,6 +10,7 @@ mod layout;
 mod mechanics;
 mod of_motion;
 mod propulsion;
+mod rates;
 mod structural_forces;
 mod superposed_inertia;
 mod workspace;

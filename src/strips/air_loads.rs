@@ -4,10 +4,13 @@ use crate::air::MetAir;
 use crate::kinematics::Sections;
 use crate::math::{Arithmetic, LANES, Place, SquareMatrix, Work};
 
-use super::group::{Group, MovingSections, Strips, Surroundings, first_reversed};
+use super::all_strips::Strips;
+use super::group::{Group, MovingSections};
 use super::inflow::{InflowStates, WakeFlow};
 use super::inflow_layout::InflowLayout;
+use super::section::first_reversed;
 use super::sums::StripSums;
+use super::surroundings::Surroundings;
 
 /// What the loads of all strips are computed from, and where they go.
 pub struct SumLoads<'a, K, A> {

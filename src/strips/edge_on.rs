@@ -8,9 +8,10 @@ use crate::kinematics::{RigidFreedom, Sections, SectionsInPlane, Turn};
 use crate::math::{Arithmetic, Arrow, Eight, LANES, Lanes, Place, PlaneVector};
 use crate::structure::ReducedStrip;
 
-use super::group::{Surroundings, first_reversed};
 use super::in_plane::flow_past;
+use super::section::first_reversed;
 use super::sums::StripSums;
+use super::surroundings::Surroundings;
 
 /// Eight strips.
 #[derive(Clone, Debug)]

@@ -1,23 +1,18 @@
-//! The strips of an aircraft, side by side in groups of eight [4.1; physics.md §4].
+//! Eight strips side by side [4.1; physics.md §4].
 //!
 //! The last group is filled up with strips of no size.
 
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
-use pulp::Scalar;
 
-use crate::air::MetAir;
 use crate::aircraft::Flap;
-use crate::kinematics::{RigidFreedom, Sections};
-use crate::math::{Arithmetic, Arrow, Eight, EightVectors, LANES, Lanes, Place};
-use crate::structure::{ReducedModel, ReducedStrip};
+use crate::kinematics::RigidFreedom;
+use crate::math::{Arithmetic, Arrow, Eight, EightVectors, Lanes, Place};
+use crate::structure::ReducedStrip;
 
-use super::edge_on::EdgeOnStrips;
 use super::flap::FlapEffect;
 use super::flap_factor::{FlapFactor, gains_of_kinds};
-use super::inflow::PetersInflow;
-use super::inflow_layout::InflowLayout;
 use super::loads::{Displacement, FlapResultants, StripLoads, StripSizes};
 use super::section::{LocalFlow, Section};
 use super::sums::Row;
@@ -35,7 +30,7 @@ pub(crate) struct Group {
     per_root_mass: Eight,
     /// 1/b.
     pub(crate) per_semichord: Eight,
-    zero_lift_offset: Eight,
+    pub(crate) zero_lift_offset: Eight,
     pub(crate) section: Section,
     /// Coefficients of δ by the factors, by their places, that move any flap here.
     gains: Vec<(usize, Eight)>,
@@ -43,34 +38,6 @@ pub(crate) struct Group {
     squared_gains: Vec<(usize, Eight)>,
     /// Whether motion and all strips stay in the mirror plane.
     pub(crate) in_plane: bool,
-}
-
-/// All strips of an aircraft.
-#[derive(Clone, Debug)]
-pub struct Strips {
-    /// Number of strips.
-    pub(crate) count: usize,
-    pub(crate) groups: Vec<Group>,
-    /// What the loads of any flap are proportional to.
-    pub(crate) factors: Vec<FlapFactor>,
-    /// Those that only drag.
-    pub(crate) edge_on: EdgeOnStrips,
-}
-
-/// The state of the aircraft and of the air that all strips share.
-pub struct Surroundings<'a, A> {
-    /// The air as the aircraft meets it.
-    pub air: A,
-    /// ω, body axes, rad/s.
-    pub rate: Vector3<f64>,
-    /// ρ, kg/m³.
-    pub density: f64,
-    /// The inflow model of every strip.
-    pub inflow: &'a PetersInflow,
-    /// Whether forces act at the deformed place (all models but RL).
-    pub deformed_arms: bool,
-    /// Which components of v and ω move.
-    pub freedom: RigidFreedom,
 }
 
 /// Sections in their flow, with what is known of their motion.
@@ -82,74 +49,9 @@ pub(crate) struct MovingSections<S: Arithmetic, Motion> {
 /// Loads on strips, vectors of kind `V`: those with the flaps neutral, and those of the flaps if there are any.
 pub(crate) type Loads<S, V, const SYMMETRIC: bool> = (StripLoads<S, V, SYMMETRIC>, Option<FlapResultants<S>>);
 
-impl Strips {
-    /// The strips of a model, and others that flow in the mirror plane meets edge-on; `free` says whether motion is in that
-    /// plane.
-    pub fn new(model: &ReducedModel, edge_on: &[ReducedStrip], free: RigidFreedom) -> Self {
-        let acts = |factor: &FlapFactor| model.strips.iter().any(|strip| coefficient(strip, *factor) != 0.0);
-        let factors: Vec<FlapFactor> = FlapFactor::all().filter(acts).collect();
-        let group = |strips: &[ReducedStrip]| Group {
-            in_plane: free == RigidFreedom::InPlane && strips.iter().all(ReducedStrip::stays_in_plane),
-            ..Group::new(strips, &factors)
-        };
-        Strips {
-            count: model.strips.len(),
-            groups: model.strips.chunks(LANES).map(group).collect(),
-            factors,
-            edge_on: EdgeOnStrips::new(edge_on),
-        }
-    }
-
-    /// Number of strips, without those edge-on.
-    pub fn count(&self) -> usize {
-        self.count
-    }
-
-    /// Number of groups of strips.
-    pub fn groups(&self) -> usize {
-        self.groups.len()
-    }
-
-    /// Whether ẇ and the loads are linear in the same rows, so that apparent mass is symmetric.
-    pub fn zero_lift_lines_are_chords(&self) -> bool {
-        self.groups.iter().all(|group| group.zero_lift_offset == Eight::ZERO)
-    }
-
-    /// Writes the inflow's linear part at a constant airspeed (m/s) into a vector of the state's layout, 1/s.
-    pub fn inflow_linear_part(
-        &self,
-        inflow: &PetersInflow,
-        airspeed: f64,
-        layout: &InflowLayout,
-        linear: &mut [f64],
-    ) {
-        for (index, group) in self.groups.iter().enumerate() {
-            let passing = Eight(group.section.semichord.0.map(|semichord| airspeed / semichord));
-            inflow.linear_part(&passing, &mut layout.of_group(index).write(linear));
-        }
-    }
-
-    /// Sets the inflow states of every strip to a wake long at rest.
-    pub fn settle_inflow(
-        &self,
-        sections: &impl Sections,
-        around: &Surroundings<impl MetAir>,
-        layout: &InflowLayout,
-        state: &mut [f64],
-    ) {
-        for (index, group) in self.groups.iter().enumerate() {
-            let sections = sections.of_strips(index);
-            for place in Place::all(Scalar::new()) {
-                let w3 = group.deform::<Scalar, false>(place, &sections, around).flow.w3;
-                around.inflow.settle(place, w3, &mut layout.of_group(index).write(state));
-            }
-        }
-    }
-}
-
 impl Group {
-    /// Up to eight strips of a model.
-    fn new(strips: &[ReducedStrip], factors: &[FlapFactor]) -> Self {
+    /// Up to eight strips of a model in the freedom that its motion has.
+    pub(crate) fn new(strips: &[ReducedStrip], factors: &[FlapFactor], free: RigidFreedom) -> Self {
         let lanes = |value: &dyn Fn(&ReducedStrip) -> f64, empty: f64| {
             Eight(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
         };
@@ -191,7 +93,7 @@ impl Group {
             },
             gains: coefficients(&|factor| matches!(factor, FlapFactor::Angle(_))),
             squared_gains: coefficients(&|factor| matches!(factor, FlapFactor::Product(_))),
-            in_plane: false,
+            in_plane: free == RigidFreedom::InPlane && strips.iter().all(ReducedStrip::stays_in_plane),
         }
     }
 
@@ -296,17 +198,10 @@ fn flap_drag(strip: &ReducedStrip) -> f64 {
 }
 
 /// The coefficient of a factor in a strip's δ; in its δ² where that drags.
-fn coefficient(strip: &ReducedStrip, factor: FlapFactor) -> f64 {
+pub(crate) fn coefficient(strip: &ReducedStrip, factor: FlapFactor) -> f64 {
     let coefficient = |flap: &Flap| factor.coefficient(&gains_of_kinds(&flap.gains));
     match factor {
         FlapFactor::Product(_) if flap_drag(strip) == 0.0 => 0.0,
         _ => strip.flap.as_ref().map_or(0.0, coefficient),
     }
-}
-
-/// The first lane whose lifting strip meets the air from behind.
-#[cold]
-pub(crate) fn first_reversed<S: Arithmetic>(chordwise: Lanes<S>, lift_slope: Lanes<S>) -> Option<usize> {
-    let mut strips = chordwise.numbers().iter().zip(lift_slope.numbers());
-    strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
 }

@@ -6,8 +6,9 @@ use crate::air::{MetAir, MetAt};
 use crate::kinematics::{Bias, RigidFreedom, SectionMotion, SectionsInPlane, Turn};
 use crate::math::{Arithmetic, Arrow, Lanes, Place, PlaneVector};
 
-use super::group::{Group, Loads, MovingSections, Surroundings};
+use super::group::{Group, Loads, MovingSections};
 use super::sums::StripSums;
+use super::surroundings::Surroundings;
 
 /// How sections in the mirror plane stand.
 pub(crate) struct PlaneSections<S: Arithmetic> {

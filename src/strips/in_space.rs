@@ -8,8 +8,9 @@ use crate::air::MetAir;
 use crate::kinematics::{Bias, RigidFreedom, SectionMotion, SectionsInSpace, Turn};
 use crate::math::{Arithmetic, Arrow, LaneVector, Place};
 
-use super::group::{Group, Loads, MovingSections, Surroundings};
+use super::group::{Group, Loads, MovingSections};
 use super::sums::{Row, StripSums};
+use super::surroundings::Surroundings;
 
 /// How sections stand.
 pub(crate) struct SpaceMotion<S: Arithmetic> {

@@ -1,6 +1,7 @@
 //! Aerodynamic strips: sections with their inflow and flaps, side by side on the deformed aircraft [4.1; physics.md §4].
 
 mod air_loads;
+mod all_strips;
 mod edge_on;
 mod flap;
 mod flap_factor;
@@ -12,11 +13,13 @@ mod inflow_layout;
 mod loads;
 mod section;
 mod sums;
+mod surroundings;
 
 pub(crate) use air_loads::SumLoads;
+pub(crate) use all_strips::Strips;
 pub use flap::FlapEffect;
 pub(crate) use flap_factor::{FlapFactor, SURFACES, SurfaceKind};
-pub(crate) use group::{Strips, Surroundings};
 pub use inflow::{InflowStates, PetersInflow};
 pub use inflow_layout::{GroupInflow, InflowLayout};
 pub(crate) use sums::StripSums;
+pub(crate) use surroundings::Surroundings;

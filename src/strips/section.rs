@@ -169,6 +169,13 @@ impl<S: Arithmetic> Section<Lanes<S>> {
     }
 }
 
+/// The first lane whose lifting strip meets the air from behind.
+#[cold]
+pub fn first_reversed<S: Arithmetic>(chordwise: Lanes<S>, lift_slope: Lanes<S>) -> Option<usize> {
+    let mut strips = chordwise.numbers().iter().zip(lift_slope.numbers());
+    strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
+}
+
 #[inline(always)]
 fn half<S: Arithmetic>(value: Lanes<S>) -> Lanes<S> {
     value * 0.5

@@ -8,7 +8,6 @@ use crate::kinematics::RigidFreedom;
 use crate::math::{Arithmetic, Eight, Lanes, Place, SPARE, SquareMatrix};
 
 use super::flap_factor::FlapFactor;
-use super::group::Strips;
 
 /// Rows and columns of the product that are summed together.
 const BLOCK: usize = 1 + SPARE;
@@ -62,16 +61,17 @@ pub struct RowEntry<S: Arithmetic> {
 }
 
 impl StripSums {
-    /// Room for the sums of some strips; of the generalised forces and masses those of the components of ν that move.
-    pub fn new(strips: &Strips, freedom: RigidFreedom, modes: usize, symmetric: bool) -> Self {
+    /// Room for the sums over so many groups of strips with so many factors of their flaps' loads; of the generalised forces and
+    /// masses those of the components of ν that move.
+    pub fn new([groups, factors]: [usize; 2], freedom: RigidFreedom, modes: usize, symmetric: bool) -> Self {
         let moving = freedom.moving(modes);
-        let row = Row::new(strips.groups(), symmetric);
+        let row = Row::new(groups, symmetric);
         StripSums {
             rows: vec![row; moving.len().next_multiple_of(BLOCK)],
             product: SquareMatrix::new(moving.len()),
             moving,
             translations: freedom.translations(),
-            factors: strips.factors.len(),
+            factors,
             symmetric,
             reversed: None,
         }
