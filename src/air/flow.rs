@@ -5,7 +5,7 @@
 
 use nalgebra::Vector3;
 
-use crate::math::{Arithmetic, Arrow, Attitude, Place};
+use crate::math::{Arithmetic, Arrow, Attitude, Window};
 
 /// Air that moves everywhere alike at an instant: a wind, the flow of a tunnel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,7 +19,7 @@ pub struct UniformFlow {
 /// The air as an aircraft meets it at an instant, in body axes.
 pub trait MetAir {
     /// At sections by their places X, and by their velocities relative to the body axes.
-    fn at<S: Arithmetic, V: Arrow<S>>(&self, place: Place<S>, sections: [&V; 2]) -> MetAt<V>;
+    fn at<S: Arithmetic, V: Arrow<S>>(&self, window: Window<S>, sections: [&V; 2]) -> MetAt<V>;
 }
 
 /// What sections meet of the air; vectors of a kind `V`.
@@ -55,9 +55,9 @@ impl UniformlyMet {
 
 impl MetAir for UniformlyMet {
     #[inline(always)]
-    fn at<S: Arithmetic, V: Arrow<S>>(&self, place: Place<S>, _: [&V; 2]) -> MetAt<V> {
+    fn at<S: Arithmetic, V: Arrow<S>>(&self, window: Window<S>, _: [&V; 2]) -> MetAt<V> {
         let MetAt { velocity, drift } = &self.0;
-        MetAt { velocity: V::splat(place, velocity), drift: V::splat(place, drift) }
+        MetAt { velocity: V::splat(window, velocity), drift: V::splat(window, drift) }
     }
 }
 

@@ -58,7 +58,8 @@ pub struct EquationsOfMotion {
     pub(crate) tunnel_air: Option<Air>,
     /// Roll, pitch and yaw in the tunnel, rad.
     pub(crate) mount: Vector3<f64>,
-    pub(super) symmetric: bool,
+    /// Whether the mass matrix is.
+    pub(super) self_adjoint: bool,
     /// How wide this machine's vectors are.
     pub(super) arch: Arch,
 }
@@ -114,7 +115,7 @@ impl EquationsOfMotion {
             ),
             stiffness_scale: configuration.stiffness_scale,
             damping: model.modes.iter().map(|mode| damping(mode.angular_frequency)).collect(),
-            symmetric: strips.zero_lift_lines_are_chords()
+            self_adjoint: strips.zero_lift_lines_are_chords()
                 && configuration.fidelity != Fidelity::RuthlesslyLinearised,
             kinematics: Superposition::new(model, edge_on),
             strips,
@@ -227,7 +228,7 @@ impl EquationsOfMotion {
 
     /// Room for the mass matrix.
     pub(crate) fn linear_system(&self) -> LinearSystem {
-        LinearSystem::new(self.symmetric, self.moving().len())
+        LinearSystem::new(self.self_adjoint, self.moving().len())
     }
 
     /// Room for evaluating the elastic forces.
@@ -242,7 +243,7 @@ impl EquationsOfMotion {
 
     /// Room for the loads of the strips of these equations.
     pub(crate) fn strip_sums(&self) -> StripSums {
-        self.strips.sums(self.freedom, self.layout.modes(), self.symmetric)
+        self.strips.sums(self.freedom, self.layout.modes(), self.self_adjoint)
     }
 
     /// What the loads of the flaps are proportional to.

@@ -1,7 +1,7 @@
 //! The equations of motion at a state: rates, accelerations, forces [2.2–2.4, 4; physics.md §2, §4, §5].
 //!
 //! One Cholesky factor of the mass matrix with apparent mass gives the accelerations (LU where the apparent
-//! mass is not symmetric: RL, or zero-lift lines off the chord); the inflow rates need none. Components of ν that
+//! mass is not self-adjoint: RL, or zero-lift lines off the chord); the inflow rates need none. Components of ν that
 //! support or symmetry hold are left out of the matrix.
 
 use std::cell::Cell;
@@ -82,7 +82,7 @@ impl EquationsOfMotion {
         rates[layout.coordinate_rates()].copy_from_slice(modal);
     }
 
-    /// (A⁻¹)_qq: how the generalised coordinates answer forces on themselves, symmetrised. Allocates.
+    /// (A⁻¹)_qq: how the generalised coordinates answer forces on themselves, made self-adjoint. Allocates.
     pub(crate) fn elastic_mobility(
         &self,
         state: &[f64],
@@ -94,7 +94,7 @@ impl EquationsOfMotion {
         let (rigid, size) = (self.freedom.components().len(), self.moving().len());
         let matrix = &workspace.system.matrix;
         let mut mass = DMatrix::from_fn(size, size, |row, column| matrix[(row, column)]);
-        if self.symmetric {
+        if self.self_adjoint {
             mass.fill_lower_triangle_with_upper_triangle();
         }
         let inverse = mass.try_inverse()?;

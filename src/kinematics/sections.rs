@@ -10,7 +10,7 @@
 
 use nalgebra::Vector3;
 
-use crate::math::{Arithmetic, Eight, LaneVector, Lanes, Place, PlaneRotation, PlaneVector, Rotation};
+use crate::math::{Arithmetic, Eight, LaneVector, Lanes, PlaneRotation, PlaneVector, Rotation, Window};
 
 /// All sections of an aircraft at an instant.
 pub trait Sections {
@@ -36,12 +36,12 @@ pub trait SectionsInSpace {
     type Turn<S: Arithmetic>: Turn<LaneVector<S>>;
 
     /// X on the undeformed aircraft.
-    fn at_rest<S: Arithmetic>(&self, place: Place<S>) -> LaneVector<S>;
+    fn at_rest<S: Arithmetic>(&self, window: Window<S>) -> LaneVector<S>;
 
     /// Where they are and how they move.
     fn motion<S: Arithmetic>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
     ) -> SectionMotion<LaneVector<S>, LaneVector<S>, Self::Turn<S>>;
 
     /// J_x, J_y, J_z, S_x, S_y, S_z of each generalised coordinate.
@@ -54,12 +54,12 @@ pub trait SectionsInPlane {
     type Turn<S: Arithmetic>: Turn<PlaneVector<S>>;
 
     /// X on the undeformed aircraft.
-    fn at_rest<S: Arithmetic>(&self, place: Place<S>) -> PlaneVector<S>;
+    fn at_rest<S: Arithmetic>(&self, window: Window<S>) -> PlaneVector<S>;
 
     /// Where they are and how they move.
     fn motion<S: Arithmetic>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
     ) -> SectionMotion<PlaneVector<S>, Lanes<S>, Self::Turn<S>>;
 
     /// J_x, J_z, S_y of each generalised coordinate.

@@ -14,7 +14,7 @@ pub use attitude::Attitude;
 pub(crate) use attitude::{quaternion_of_euler_angles, quaternion_rate};
 pub(crate) use columns::Columns;
 pub(crate) use lane_vectors::{Arrow, EightVectors, LaneVector, PlaneVector};
-pub(crate) use lanes::{AlignedNumbers, Eight, LANES, Lanes, Place, zeros};
+pub(crate) use lanes::{AlignedNumbers, Eight, LANES, Lanes, Window, zeros};
 pub(crate) use linear_solve::{LinearSystem, solve};
 pub(crate) use rotation::{PlaneRotation, Rotation};
 pub(crate) use square_matrix::{SPARE, SquareMatrix};

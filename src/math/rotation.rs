@@ -144,7 +144,7 @@ mod tests {
     use pulp::Scalar;
 
     use super::*;
-    use crate::math::{Eight, EightVectors, LANES, Place};
+    use crate::math::{Eight, EightVectors, LANES, Window};
 
     /// A single vector turned by a single rotation vector.
     fn turned(rotation: &Vector3<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
@@ -166,8 +166,8 @@ mod tests {
         let arm = Vector3::new(0.3, 0.0, 0.7);
         for angle in [0.0, -0.2, 0.499_999, 0.500_001, 2.0] {
             let turned = turned(&Vector3::new(0.0, angle, 0.0), &arm);
-            let place = Place::single();
-            let in_plane = PlaneRotation::new(place.splat(angle)).apply(&PlaneVector::splat(place, &arm));
+            let window = Window::single();
+            let in_plane = PlaneRotation::new(window.splat(angle)).apply(&PlaneVector::splat(window, &arm));
             let [x, z] = [in_plane.x, in_plane.z].map(|lanes| lanes.numbers()[0]);
             assert!((Vector3::new(x, 0.0, z) - turned).norm() < 1e-15, "{angle}");
         }
@@ -195,10 +195,10 @@ mod tests {
         (mixed[1], mixed[2]) = (small * 10.0, Vector3::zeros());
         let mixed = EightVectors::new(mixed);
         let mut turned_x = Eight::ZERO;
-        for place in Place::all(Scalar::new()) {
-            let turned = Rotation::new(LaneVector::load(place, &mixed))
-                .apply(&LaneVector::splat(place, &Vector3::y()));
-            place.store(&mut turned_x, turned.x);
+        for window in Window::all(Scalar::new()) {
+            let turned = Rotation::new(LaneVector::load(window, &mixed))
+                .apply(&LaneVector::splat(window, &Vector3::y()));
+            window.store(&mut turned_x, turned.x);
         }
         assert_eq!(turned_x.0[3], turned(&small, &Vector3::y()).x);
     }

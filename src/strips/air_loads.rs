@@ -2,7 +2,7 @@
 
 use crate::air::MetAir;
 use crate::kinematics::Sections;
-use crate::math::{Arithmetic, LANES, Place, SquareMatrix, Work};
+use crate::math::{Arithmetic, LANES, SquareMatrix, Window, Work};
 
 use super::all_strips::Strips;
 use super::group::{Group, MovingSections};
@@ -32,7 +32,7 @@ pub struct SumLoads<'a, K, A> {
     pub passive: &'a mut [f64],
     /// Those per unit of each factor of the flaps' loads, one row on ν after the other, are added to these.
     pub effects: &'a mut [f64],
-    /// The apparent mass is added to this mass matrix of the components that move; of a symmetric one only the upper
+    /// The apparent mass is added to this mass matrix of the components that move; of a self-adjoint one only the upper
     /// triangle.
     pub mass: &'a mut SquareMatrix,
 }
@@ -42,35 +42,35 @@ impl<K: Sections, A: MetAir> Work for SumLoads<'_, K, A> {
 
     #[inline(always)]
     fn with<S: Arithmetic>(self, simd: S) {
-        if self.sums.is_symmetric() { self.sum::<S, true>(simd) } else { self.sum::<S, false>(simd) }
+        if self.sums.has_equal_rows() { self.sum::<S, true>(simd) } else { self.sum::<S, false>(simd) }
     }
 }
 
 impl<K: Sections, A: MetAir> SumLoads<'_, K, A> {
-    /// `SYMMETRIC` where apparent mass is.
+    /// `EQUAL_ROWS` where accelerations are distributed as loads are.
     #[inline(always)]
-    fn sum<S: Arithmetic, const SYMMETRIC: bool>(self, simd: S) {
+    fn sum<S: Arithmetic, const EQUAL_ROWS: bool>(self, simd: S) {
         let SumLoads { strips, sections, around, layout, state, rates, sums, passive, effects, mass } = self;
         sums.clear();
         for (index, group) in strips.groups.iter().enumerate() {
             let inflow = layout.of_group(index);
             let (states, mut rates) = (inflow.read(state), inflow.write(rates));
             let hung_on = sections.of_strips(index);
-            for place in Place::all(simd) {
+            for window in Window::all(simd) {
                 if group.in_plane {
-                    let mut moving = group.deform_in_plane::<S, SYMMETRIC>(place, &hung_on, around);
-                    follow_wake(place, (index, group), around, &mut moving, (&states, &mut rates), sums);
-                    group.distribute_in_plane::<S, SYMMETRIC>(
-                        place,
+                    let mut moving = group.deform_in_plane::<S, EQUAL_ROWS>(window, &hung_on, around);
+                    follow_wake(window, (index, group), around, &mut moving, (&states, &mut rates), sums);
+                    group.distribute_in_plane::<S, EQUAL_ROWS>(
+                        window,
                         (index, &hung_on),
                         around,
                         &moving,
                         sums,
                     );
                 } else {
-                    let mut moving = group.deform::<S, SYMMETRIC>(place, &hung_on, around);
-                    follow_wake(place, (index, group), around, &mut moving, (&states, &mut rates), sums);
-                    group.distribute::<S, SYMMETRIC>(place, (index, &hung_on), around, &moving, sums);
+                    let mut moving = group.deform::<S, EQUAL_ROWS>(window, &hung_on, around);
+                    follow_wake(window, (index, group), around, &mut moving, (&states, &mut rates), sums);
+                    group.distribute::<S, EQUAL_ROWS>(window, (index, &hung_on), around, &moving, sums);
                 }
             }
         }
@@ -83,7 +83,7 @@ impl<K: Sections, A: MetAir> SumLoads<'_, K, A> {
 /// Finds the induced velocity of strips and writes the rates of their inflow states; notes reverse flow.
 #[inline(always)]
 fn follow_wake<S: Arithmetic, Motion>(
-    place: Place<S>,
+    window: Window<S>,
     (index, group): (usize, &Group),
     around: &Surroundings<impl MetAir>,
     MovingSections { flow, .. }: &mut MovingSections<S, Motion>,
@@ -91,11 +91,11 @@ fn follow_wake<S: Arithmetic, Motion>(
     sums: &mut StripSums,
 ) {
     if flow.chordwise.least() <= 0.0 && sums.reversed.is_none() {
-        let lane = first_reversed(flow.chordwise, place.load(&group.section.lift_slope));
-        sums.reversed = lane.map(|lane| index * LANES + place.lane(lane));
+        let lane = first_reversed(flow.chordwise, window.load(&group.section.lift_slope));
+        sums.reversed = lane.map(|lane| index * LANES + window.lane(lane));
     }
-    let passing = flow.chordwise * place.load(&group.per_semichord);
+    let passing = flow.chordwise * window.load(&group.per_semichord);
     let wake = WakeFlow { w3: flow.w3, passing };
-    flow.induced = around.inflow.induced_velocity(place, states, flow.w3);
-    around.inflow.write_rates(place, states, &wake, rates);
+    flow.induced = around.inflow.induced_velocity(window, states, flow.w3);
+    around.inflow.write_rates(window, states, &wake, rates);
 }

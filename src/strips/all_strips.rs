@@ -4,7 +4,7 @@ use pulp::Scalar;
 
 use crate::air::MetAir;
 use crate::kinematics::{RigidFreedom, Sections};
-use crate::math::{Eight, LANES, Place};
+use crate::math::{Eight, LANES, Window};
 use crate::structure::{ReducedModel, ReducedStrip};
 
 use super::edge_on::EdgeOnStrips;
@@ -52,15 +52,15 @@ impl Strips {
         self.groups.len()
     }
 
-    /// Whether ẇ and the loads are linear in the same rows, so that apparent mass is symmetric.
+    /// Whether ẇ and the loads are linear in the same rows, so that apparent mass is self-adjoint.
     pub fn zero_lift_lines_are_chords(&self) -> bool {
         self.groups.iter().all(|group| group.zero_lift_offset == Eight::ZERO)
     }
 
-    /// Room for the sums over them; of the generalised forces and masses those of the components of ν that move, `symmetric`
-    /// where apparent mass is.
-    pub fn sums(&self, freedom: RigidFreedom, modes: usize, symmetric: bool) -> StripSums {
-        StripSums::new([self.groups.len(), self.factors.len()], freedom, modes, symmetric)
+    /// Room for the sums over them; of the generalised forces and masses those of the components of ν that move, `equal_rows`
+    /// where accelerations are distributed as loads are.
+    pub fn sums(&self, freedom: RigidFreedom, modes: usize, equal_rows: bool) -> StripSums {
+        StripSums::new([self.groups.len(), self.factors.len()], freedom, modes, equal_rows)
     }
 
     /// Writes the inflow's linear part at a constant airspeed (m/s) into a vector of the state's layout, 1/s.
@@ -87,9 +87,9 @@ impl Strips {
     ) {
         for (index, group) in self.groups.iter().enumerate() {
             let sections = sections.of_strips(index);
-            for place in Place::all(Scalar::new()) {
-                let w3 = group.deform::<Scalar, false>(place, &sections, around).flow.w3;
-                around.inflow.settle(place, w3, &mut layout.of_group(index).write(state));
+            for window in Window::all(Scalar::new()) {
+                let w3 = group.deform::<Scalar, false>(window, &sections, around).flow.w3;
+                around.inflow.settle(window, w3, &mut layout.of_group(index).write(state));
             }
         }
     }

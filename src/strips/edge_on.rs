@@ -5,7 +5,7 @@
 
 use crate::air::MetAir;
 use crate::kinematics::{RigidFreedom, Sections, SectionsInPlane, Turn};
-use crate::math::{Arithmetic, Arrow, Eight, LANES, Lanes, Place, PlaneVector};
+use crate::math::{Arithmetic, Arrow, Eight, LANES, Lanes, PlaneVector, Window};
 use crate::structure::ReducedStrip;
 
 use super::in_plane::flow_past;
@@ -48,11 +48,11 @@ impl EdgeOnStrips {
         let mut reversed = None;
         for (index, group) in self.groups.iter().enumerate() {
             let sections = sections.edge_on(index);
-            for place in Place::all(simd) {
-                let chordwise = group.add_drag(place, &sections, around, sums);
+            for window in Window::all(simd) {
+                let chordwise = group.add_drag(window, &sections, around, sums);
                 if chordwise.least() <= 0.0 && reversed.is_none() {
-                    let lane = first_reversed(chordwise, place.load(&group.lift_slope));
-                    reversed = lane.map(|lane| index * LANES + place.lane(lane));
+                    let lane = first_reversed(chordwise, window.load(&group.lift_slope));
+                    reversed = lane.map(|lane| index * LANES + window.lane(lane));
                 }
             }
         }
@@ -74,30 +74,30 @@ impl Group {
         }
     }
 
-    /// Adds the drag of the strips at a place; returns U.
+    /// Adds the drag of the strips in a window; returns U.
     #[inline(always)]
     fn add_drag<S: Arithmetic>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         sections: &impl SectionsInPlane,
         around: &Surroundings<impl MetAir>,
         sums: &mut StripSums,
     ) -> Lanes<S> {
-        let motion = sections.motion(place);
-        let forward = motion.turn.apply(&PlaneVector::load(place, self.forward.each_ref()));
-        let chordwise = forward.dot(&flow_past(place, &motion, around).velocity);
-        let drag = place.load(&self.drag_area) * around.density * chordwise.abs() * chordwise;
+        let motion = sections.motion(window);
+        let forward = motion.turn.apply(&PlaneVector::load(window, self.forward.each_ref()));
+        let chordwise = forward.dot(&flow_past(window, &motion, around).velocity);
+        let drag = window.load(&self.drag_area) * around.density * chordwise.abs() * chordwise;
         let force = forward * -drag;
 
         let mut rows = sums.rows();
         if around.freedom == RigidFreedom::InPlane {
-            let arm = if around.deformed_arms { motion.position } else { sections.at_rest(place) };
+            let arm = if around.deformed_arms { motion.position } else { sections.at_rest(window) };
             for (force, row) in [force.x, force.z, arm.cross(&force)].into_iter().zip(&mut rows) {
-                row.add_force(place, force);
+                row.add_force(window, force);
             }
         }
         for ([x, z, _], row) in sections.rows().zip(rows) {
-            row.add_force(place, PlaneVector::load(place, [x, z]).dot(&force));
+            row.add_force(window, PlaneVector::load(window, [x, z]).dot(&force));
         }
         chordwise
     }

@@ -8,13 +8,13 @@ use nalgebra::Vector3;
 
 use crate::aircraft::Flap;
 use crate::kinematics::RigidFreedom;
-use crate::math::{Arithmetic, Arrow, Eight, EightVectors, Lanes, Place};
+use crate::math::{Arithmetic, Arrow, Eight, EightVectors, Lanes, Window};
 use crate::structure::ReducedStrip;
 
 use super::flap::FlapEffect;
 use super::flap_factor::{FlapFactor, gains_of_kinds};
-use super::loads::{Displacement, FlapResultants, StripLoads, StripSizes};
 use super::section::{LocalFlow, Section};
+use super::strip_loads::{Displacement, StripFlapLoads, StripLoads, StripSizes};
 use super::sums::Row;
 
 /// Eight strips.
@@ -47,7 +47,8 @@ pub(crate) struct MovingSections<S: Arithmetic, Motion> {
 }
 
 /// Loads on strips, vectors of kind `V`: those with the flaps neutral, and those of the flaps if there are any.
-pub(crate) type Loads<S, V, const SYMMETRIC: bool> = (StripLoads<S, V, SYMMETRIC>, Option<FlapResultants<S>>);
+pub(crate) type StripLoadsWithFlaps<S, V, const EQUAL_ROWS: bool> =
+    (StripLoads<S, V, EQUAL_ROWS>, Option<StripFlapLoads<S>>);
 
 impl Group {
     /// Up to eight strips of a model in the freedom that its motion has.
@@ -99,82 +100,83 @@ impl Group {
 
     /// m = n + α0 f.
     #[inline(always)]
-    pub(crate) fn zero_lift_normal<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool>(
+    pub(crate) fn zero_lift_normal<S: Arithmetic, V: Arrow<S>, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         [normal, forward]: [V; 2],
     ) -> V {
-        if SYMMETRIC { normal } else { normal + forward * place.load(&self.zero_lift_offset) }
+        if EQUAL_ROWS { normal } else { normal + forward * window.load(&self.zero_lift_offset) }
     }
 
     /// The flow by f·V, n·V and Ω, and by those parts of ẇ and Ω̇ that no acceleration makes; the induced velocity is left
     /// at zero.
     #[inline(always)]
-    pub(crate) fn flow<S: Arithmetic, const SYMMETRIC: bool>(
+    pub(crate) fn flow<S: Arithmetic, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         density: f64,
         [chordwise, normal, pitch_rate]: [Lanes<S>; 3],
         [upwash_drift, pitch_drift]: [Lanes<S>; 2],
     ) -> LocalFlow<S> {
-        let upwash = if SYMMETRIC { normal } else { normal + chordwise * place.load(&self.zero_lift_offset) };
+        let upwash =
+            if EQUAL_ROWS { normal } else { normal + chordwise * window.load(&self.zero_lift_offset) };
         LocalFlow {
-            density: place.splat(density),
+            density: window.splat(density),
             chordwise,
             normal,
             upwash,
             pitch_rate,
-            w3: self.section.three_quarter_chord_upwash(place, upwash, pitch_rate),
+            w3: self.section.three_quarter_chord_upwash(window, upwash, pitch_rate),
             upwash_drift,
             pitch_drift,
-            induced: place.splat(0.0),
+            induced: window.splat(0.0),
         }
     }
 
     /// The loads on the strips in a flow, by their axes n, f and m.
     #[inline(always)]
-    pub(crate) fn loads<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool>(
+    pub(crate) fn loads<S: Arithmetic, V: Arrow<S>, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         flow: &LocalFlow<S>,
         axes: [&V; 3],
-    ) -> Loads<S, V, SYMMETRIC> {
-        let section = self.section.at(place);
+    ) -> StripLoadsWithFlaps<S, V, EQUAL_ROWS> {
+        let section = self.section.at(window);
         let sizes = StripSizes {
-            width: place.load(&self.width),
+            width: window.load(&self.width),
             elastic_axis_aft_of_midchord: section.elastic_axis_aft_of_midchord,
-            root_mass: place.load(&self.root_mass),
-            root_inertia: place.load(&self.root_inertia),
+            root_mass: window.load(&self.root_mass),
+            root_inertia: window.load(&self.root_inertia),
         };
         let loads = StripLoads::new(&section.loads(flow), &sizes, axes);
         let flaps = if self.gains.is_empty() {
             None
         } else {
-            Some(FlapResultants::new(&section.flap_loads(flow), &sizes, place.load(&self.per_root_mass)))
+            Some(StripFlapLoads::new(&section.flap_loads(flow), &sizes, window.load(&self.per_root_mass)))
         };
         (loads, flaps)
     }
 
     /// Adds what the loads and the flaps contribute to one component of ν.
     #[inline(always)]
-    pub(crate) fn add_row<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool>(
+    pub(crate) fn add_row<S: Arithmetic, V: Arrow<S>, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         index: usize,
         displacement: &Displacement<S>,
-        (loads, flaps): &Loads<S, V, SYMMETRIC>,
+        (loads, flaps): &StripLoadsWithFlaps<S, V, EQUAL_ROWS>,
         row: &mut Row,
     ) {
-        row.add::<S, SYMMETRIC>(place, index, &loads.on(displacement));
+        row.add::<S, EQUAL_ROWS>(window, index, &loads.on(displacement));
         if let Some(flaps) = flaps {
             let effect = flaps.on(displacement);
             for (factor, gain) in &self.gains {
-                row.add_effect(place, *factor, effect * place.load(gain));
+                row.add_effect(window, *factor, effect * window.load(gain));
             }
             if !self.squared_gains.is_empty() {
                 let drag = flaps.drag_on(displacement);
                 for (factor, gain) in &self.squared_gains {
-                    row.add_effect(place, *factor, drag * place.load(gain));
+                    row.add_effect(window, *factor, drag * window.load(gain));
                 }
             }
         }

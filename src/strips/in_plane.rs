@@ -4,9 +4,9 @@
 
 use crate::air::{MetAir, MetAt};
 use crate::kinematics::{Bias, RigidFreedom, SectionMotion, SectionsInPlane, Turn};
-use crate::math::{Arithmetic, Arrow, Lanes, Place, PlaneVector};
+use crate::math::{Arithmetic, Arrow, Lanes, PlaneVector, Window};
 
-use super::group::{Group, Loads, MovingSections};
+use super::group::{Group, MovingSections, StripLoadsWithFlaps};
 use super::sums::StripSums;
 use super::surroundings::Surroundings;
 
@@ -25,13 +25,13 @@ pub(crate) struct PlaneSections<S: Arithmetic> {
 /// How sections move relative to the air: V, and the part of its rate that no acceleration makes.
 #[inline(always)]
 pub(crate) fn flow_past<S: Arithmetic, T>(
-    place: Place<S>,
+    window: Window<S>,
     motion: &SectionMotion<PlaneVector<S>, Lanes<S>, T>,
     around: &Surroundings<impl MetAir>,
 ) -> MetAt<PlaneVector<S>> {
     let SectionMotion { position, velocity, .. } = motion;
-    let body_rate = place.splat(around.rate.y);
-    let air = around.air.at(place, [position, velocity]);
+    let body_rate = window.splat(around.rate.y);
+    let air = around.air.at(window, [position, velocity]);
     MetAt {
         velocity: air.velocity + position.turned_by(body_rate) + *velocity,
         drift: air.drift + velocity.turned_by(body_rate),
@@ -41,29 +41,29 @@ pub(crate) fn flow_past<S: Arithmetic, T>(
 impl Group {
     /// Deforms the sections and finds their flow; the induced velocity is left at zero.
     #[inline(always)]
-    pub(crate) fn deform_in_plane<S: Arithmetic, const SYMMETRIC: bool>(
+    pub(crate) fn deform_in_plane<S: Arithmetic, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         sections: &impl SectionsInPlane,
         around: &Surroundings<impl MetAir>,
     ) -> MovingSections<S, PlaneSections<S>> {
-        let motion = sections.motion(place);
-        let MetAt { velocity, mut drift } = flow_past(place, &motion, around);
+        let motion = sections.motion(window);
+        let MetAt { velocity, mut drift } = flow_past(window, &motion, around);
         let SectionMotion { position, turn, rate, spin, bias, .. } = motion;
-        let forward = turn.apply(&PlaneVector::load(place, [&self.forward.x, &self.forward.z]));
-        let span = place.load(&self.span.y);
+        let forward = turn.apply(&PlaneVector::load(window, [&self.forward.x, &self.forward.z]));
+        let span = window.load(&self.span.y);
         let normal = forward.turned_by(-span);
-        let zero_lift_normal = self.zero_lift_normal::<S, _, SYMMETRIC>(place, [normal, forward]);
+        let zero_lift_normal = self.zero_lift_normal::<S, _, EQUAL_ROWS>(window, [normal, forward]);
 
-        let body_rate = place.splat(around.rate.y);
-        let mut pitch_drift = place.splat(0.0);
+        let body_rate = window.splat(around.rate.y);
+        let mut pitch_drift = window.splat(0.0);
         if let Some(Bias { acceleration, angular_acceleration }) = bias {
             drift = drift + acceleration;
             pitch_drift += span * angular_acceleration;
         }
         let upwash_drift = zero_lift_normal.dot(&drift) + spin * zero_lift_normal.cross(&velocity);
-        let flow = self.flow::<S, SYMMETRIC>(
-            place,
+        let flow = self.flow::<S, EQUAL_ROWS>(
+            window,
             around.density,
             [forward.dot(&velocity), normal.dot(&velocity), span * (body_rate + rate)],
             [upwash_drift, pitch_drift],
@@ -74,29 +74,29 @@ impl Group {
 
     /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
     #[inline(always)]
-    pub(crate) fn distribute_in_plane<S: Arithmetic, const SYMMETRIC: bool>(
+    pub(crate) fn distribute_in_plane<S: Arithmetic, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         (index, sections): (usize, &impl SectionsInPlane),
         around: &Surroundings<impl MetAir>,
         moving: &MovingSections<S, PlaneSections<S>>,
         sums: &mut StripSums,
     ) {
         let PlaneSections { position, forward, span, normal, zero_lift_normal } = &moving.motion;
-        let loads: Loads<_, _, SYMMETRIC> =
-            self.loads(place, &moving.flow, [normal, forward, zero_lift_normal]);
+        let loads: StripLoadsWithFlaps<_, _, EQUAL_ROWS> =
+            self.loads(window, &moving.flow, [normal, forward, zero_lift_normal]);
         let resultants = &loads.0.resultants;
         let mut rows = sums.rows();
         if around.freedom == RigidFreedom::InPlane {
-            let arm = if around.deformed_arms { *position } else { sections.at_rest(place) };
+            let arm = if around.deformed_arms { *position } else { sections.at_rest(window) };
             for (displacement, row) in resultants.in_plane([&arm, position], *span).iter().zip(&mut rows) {
-                self.add_row(place, index, displacement, &loads, row);
+                self.add_row(window, index, displacement, &loads, row);
             }
         }
         for ([x, z, about_y], row) in sections.rows().zip(rows) {
             let displacement =
-                resultants.displaced(&PlaneVector::load(place, [x, z]), place.load(about_y) * *span);
-            self.add_row(place, index, &displacement, &loads, row);
+                resultants.displaced(&PlaneVector::load(window, [x, z]), window.load(about_y) * *span);
+            self.add_row(window, index, &displacement, &loads, row);
         }
     }
 }

@@ -6,9 +6,9 @@
 
 use crate::air::MetAir;
 use crate::kinematics::{Bias, RigidFreedom, SectionMotion, SectionsInSpace, Turn};
-use crate::math::{Arithmetic, Arrow, LaneVector, Place};
+use crate::math::{Arithmetic, Arrow, LaneVector, Window};
 
-use super::group::{Group, Loads, MovingSections};
+use super::group::{Group, MovingSections, StripLoadsWithFlaps};
 use super::sums::{Row, StripSums};
 use super::surroundings::Surroundings;
 
@@ -26,20 +26,20 @@ pub(crate) struct SpaceMotion<S: Arithmetic> {
 impl Group {
     /// Deforms the sections and finds their flow; the induced velocity is left at zero.
     #[inline(always)]
-    pub(crate) fn deform<S: Arithmetic, const SYMMETRIC: bool>(
+    pub(crate) fn deform<S: Arithmetic, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         sections: &impl SectionsInSpace,
         around: &Surroundings<impl MetAir>,
     ) -> MovingSections<S, SpaceMotion<S>> {
-        let SectionMotion { position, turn, velocity, rate, spin, bias } = sections.motion(place);
-        let forward = turn.apply(&LaneVector::load(place, &self.forward));
-        let span = turn.apply(&LaneVector::load(place, &self.span));
+        let SectionMotion { position, turn, velocity, rate, spin, bias } = sections.motion(window);
+        let forward = turn.apply(&LaneVector::load(window, &self.forward));
+        let span = turn.apply(&LaneVector::load(window, &self.span));
         let normal = forward.cross(&span);
-        let zero_lift_normal = self.zero_lift_normal::<S, _, SYMMETRIC>(place, [normal, forward]);
+        let zero_lift_normal = self.zero_lift_normal::<S, _, EQUAL_ROWS>(window, [normal, forward]);
 
-        let body_rate = LaneVector::splat(place, &around.rate);
-        let air = around.air.at(place, [&position, &velocity]);
+        let body_rate = LaneVector::splat(window, &around.rate);
+        let air = around.air.at(window, [&position, &velocity]);
         let air_velocity = air.velocity + body_rate.cross(&position) + velocity;
         let mut drift = air.drift + body_rate.cross(&velocity);
         let turning = body_rate + rate;
@@ -50,8 +50,8 @@ impl Group {
             pitch_drift += span.dot(&angular_acceleration);
         }
         let upwash_drift = zero_lift_normal.dot(&drift) + spin.dot(&zero_lift_normal.cross(&air_velocity));
-        let flow = self.flow::<S, SYMMETRIC>(
-            place,
+        let flow = self.flow::<S, EQUAL_ROWS>(
+            window,
             around.density,
             [forward.dot(&air_velocity), normal.dot(&air_velocity), span.dot(&turning)],
             [upwash_drift, pitch_drift],
@@ -62,53 +62,53 @@ impl Group {
 
     /// Adds the generalised forces −G_wᵀL + G_ΩᵀM + G_fᵀF and writes the rows of apparent mass.
     #[inline(always)]
-    pub(crate) fn distribute<S: Arithmetic, const SYMMETRIC: bool>(
+    pub(crate) fn distribute<S: Arithmetic, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         (index, sections): (usize, &impl SectionsInSpace),
         around: &Surroundings<impl MetAir>,
         moving: &MovingSections<S, SpaceMotion<S>>,
         sums: &mut StripSums,
     ) {
         let SpaceMotion { forward, span, normal, zero_lift_normal, position } = &moving.motion;
-        let loads: Loads<_, _, SYMMETRIC> =
-            self.loads(place, &moving.flow, [normal, forward, zero_lift_normal]);
-        let arm = if around.deformed_arms { *position } else { sections.at_rest(place) };
+        let loads: StripLoadsWithFlaps<_, _, EQUAL_ROWS> =
+            self.loads(window, &moving.flow, [normal, forward, zero_lift_normal]);
+        let arm = if around.deformed_arms { *position } else { sections.at_rest(window) };
         let rigid = RigidRows { index, arms: [&arm, position], span };
         let mut rows = sums.rows();
         // Axes written out, so that nothing is computed about or along others.
         match around.freedom {
-            RigidFreedom::All => self.add_rigid_rows(place, &rigid, [&[0, 1, 2]; 2], &loads, &mut rows),
-            RigidFreedom::InPlane => self.add_rigid_rows(place, &rigid, [&[0, 2], &[1]], &loads, &mut rows),
+            RigidFreedom::All => self.add_rigid_rows(window, &rigid, [&[0, 1, 2]; 2], &loads, &mut rows),
+            RigidFreedom::InPlane => self.add_rigid_rows(window, &rigid, [&[0, 2], &[1]], &loads, &mut rows),
             RigidFreedom::Held => {}
         }
         for (shape, row) in sections.rows().zip(rows) {
-            let [ux, uy, uz, rx, ry, rz] = [0, 1, 2, 3, 4, 5].map(|row| place.load(&shape[row]));
+            let [ux, uy, uz, rx, ry, rz] = [0, 1, 2, 3, 4, 5].map(|row| window.load(&shape[row]));
             let turn = LaneVector { x: rx, y: ry, z: rz }.dot(span);
             let displacement = loads.0.resultants.displaced(&LaneVector { x: ux, y: uy, z: uz }, turn);
-            self.add_row(place, index, &displacement, &loads, row);
+            self.add_row(window, index, &displacement, &loads, row);
         }
     }
 
     /// Adds the rows of translations along axes and of rotations about axes.
     #[inline(always)]
-    fn add_rigid_rows<'a, S: Arithmetic, const SYMMETRIC: bool>(
+    fn add_rigid_rows<'a, S: Arithmetic, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         RigidRows { index, arms, span }: &RigidRows<S>,
         [along, about]: [&[usize]; 2],
-        loads: &Loads<S, LaneVector<S>, SYMMETRIC>,
+        loads: &StripLoadsWithFlaps<S, LaneVector<S>, EQUAL_ROWS>,
         rows: &mut impl Iterator<Item = &'a mut Row>,
     ) {
         let resultants = &loads.0.resultants;
         for (&axis, row) in along.iter().zip(&mut *rows) {
-            let displacement = resultants.component(axis, place.splat(0.0));
-            self.add_row(place, *index, &displacement, loads, row);
+            let displacement = resultants.component(axis, window.splat(0.0));
+            self.add_row(window, *index, &displacement, loads, row);
         }
         let moments = resultants.about(*arms);
         for (&axis, row) in about.iter().zip(rows) {
             let displacement = moments.component(axis, span.component(axis));
-            self.add_row(place, *index, &displacement, loads, row);
+            self.add_row(window, *index, &displacement, loads, row);
         }
     }
 }

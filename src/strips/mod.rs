@@ -10,8 +10,8 @@ mod in_plane;
 mod in_space;
 mod inflow;
 mod inflow_layout;
-mod loads;
 mod section;
+mod strip_loads;
 mod sums;
 mod surroundings;
 

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::math::{
-    Arithmetic, Eight, EightVectors, LaneVector, Lanes, Place, PlaneRotation, PlaneVector, Rotation,
+    Arithmetic, Eight, EightVectors, LaneVector, Lanes, PlaneRotation, PlaneVector, Rotation, Window,
 };
 use crate::structure::{ModeShapes, ReducedStrip};
 
@@ -81,11 +81,11 @@ fn lanes(strips: &[ReducedStrip], value: impl Fn(&ReducedStrip) -> f64) -> Eight
 impl Superposed<'_, EightSections> {
     /// Ψᵘq, Ψᵠq, Ψᵘq̇ and Ψᵠq̇.
     #[inline(always)]
-    pub fn sums<S: Arithmetic>(&self, place: Place<S>) -> [LaneVector<S>; 4] {
-        let (mut sums, mut rates) = ([place.splat(0.0); 6], [place.splat(0.0); 6]);
+    pub fn sums<S: Arithmetic>(&self, window: Window<S>) -> [LaneVector<S>; 4] {
+        let (mut sums, mut rates) = ([window.splat(0.0); 6], [window.splat(0.0); 6]);
         for (shape, (&q, &q_dot)) in self.sections.shapes.iter().zip(self.q.iter().zip(self.q_dot)) {
             for row in 0..6 {
-                let shape = place.load(&shape[row]);
+                let shape = window.load(&shape[row]);
                 sums[row] += shape * q;
                 rates[row] += shape * q_dot;
             }
@@ -105,19 +105,19 @@ impl SectionsInSpace for Superposed<'_, EightSections> {
     type Turn<S: Arithmetic> = Rotation<S>;
 
     #[inline(always)]
-    fn at_rest<S: Arithmetic>(&self, place: Place<S>) -> LaneVector<S> {
-        LaneVector::load(place, &self.sections.at_rest)
+    fn at_rest<S: Arithmetic>(&self, window: Window<S>) -> LaneVector<S> {
+        LaneVector::load(window, &self.sections.at_rest)
     }
 
     #[inline(always)]
     fn motion<S: Arithmetic>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
     ) -> SectionMotion<LaneVector<S>, LaneVector<S>, Rotation<S>> {
-        let [displacement, rotation, velocity, rate] = self.sums(place);
+        let [displacement, rotation, velocity, rate] = self.sums(window);
         let turn = Rotation::new(rotation);
         SectionMotion {
-            position: SectionsInSpace::at_rest(self, place) + displacement,
+            position: SectionsInSpace::at_rest(self, window) + displacement,
             turn,
             velocity,
             rate,
@@ -136,18 +136,18 @@ impl SectionsInPlane for Superposed<'_, EightSections> {
     type Turn<S: Arithmetic> = PlaneRotation<S>;
 
     #[inline(always)]
-    fn at_rest<S: Arithmetic>(&self, place: Place<S>) -> PlaneVector<S> {
-        PlaneVector::load(place, [&self.sections.at_rest.x, &self.sections.at_rest.z])
+    fn at_rest<S: Arithmetic>(&self, window: Window<S>) -> PlaneVector<S> {
+        PlaneVector::load(window, [&self.sections.at_rest.x, &self.sections.at_rest.z])
     }
 
     #[inline(always)]
     fn motion<S: Arithmetic>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
     ) -> SectionMotion<PlaneVector<S>, Lanes<S>, PlaneRotation<S>> {
         superpose_in_plane(
-            place,
-            SectionsInPlane::at_rest(self, place),
+            window,
+            SectionsInPlane::at_rest(self, window),
             SectionsInPlane::rows(self),
             [self.q, self.q_dot],
         )
@@ -163,16 +163,16 @@ impl SectionsInPlane for Superposed<'_, EightEdgeOn> {
     type Turn<S: Arithmetic> = PlaneRotation<S>;
 
     #[inline(always)]
-    fn at_rest<S: Arithmetic>(&self, place: Place<S>) -> PlaneVector<S> {
-        PlaneVector::load(place, self.sections.at_rest.each_ref())
+    fn at_rest<S: Arithmetic>(&self, window: Window<S>) -> PlaneVector<S> {
+        PlaneVector::load(window, self.sections.at_rest.each_ref())
     }
 
     #[inline(always)]
     fn motion<S: Arithmetic>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
     ) -> SectionMotion<PlaneVector<S>, Lanes<S>, PlaneRotation<S>> {
-        superpose_in_plane(place, self.at_rest(place), self.rows(), [self.q, self.q_dot])
+        superpose_in_plane(window, self.at_rest(window), self.rows(), [self.q, self.q_dot])
     }
 
     #[inline(always)]
@@ -184,16 +184,16 @@ impl SectionsInPlane for Superposed<'_, EightEdgeOn> {
 /// Where sections in the mirror plane are and how they move. They turn about a fixed axis: Ψᵠq̇ is their spin.
 #[inline(always)]
 fn superpose_in_plane<'a, S: Arithmetic>(
-    place: Place<S>,
+    window: Window<S>,
     at_rest: PlaneVector<S>,
     shapes: impl Iterator<Item = [&'a Eight; 3]>,
     [q, q_dot]: [&[f64]; 2],
 ) -> SectionMotion<PlaneVector<S>, Lanes<S>, PlaneRotation<S>> {
-    let zero = place.splat(0.0);
+    let zero = window.splat(0.0);
     let (mut x, mut z, mut turn) = (zero, zero, zero);
     let (mut x_rate, mut z_rate, mut turn_rate) = (zero, zero, zero);
     for (shape, (&q, &q_dot)) in shapes.zip(q.iter().zip(q_dot)) {
-        let [along_x, along_z, about_y] = shape.map(|shape| place.load(shape));
+        let [along_x, along_z, about_y] = shape.map(|shape| window.load(shape));
         x += along_x * q;
         z += along_z * q;
         turn += about_y * q;

@@ -8,7 +8,7 @@ mod section;
 use nalgebra::Vector3;
 use pulp::Scalar;
 
-use crate::math::{LANES, Place};
+use crate::math::{LANES, Window};
 use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
 
 use super::sections::{Section, Sections, SectionsInPlane, SectionsInSpace};
@@ -92,8 +92,8 @@ impl Sections for Instant<'_> {
     fn strip_displacements(&self) -> impl Iterator<Item = Vector3<f64>> {
         let groups = self.sections.strips.iter().flat_map(|eight| {
             let eight = self.of(eight);
-            Place::all(Scalar::new()).map(move |place| {
-                let [displacement, ..] = eight.sums(place);
+            Window::all(Scalar::new()).map(move |window| {
+                let [displacement, ..] = eight.sums(window);
                 displacement.vector()
             })
         });
