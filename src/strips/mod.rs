@@ -23,3 +23,6 @@ pub use inflow::{InflowStates, PetersInflow};
 pub use inflow_layout::{GroupInflow, InflowLayout};
 pub(crate) use sums::StripSums;
 pub(crate) use surroundings::Surroundings;
+
+#[cfg(test)]
+mod tests;
