@@ -2,7 +2,8 @@
 //!
 //! [theory: frames.displacement, frames.rotation, frames.spin; thesis eq. 2.1]
 //!
-//! The rows are constants, J = Ψᵘ and S = Ψᵠ, and nothing accelerates at q̈ = 0 but by the true spin of exp(φ×).
+//! The rows are constants, J = Ψᵘ and S = Ψᵠ: nothing is left of the rates of Jq̇ and Sq̇ at q̈ = 0. But a section turns by
+//! exp(φ×), and its spin σ is the true rate of that, which for finite φ is not quite Ψᵠq̇.
 
 mod eight;
 mod section;
