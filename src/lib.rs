@@ -13,7 +13,7 @@
 //! | [`math`] | numbers | vectors, matrices, rotations |
 //! | [`aircraft`] | an aircraft file (TOML) | [`aircraft::Aircraft`], every element, bay, strip and engine |
 //! | [`structure`] | `Aircraft` | [`structure::ReducedModel`], all that the flight needs |
-//! | [`air`] | an altitude, a point | the state of the air and how it moves |
+//! | [`air`] | an altitude, a section | the state of the air and how it moves there |
 //! | [`kinematics`] | q, q̇, the motion of the body axes | where sections are and how they move |
 //! | [`strips`] | sections in the air | their inflow, loads, apparent mass |
 //! | [`equations`] | `ReducedModel`, state, controls | accelerations at five fidelity levels |

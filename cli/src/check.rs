@@ -228,7 +228,7 @@ impl fmt::Display for CheckFlight {
         match self.support {
             Support::Free => {
                 write!(f, "Trimmed:\n{}", self.trim)?;
-                writeln!(f, "2-3-1-1 of 0.05 rad by {}, {duration} s:", self.input)?;
+                writeln!(f, "{} 2-3-1-1 of 0.05 rad, {duration} s:", self.input)?;
             }
             Support::Clamped => {
                 writeln!(

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use flexible_aircraft::aircraft::{Aircraft, Support};
+use flexible_aircraft::aircraft::{Aircraft, Control, Support};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::{Slot, Type, Value, Variable, VariableTable};
 use quick_xml::escape::escape;
@@ -44,6 +44,7 @@ pub(crate) fn page(aircraft: &Aircraft, model: &ReducedModel) -> String {
     TEMPLATE
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{support}}", &support(aircraft))
+        .replace("{{controls}}", &controls(aircraft))
         .replace("{{facts}}", &facts(aircraft, model))
         .replace("{{plan_view}}", &plan_view::svg(aircraft))
         .replace("{{contents}}", &contents(&groups))
@@ -80,6 +81,15 @@ fn support(aircraft: &Aircraft) -> String {
             )
         }
     }
+}
+
+/// What positive angles of the controls do.
+fn controls(aircraft: &Aircraft) -> String {
+    let line = |control: &Control| {
+        let positive = escape(control.positive.as_str());
+        format!("<li>Positive <code>{}</code>: {positive}.</li>\n", control.name)
+    };
+    aircraft.controls.iter().map(line).collect()
 }
 
 /// The aircraft in numbers.
@@ -239,6 +249,19 @@ mod tests {
         assert!(free.contains("flies trimmed") && !free.contains("wind tunnel"));
         assert!(clamped.contains("wind tunnel") && !clamped.contains("flies trimmed"));
         assert!(!free.contains("{{") && !clamped.contains("{{"));
+    }
+
+    #[test]
+    fn the_page_says_what_positive_angles_of_the_aircrafts_own_controls_do() {
+        let mut aircraft = jet();
+        assert!(page_of(&aircraft).contains("<li>Positive <code>elevator</code>: nose-down.</li>"));
+        (aircraft.controls[0].name, aircraft.controls[0].positive) =
+            ("canard".to_owned(), "up & away".to_owned());
+        let page = page_of(&aircraft);
+        assert!(
+            page.contains("<li>Positive <code>canard</code>: up &amp; away.</li>")
+                && !page.contains("elevator")
+        );
     }
 
     #[test]

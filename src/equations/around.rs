@@ -4,7 +4,7 @@
 
 use nalgebra::Vector3;
 
-use crate::air::Air;
+use crate::air::{Air, UniformFlow, UniformlyMet};
 use crate::aircraft::Support;
 use crate::kinematics::RigidMotion;
 use crate::math::Attitude;
@@ -25,13 +25,24 @@ impl EquationsOfMotion {
 
     /// Speed of O relative to the air, m/s.
     pub fn airspeed(&self, state: &[f64], controls: &Controls) -> f64 {
-        let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
-        (self.motion(state).velocity - attitude.body_from_inertial * self.air_motion(controls)).norm()
+        self.air_velocity(state, controls).norm()
     }
 
-    /// Velocity of the air at the aircraft, north-east-down, m/s [theory: air.wind].
-    pub fn air_motion(&self, controls: &Controls) -> Vector3<f64> {
-        controls.wind + self.tunnel_flow
+    /// Velocity of O relative to the air, body axes, m/s.
+    pub fn air_velocity(&self, state: &[f64], controls: &Controls) -> Vector3<f64> {
+        let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
+        self.air_met(state, &attitude, controls).at_origin().velocity
+    }
+
+    /// How the air moves: the wind, and the tunnel's flow.
+    fn air_flow(&self, controls: &Controls) -> UniformFlow {
+        UniformFlow { velocity: controls.wind + self.tunnel_flow, rate: controls.wind_rate }
+    }
+
+    /// How the aircraft meets it.
+    fn air_met(&self, state: &[f64], attitude: &Attitude, controls: &Controls) -> UniformlyMet {
+        let RigidMotion { velocity, rate } = self.motion(state);
+        self.air_flow(controls).met_by(attitude, [&velocity, &rate])
     }
 
     /// The air around O.
@@ -51,18 +62,12 @@ impl EquationsOfMotion {
     pub(crate) fn surroundings<'a>(
         &'a self,
         state: &[f64],
-        (q, q_dot): (&'a [f64], &'a [f64]),
         attitude: &Attitude,
         controls: &Controls,
-    ) -> Surroundings<'a> {
-        let RigidMotion { velocity, rate } = self.motion(state);
-        let wind = attitude.body_from_inertial * self.air_motion(controls);
+    ) -> Surroundings<'a, UniformlyMet> {
         Surroundings {
-            air_velocity: velocity - wind,
-            rate,
-            air_transport: rate.cross(&wind) - attitude.body_from_inertial * controls.wind_rate,
-            q,
-            q_dot,
+            air: self.air_met(state, attitude, controls),
+            rate: self.motion(state).rate,
             density: self.air(state).density,
             inflow: &self.inflow,
             deformed_arms: self.terms.deformed_forcing,

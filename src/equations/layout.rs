@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::kinematics::velocities;
 use crate::strips::InflowLayout;
 
 /// Where each part of the state stands: first the inflow of all strips, so that each group's numbers begin where a
@@ -35,7 +36,7 @@ impl StateLayout {
 
     /// Length of ν = [v; ω; q̇].
     pub fn velocities(&self) -> usize {
-        6 + self.modes
+        velocities(self.modes)
     }
 
     /// ρ: of O, north-east-down, m.

@@ -5,11 +5,11 @@
 use nalgebra::Vector3;
 use pulp::Scalar;
 
-use crate::kinematics::RigidFreedom;
+use crate::kinematics::{GeneralisedVector, RigidFreedom};
 use crate::math::{Attitude, SquareMatrix};
 
-use super::inertia::DeformedInertia;
 use super::of_motion::EquationsOfMotion;
+use super::superposed_inertia::SuperposedInertia;
 
 /// Energy and momentum at one state, with exact inertia whatever the fidelity level.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,7 @@ impl Mechanics {
     pub fn new(equations: &EquationsOfMotion, state: &[f64]) -> Self {
         let layout = equations.layout();
         let q = &state[layout.coordinates()];
-        let mut inertia = DeformedInertia::undeformed(equations.integrals(), RigidFreedom::All);
+        let mut inertia = SuperposedInertia::undeformed(equations.integrals(), RigidFreedom::All);
         inertia.deform(Scalar::new(), equations.integrals(), q);
         let size = layout.velocities();
         let mut mass = SquareMatrix::new(size);
@@ -43,8 +43,9 @@ impl Mechanics {
             |row: &[f64]| row.iter().zip(&velocities).map(|(mass, velocity)| mass * velocity).sum::<f64>();
         let momenta: Vec<f64> = (0..size).map(|row| along(mass.row(row))).collect();
         let to_inertial = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial.transpose();
-        let linear_momentum = to_inertial * Vector3::from_column_slice(&momenta[0..3]);
-        let about_origin = to_inertial * Vector3::from_column_slice(&momenta[3..6]);
+        let momentum = GeneralisedVector::of(&momenta);
+        let linear_momentum = to_inertial * momentum.translation;
+        let about_origin = to_inertial * momentum.rotation;
         let position = Vector3::from_column_slice(&state[layout.position()]);
         Mechanics {
             kinetic_energy: 0.5 * momenta.iter().zip(&velocities).map(|(p, v)| p * v).sum::<f64>(),

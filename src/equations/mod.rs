@@ -9,12 +9,13 @@ mod controls;
 pub(crate) mod evaluations;
 mod fidelity;
 mod forces;
-mod inertia;
 mod layout;
 mod mechanics;
 mod of_motion;
 mod propulsion;
+mod rates;
 mod structural_forces;
+mod superposed_inertia;
 mod workspace;
 
 pub use controls::Controls;

@@ -1,30 +1,22 @@
-//! The equations of motion [theory: equations-of-motion.rows, equations-of-motion.solution; thesis eq. 2.3, 2.4].
-//!
-//! One Cholesky factor of the mass matrix with apparent mass gives the accelerations (LU where the apparent
-//! mass is not symmetric: RL, or zero-lift lines off the chord); the inflow rates need none. Components of ν that
-//! support or symmetry hold are left out of the matrix.
+//! What the equations of motion of an aircraft consist of [theory: equations-of-motion.rows; thesis eq. 2.3, 2.4].
 
-use std::cell::Cell;
-
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::Vector3;
 use pulp::Arch;
 
 use crate::air::Air;
 use crate::aircraft::{Control, Support};
-use crate::kinematics::{RigidFreedom, RigidMotion};
-use crate::math::{Attitude, Counting, LinearSystem, Machine, quaternion_rate};
-use crate::strips::{FlapFactor, InflowLayout, PetersInflow, StripSums, Strips, SumLoads};
+use crate::kinematics::{RigidFreedom, RigidMotion, Sections, Superposition};
+use crate::math::{Attitude, LinearSystem};
+use crate::strips::{FlapFactor, InflowLayout, PetersInflow, StripSums, Strips};
 use crate::structure::{
     ElasticForces, ElasticScratch, ModalIntegrals, ReducedModel, ReducedStrip, StrainEnergy,
 };
 
 use super::controls::Controls;
 use super::fidelity::{Fidelity, Terms};
-use super::inertia::{DeformedInertia, add};
 use super::layout::StateLayout;
 use super::propulsion::Engines;
-use super::structural_forces::StructuralForces;
-use super::workspace::Workspace;
+use super::superposed_inertia::SuperposedInertia;
 
 /// What distinguishes one set of equations of the same reduced model from another.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,6 +48,8 @@ pub struct EquationsOfMotion {
     pub(crate) stiffness_scale: f64,
     /// 2ζω_k.
     pub(crate) damping: Vec<f64>,
+    /// Where all that hangs on the structure is.
+    pub(super) kinematics: Superposition,
     pub(crate) strips: Strips,
     pub(super) controls: Vec<Control>,
     pub(super) engines: Engines,
@@ -65,9 +59,10 @@ pub struct EquationsOfMotion {
     pub(crate) tunnel_air: Option<Air>,
     /// Roll, pitch and yaw in the tunnel, rad.
     pub(crate) mount: Vector3<f64>,
-    symmetric: bool,
+    /// Whether the mass matrix is.
+    pub(super) self_adjoint: bool,
     /// How wide this machine's vectors are.
-    arch: Arch,
+    pub(super) arch: Arch,
 }
 
 impl EquationsOfMotion {
@@ -121,8 +116,9 @@ impl EquationsOfMotion {
             ),
             stiffness_scale: configuration.stiffness_scale,
             damping: model.modes.iter().map(|mode| damping(mode.angular_frequency)).collect(),
-            symmetric: strips.zero_lift_lines_are_chords()
+            self_adjoint: strips.zero_lift_lines_are_chords()
                 && configuration.fidelity != Fidelity::RuthlesslyLinearised,
+            kinematics: Superposition::new(model, edge_on),
             strips,
             controls: model.controls.clone(),
             engines: Engines::new(model),
@@ -187,73 +183,8 @@ impl EquationsOfMotion {
 
     /// A coordinate that moves or turns some strip by about 1 m or 1 rad.
     pub(crate) fn coordinate_magnitude(&self) -> f64 {
-        let shape = self.strips.largest_shape();
+        let shape = self.kinematics.largest_shape();
         if shape > 0.0 { 1.0 / shape } else { 1.0 }
-    }
-
-    /// Rates of all states; accelerations stay in the workspace. States beyond the model's validity give NaN.
-    pub fn rates(&self, state: &[f64], controls: &Controls, rates: &mut [f64], workspace: &mut Workspace) {
-        self.rates_by(self.arch, state, controls, rates, workspace);
-    }
-
-    /// How many multiplications of numbers in registers [`rates`](Self::rates) takes at a state.
-    pub fn multiplications(&self, state: &[f64], controls: &Controls) -> usize {
-        let multiplications = Cell::new(0);
-        let counting = Counting { multiplications: &multiplications };
-        let (mut rates, mut workspace) = (vec![0.0; state.len()], Workspace::new(self));
-        self.rates_by(counting, state, controls, &mut rates, &mut workspace);
-        multiplications.get()
-    }
-
-    /// The rates as a machine computes them.
-    #[inline(always)]
-    fn rates_by(
-        &self,
-        machine: impl Machine,
-        state: &[f64],
-        controls: &Controls,
-        rates: &mut [f64],
-        workspace: &mut Workspace,
-    ) {
-        #[cfg(test)]
-        super::evaluations::count();
-        let layout = &self.layout;
-        let attitude = Attitude::from_quaternion(&state[layout.attitude()]);
-        self.assemble(machine, (state, &attitude), controls, rates, workspace);
-        workspace.collect_forces(controls);
-        workspace.regular = workspace.system.solve(machine, &mut workspace.solution);
-        self.write_accelerations(rates, workspace);
-
-        let motion = self.motion(state);
-        let velocity = attitude.body_from_inertial.tr_mul(&motion.velocity);
-        rates[layout.position()].copy_from_slice(velocity.as_slice());
-        let quaternion = quaternion_rate(&state[layout.attitude()], &motion.rate);
-        rates[layout.attitude()].copy_from_slice(&quaternion);
-        rates[layout.coordinates()].copy_from_slice(&state[layout.coordinate_rates()]);
-    }
-
-    /// Writes the accelerations under given angles of the controls and thrusts at the state and in the wind of the last
-    /// evaluation into its rates: the same bits as a new evaluation, for next to nothing.
-    ///
-    /// [theory: gravity-and-thrust.by-control]
-    pub fn steer(&self, controls: &Controls, rates: &mut [f64], workspace: &mut Workspace) {
-        workspace.collect_forces(controls);
-        if workspace.regular {
-            workspace.system.solve_again(&mut workspace.solution);
-        }
-        self.write_accelerations(rates, workspace);
-    }
-
-    /// Writes what was solved for into the accelerations and the rates.
-    fn write_accelerations(&self, rates: &mut [f64], workspace: &mut Workspace) {
-        let Workspace { regular, solution, strip_sums, accelerations, .. } = workspace;
-        for (&component, &acceleration) in strip_sums.moving().iter().zip(&*solution) {
-            accelerations[component] = if *regular { acceleration } else { f64::NAN };
-        }
-        let layout = &self.layout;
-        rates[layout.velocity()].copy_from_slice(&accelerations[0..3]);
-        rates[layout.rate()].copy_from_slice(&accelerations[3..6]);
-        rates[layout.coordinate_rates()].copy_from_slice(&accelerations[6..]);
     }
 
     /// Sets the inflow states to a wake long at rest in the present flow.
@@ -261,8 +192,9 @@ impl EquationsOfMotion {
         let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
         let (q, q_dot) =
             (state[self.layout.coordinates()].to_vec(), state[self.layout.coordinate_rates()].to_vec());
-        let around = self.surroundings(state, (&q, &q_dot), &attitude, controls);
-        self.strips.settle_inflow(&around, self.layout.inflow_layout(), state);
+        let sections = self.kinematics.at(&q, &q_dot);
+        let around = self.surroundings(state, &attitude, controls);
+        self.strips.settle_inflow(&sections, &around, self.layout.inflow_layout(), state);
     }
 
     /// Writes the linear part of the inflow's rates at a constant airspeed (m/s) into a vector of the state's
@@ -294,26 +226,9 @@ impl EquationsOfMotion {
         }
     }
 
-    /// (A⁻¹)_qq: how the generalised coordinates answer forces on themselves, symmetrised. Allocates.
-    ///
-    /// [theory: linearisation.free-modes]
-    pub(crate) fn elastic_mobility(
-        &self,
-        state: &[f64],
-        controls: &Controls,
-        workspace: &mut Workspace,
-    ) -> Option<DMatrix<f64>> {
-        let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
-        self.assemble(self.arch, (state, &attitude), controls, &mut vec![0.0; state.len()], workspace);
-        let (rigid, size) = (self.freedom.components().len(), self.moving().len());
-        let matrix = &workspace.system.matrix;
-        let mut mass = DMatrix::from_fn(size, size, |row, column| matrix[(row, column)]);
-        if self.symmetric {
-            mass.fill_lower_triangle_with_upper_triangle();
-        }
-        let inverse = mass.try_inverse()?;
-        let elastic = inverse.view_range(rigid.., rigid..);
-        Some((elastic + elastic.transpose()) * 0.5)
+    /// The sections in a state.
+    pub(crate) fn sections<'a>(&'a self, state: &'a [f64]) -> impl Sections + 'a {
+        self.kinematics.at(&state[self.layout.coordinates()], &state[self.layout.coordinate_rates()])
     }
 
     /// Places in ν of all that moves.
@@ -323,7 +238,7 @@ impl EquationsOfMotion {
 
     /// Room for the mass matrix.
     pub(crate) fn linear_system(&self) -> LinearSystem {
-        LinearSystem::new(self.symmetric, self.moving().len())
+        LinearSystem::new(self.self_adjoint, self.moving().len())
     }
 
     /// Room for evaluating the elastic forces.
@@ -332,64 +247,17 @@ impl EquationsOfMotion {
     }
 
     /// The inertia without deformation.
-    pub(crate) fn undeformed_inertia(&self) -> DeformedInertia {
-        DeformedInertia::undeformed(&self.integrals, self.freedom)
+    pub(crate) fn undeformed_inertia(&self) -> SuperposedInertia {
+        SuperposedInertia::undeformed(&self.integrals, self.freedom)
     }
 
     /// Room for the loads of the strips of these equations.
     pub(crate) fn strip_sums(&self) -> StripSums {
-        StripSums::new(&self.strips, self.freedom, self.layout.modes(), self.symmetric)
+        self.strips.sums(self.freedom, self.layout.modes(), self.self_adjoint)
     }
 
     /// What the loads of the flaps are proportional to.
     pub(crate) fn flap_factors(&self) -> &[FlapFactor] {
         &self.strips.factors
-    }
-
-    /// Writes the mass matrix and the generalised forces into the workspace, the inflow rates into `rates`.
-    #[inline(always)]
-    fn assemble(
-        &self,
-        machine: impl Machine,
-        (state, attitude): (&[f64], &Attitude),
-        controls: &Controls,
-        rates: &mut [f64],
-        workspace: &mut Workspace,
-    ) {
-        let q = &state[self.layout.coordinates()];
-        let q_dot = &state[self.layout.coordinate_rates()];
-        let motion = self.motion(state);
-        workspace.forces.clear();
-        machine.run(StructuralForces { equations: self, motion: &motion, q, q_dot, workspace });
-        let Workspace { inertia, forces, elastic_force, system, strip_sums, .. } = workspace;
-        let force = forces.passive_mut();
-        for (mode, force) in force[6..].iter_mut().enumerate() {
-            *force -= elastic_force[mode] + self.damping[mode] * q_dot[mode];
-        }
-        let gravity = attitude.body_from_inertial * Vector3::new(0.0, 0.0, self.gravity);
-        let arm =
-            if self.terms.deformed_forcing { &inertia.first_moment } else { &self.integrals.first_moment };
-        add(&mut force[0..3], &(gravity * self.integrals.mass));
-        add(&mut force[3..6], &arm.cross(&gravity));
-        for (force, momentum) in force[6..].iter_mut().zip(&self.integrals.momentum) {
-            *force += momentum.dot(&gravity);
-        }
-        self.engines.write_effects(q, self.terms.deformed_forcing, forces.of_thrust_mut());
-
-        let around = self.surroundings(state, (q, q_dot), attitude, controls);
-        let (strips, layout) = (&self.strips, self.layout.inflow_layout());
-        let mass = &mut system.matrix;
-        let (passive, effects) = forces.of_air_mut();
-        machine.run(SumLoads {
-            strips,
-            around: &around,
-            layout,
-            state,
-            rates,
-            sums: strip_sums,
-            passive,
-            effects,
-            mass,
-        });
     }
 }

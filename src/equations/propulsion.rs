@@ -2,45 +2,41 @@
 
 use nalgebra::Vector3;
 
-use crate::kinematics::combine;
-use crate::math::turned;
-use crate::structure::{ModeShapes, ReducedEngine, ReducedModel};
+use crate::kinematics::{GeneralisedVectorMut, Section, Sections};
+use crate::structure::ReducedModel;
 
 /// All engines of an aircraft.
 #[derive(Clone, Debug)]
 pub struct Engines {
-    engines: Vec<ReducedEngine>,
+    /// Unit vectors of positive thrust on the undeformed aircraft.
+    directions: Vec<Vector3<f64>>,
 }
 
 impl Engines {
     /// The engines of a model.
     pub fn new(model: &ReducedModel) -> Self {
-        Engines { engines: model.engines.clone() }
+        Engines { directions: model.engines.iter().map(|engine| engine.direction).collect() }
     }
 
     /// Number of engines.
     pub fn len(&self) -> usize {
-        self.engines.len()
+        self.directions.len()
     }
 
-    /// Writes the generalised forces of a newton of each engine's thrust at q; with `deformed_arms` it acts at the
-    /// deformed place.
+    /// Writes the generalised forces of a newton of each engine's thrust; with `deformed_arms` it acts at the deformed
+    /// place.
     pub fn write_effects<'a>(
         &self,
-        q: &[f64],
+        sections: &impl Sections,
         deformed_arms: bool,
         effects: impl Iterator<Item = &'a mut [f64]>,
     ) {
-        for (engine, effect) in self.engines.iter().zip(effects) {
-            let ModeShapes { translation, rotation } = &engine.shapes;
-            let axis = turned(&combine(rotation, q), &engine.direction);
-            let displacement = if deformed_arms { combine(translation, q) } else { Vector3::zeros() };
-            effect[0..3].copy_from_slice(axis.as_slice());
-            effect[3..6].copy_from_slice((engine.position + displacement).cross(&axis).as_slice());
-            let n = q.len();
-            for (mode, effect) in effect[6..].iter_mut().enumerate() {
-                *effect = (0..3).map(|i| translation[i * n + mode] * axis[i]).sum();
-            }
+        for ((section, direction), effect) in sections.engines().zip(&self.directions).zip(effects) {
+            let axis = section.turned(direction);
+            let displacement = if deformed_arms { section.displacement() } else { Vector3::zeros() };
+            let mut effect = GeneralisedVectorMut::of(effect);
+            effect.set_rigid(&axis, &(section.at_rest() + displacement).cross(&axis));
+            section.write_generalised_force(&axis, effect.modal);
         }
     }
 }

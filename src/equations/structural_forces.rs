@@ -35,11 +35,8 @@ impl Work for StructuralForces<'_> {
             inertia.deform(simd, integrals, q);
         }
         inertia.write_mass_matrix(terms.deformed_mass, &mut system.matrix);
-        let force = forces.passive_mut();
-        inertia.add_forcing(integrals.mass, &integrals.momentum, motion, force);
-        if terms.deformed_forcing {
-            inertia.add_coriolis(simd, integrals, &motion.rate, q_dot, force);
-        }
+        let q_dot = terms.deformed_forcing.then_some(q_dot);
+        inertia.add_forces(simd, integrals, motion, q_dot, forces.passive_mut());
         elastic_forces.write(simd, q, elastic_force, elastic_scratch);
     }
 }

@@ -6,14 +6,14 @@ use crate::structure::ElasticScratch;
 
 use super::controls::Controls;
 use super::forces::GeneralisedForces;
-use super::inertia::DeformedInertia;
 use super::of_motion::EquationsOfMotion;
+use super::superposed_inertia::SuperposedInertia;
 
 /// Everything that evaluating the equations of motion overwrites.
 #[derive(Clone, Debug)]
 pub struct Workspace {
     /// Integrals at the present q.
-    pub(crate) inertia: DeformedInertia,
+    pub(crate) inertia: SuperposedInertia,
     /// On ν.
     pub(crate) forces: GeneralisedForces,
     /// ∂U/∂q.
@@ -40,7 +40,7 @@ impl Workspace {
         Workspace {
             inertia: equations.undeformed_inertia(),
             forces: GeneralisedForces::new(components, equations.flap_factors(), engines),
-            elastic_force: vec![0.0; components - 6],
+            elastic_force: vec![0.0; equations.layout().modes()],
             elastic_scratch: equations.elastic_scratch(),
             system: equations.linear_system(),
             regular: false,

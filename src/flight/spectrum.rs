@@ -5,7 +5,7 @@ use std::ops::Range;
 use pulp::{Simd, WithSimd};
 
 use crate::equations::StateLayout;
-use crate::math::{AlignedNumbers, LANES, Lanes, Place};
+use crate::math::{AlignedNumbers, LANES, Lanes, Window};
 
 /// A diagonal matrix in the layout of the state: for the real states a number, for the complex ones the real part
 /// in the place of their real and the imaginary part in that of their imaginary part.
@@ -55,12 +55,12 @@ impl<const TERMS: usize> WithSimd for Combine<'_, TERMS> {
             let (target, base) = (&mut target[range.clone()], &base[range.clone()]);
             let terms = terms.map(|(diagonal, vector)| (&diagonal[range.clone()], &vector[range.clone()]));
             for begin in (0..whole_groups(range.len())).step_by(LANES) {
-                for place in Place::all(simd) {
-                    combine(place, begin..begin + LANES, target, base, terms);
+                for window in Window::all(simd) {
+                    combine(window, begin..begin + LANES, target, base, terms);
                 }
             }
             for i in whole_groups(range.len())..range.len() {
-                combine(Place::single(), i..i + 1, target, base, terms);
+                combine(Window::single(), i..i + 1, target, base, terms);
             }
         }
         for (re, im) in &spectrum.complex {
@@ -68,12 +68,12 @@ impl<const TERMS: usize> WithSimd for Combine<'_, TERMS> {
             let base = both(base, re, im);
             let terms = terms.map(|(diagonal, vector)| [both(diagonal, re, im), both(vector, re, im)]);
             for begin in (0..whole_groups(re.len())).step_by(LANES) {
-                for place in Place::all(simd) {
-                    combine_complex(place, begin..begin + LANES, &mut target, base, terms);
+                for window in Window::all(simd) {
+                    combine_complex(window, begin..begin + LANES, &mut target, base, terms);
                 }
             }
             for i in whole_groups(re.len())..re.len() {
-                combine_complex(Place::single(), i..i + 1, &mut target, base, terms);
+                combine_complex(Window::single(), i..i + 1, &mut target, base, terms);
             }
         }
     }
@@ -92,42 +92,42 @@ fn whole_groups(count: usize) -> usize {
 /// Those states that one register holds, of a group of lanes or a single one.
 #[inline(always)]
 fn combine<S: Simd, const TERMS: usize>(
-    place: Place<S>,
+    window: Window<S>,
     states: Range<usize>,
     target: &mut [f64],
     base: &[f64],
     terms: [(&[f64], &[f64]); TERMS],
 ) {
-    let mut sum = place.load_slice(&base[states.clone()]);
+    let mut sum = window.load_slice(&base[states.clone()]);
     for (diagonal, vector) in terms {
-        sum += place.load_slice(&diagonal[states.clone()]) * place.load_slice(&vector[states.clone()]);
+        sum += window.load_slice(&diagonal[states.clone()]) * window.load_slice(&vector[states.clone()]);
     }
-    place.store_slice(&mut target[states], sum);
+    window.store_slice(&mut target[states], sum);
 }
 
 /// The same of complex states.
 #[inline(always)]
 fn combine_complex<S: Simd, const TERMS: usize>(
-    place: Place<S>,
+    window: Window<S>,
     states: Range<usize>,
     target: &mut (&mut [f64], &mut [f64]),
     base: Parts,
     terms: [[Parts; 2]; TERMS],
 ) {
-    let [mut sum_re, mut sum_im] = load_complex(place, &states, base);
+    let [mut sum_re, mut sum_im] = load_complex(window, &states, base);
     for [diagonal, vector] in terms {
-        let [d_re, d_im] = load_complex(place, &states, diagonal);
-        let [x_re, x_im] = load_complex(place, &states, vector);
+        let [d_re, d_im] = load_complex(window, &states, diagonal);
+        let [x_re, x_im] = load_complex(window, &states, vector);
         sum_re += d_re * x_re - d_im * x_im;
         sum_im += d_im * x_re + d_re * x_im;
     }
-    place.store_slice(&mut target.0[states.clone()], sum_re);
-    place.store_slice(&mut target.1[states], sum_im);
+    window.store_slice(&mut target.0[states.clone()], sum_re);
+    window.store_slice(&mut target.1[states], sum_im);
 }
 
 #[inline(always)]
-fn load_complex<S: Simd>(place: Place<S>, states: &Range<usize>, (re, im): Parts) -> [Lanes<S>; 2] {
-    [place.load_slice(&re[states.clone()]), place.load_slice(&im[states.clone()])]
+fn load_complex<S: Simd>(window: Window<S>, states: &Range<usize>, (re, im): Parts) -> [Lanes<S>; 2] {
+    [window.load_slice(&re[states.clone()]), window.load_slice(&im[states.clone()])]
 }
 
 /// slope −= L · (to − from).
@@ -154,24 +154,24 @@ impl WithSimd for TakeOff<'_> {
             let [linear, to, from] = [linear, to, from].map(|slice| &slice[range.clone()]);
             let slope = &mut slope[range.clone()];
             for begin in (0..whole_groups(range.len())).step_by(LANES) {
-                for place in Place::all(simd) {
-                    take_off(place, begin..begin + LANES, linear, [to, from], slope);
+                for window in Window::all(simd) {
+                    take_off(window, begin..begin + LANES, linear, [to, from], slope);
                 }
             }
             for i in whole_groups(range.len())..range.len() {
-                take_off(Place::single(), i..i + 1, linear, [to, from], slope);
+                take_off(Window::single(), i..i + 1, linear, [to, from], slope);
             }
         }
         for (re, im) in &spectrum.complex {
             let [linear, to, from] = [linear, to, from].map(|slice| both(slice, re, im));
             let mut slope = both_mut(slope, re, im);
             for begin in (0..whole_groups(re.len())).step_by(LANES) {
-                for place in Place::all(simd) {
-                    take_off_complex(place, begin..begin + LANES, linear, [to, from], &mut slope);
+                for window in Window::all(simd) {
+                    take_off_complex(window, begin..begin + LANES, linear, [to, from], &mut slope);
                 }
             }
             for i in whole_groups(re.len())..re.len() {
-                take_off_complex(Place::single(), i..i + 1, linear, [to, from], &mut slope);
+                take_off_complex(Window::single(), i..i + 1, linear, [to, from], &mut slope);
             }
         }
     }
@@ -180,31 +180,31 @@ impl WithSimd for TakeOff<'_> {
 /// Of those states that one register holds, of a group of lanes or a single one.
 #[inline(always)]
 fn take_off<S: Simd>(
-    place: Place<S>,
+    window: Window<S>,
     states: Range<usize>,
     linear: &[f64],
     [to, from]: [&[f64]; 2],
     slope: &mut [f64],
 ) {
     let [linear, to, from, left] =
-        [linear, to, from, slope].map(|slice| place.load_slice(&slice[states.clone()]));
-    place.store_slice(&mut slope[states], left - linear * (to - from));
+        [linear, to, from, slope].map(|slice| window.load_slice(&slice[states.clone()]));
+    window.store_slice(&mut slope[states], left - linear * (to - from));
 }
 
 /// The same of complex states.
 #[inline(always)]
 fn take_off_complex<S: Simd>(
-    place: Place<S>,
+    window: Window<S>,
     states: Range<usize>,
     linear: Parts,
     [to, from]: [Parts; 2],
     slope: &mut (&mut [f64], &mut [f64]),
 ) {
-    let [linear, to, from] = [linear, to, from].map(|parts| load_complex(place, &states, parts));
+    let [linear, to, from] = [linear, to, from].map(|parts| load_complex(window, &states, parts));
     let (x_re, x_im) = (to[0] - from[0], to[1] - from[1]);
-    let [left_re, left_im] = load_complex(place, &states, (&*slope.0, &*slope.1));
-    place.store_slice(&mut slope.0[states.clone()], left_re - (linear[0] * x_re - linear[1] * x_im));
-    place.store_slice(&mut slope.1[states], left_im - (linear[1] * x_re + linear[0] * x_im));
+    let [left_re, left_im] = load_complex(window, &states, (&*slope.0, &*slope.1));
+    window.store_slice(&mut slope.0[states.clone()], left_re - (linear[0] * x_re - linear[1] * x_im));
+    window.store_slice(&mut slope.1[states], left_im - (linear[1] * x_re + linear[0] * x_im));
 }
 
 /// The real and the imaginary parts of complex states.

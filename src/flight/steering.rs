@@ -13,13 +13,21 @@ use super::inputs::Inputs;
 use super::moment::Moment;
 use super::settings::{InputReference, Settings};
 
+/// What the inputs add to: the trim, or nothing.
+#[derive(Clone, Debug)]
+struct Reference {
+    /// rad per control.
+    angles: Vec<f64>,
+    /// N per engine.
+    thrust: f64,
+}
+
 /// What acts on the aircraft from the last setting of the inputs on.
 #[derive(Clone, Debug)]
 pub struct Steering {
     /// The trim, to which inputs may add.
     pub trim: TrimPoint,
-    /// The angles of the controls and the thrust that the inputs add to: those of the trim, or 0.
-    reference: (Vec<f64>, f64),
+    reference: Reference,
     /// The controls' wind is along it.
     course: Course,
     /// Values at the time they were set.
@@ -35,11 +43,11 @@ impl Steering {
     pub fn new(trim: TrimPoint, settings: &Settings, model: &ReducedModel) -> Self {
         let (inputs, rates) = (Inputs::zero(model), Inputs::zero(model));
         let course = Course::new(settings.heading);
-        let reference = match settings.input_reference {
+        let point = match settings.input_reference {
             InputReference::Trim => trim,
             InputReference::Absolute => TrimPoint::default(),
         };
-        let reference = (reference.angles(&model.controls).collect(), reference.thrust);
+        let reference = Reference { angles: point.angles(&model.controls).collect(), thrust: point.thrust };
         Steering { trim, reference, course, inputs, rates, since: Moment::START }
     }
 
@@ -82,7 +90,7 @@ impl Steering {
 
     /// The absolute controls a time (s) after the inputs were set.
     pub fn write_after(&self, elapsed: f64, controls: &mut Controls) {
-        let Steering { inputs, rates, reference: (angles, thrust), .. } = self;
+        let Steering { inputs, rates, reference: Reference { angles, thrust }, .. } = self;
         let set = angles.iter().zip(&inputs.controls).zip(&rates.controls);
         for (acting, ((angle, input), rate)) in controls.angles.iter_mut().zip(set) {
             *acting = angle + input + elapsed * rate;
@@ -96,13 +104,13 @@ impl Steering {
 
 impl Actions for Steering {
     fn angle(&self, control: usize) -> [f64; 2] {
-        let Steering { inputs, rates, reference: (angles, _), .. } = self;
-        [angles[control] + inputs.controls[control], rates.controls[control]]
+        let Steering { inputs, rates, reference, .. } = self;
+        [reference.angles[control] + inputs.controls[control], rates.controls[control]]
     }
 
     fn thrust(&self, engine: usize) -> [f64; 2] {
-        let Steering { inputs, rates, reference: (_, thrust), .. } = self;
-        [thrust + inputs.thrust[engine], rates.thrust[engine]]
+        let Steering { inputs, rates, reference, .. } = self;
+        [reference.thrust + inputs.thrust[engine], rates.thrust[engine]]
     }
 
     fn winds(&self) -> [Vector3<f64>; 3] {

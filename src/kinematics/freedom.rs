@@ -1,5 +1,7 @@
 //! What support and symmetry leave free of the rigid motion [theory: equations-of-motion.freedom, symmetry.freedom].
 
+use super::velocities::{IN_PLANE, RIGID, velocities};
+
 /// Which components of v and ω move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RigidFreedom {
@@ -16,7 +18,7 @@ impl RigidFreedom {
     pub fn components(self) -> &'static [usize] {
         match self {
             RigidFreedom::All => &[0, 1, 2, 3, 4, 5],
-            RigidFreedom::InPlane => &[0, 2, 4],
+            RigidFreedom::InPlane => &IN_PLANE,
             RigidFreedom::Held => &[],
         }
     }
@@ -53,6 +55,6 @@ impl RigidFreedom {
 
     /// Places in ν of all that moves, with the generalised coordinates.
     pub fn moving(self, modes: usize) -> Vec<usize> {
-        self.components().iter().copied().chain(6..6 + modes).collect()
+        self.components().iter().copied().chain(RIGID..velocities(modes)).collect()
     }
 }

@@ -4,7 +4,7 @@
 //! the end: additions need not wait for each other, and the bits are the same at any width of the machine's vectors.
 
 use super::arithmetic::Arithmetic;
-use super::lanes::{Eight, LANES, Place};
+use super::lanes::{Eight, LANES, Window};
 
 /// How many sums run side by side.
 const CHAINS: usize = 4;
@@ -60,20 +60,20 @@ impl Columns {
         let mut begin = 0;
         for (product, &end) in product.chunks_exact_mut(LANES).zip(&self.ends) {
             let (columns, entries) = (&self.columns[begin..end], &self.entries[begin..end]);
-            for place in Place::all(simd) {
-                let mut sums = [place.splat(0.0); CHAINS];
+            for window in Window::all(simd) {
+                let mut sums = [window.splat(0.0); CHAINS];
                 let (columns, last_columns) = columns.as_chunks::<CHAINS>();
                 let (entries, last_entries) = entries.as_chunks::<CHAINS>();
                 for (columns, entries) in columns.iter().zip(entries) {
                     for chain in 0..CHAINS {
-                        sums[chain] += place.load(&entries[chain]) * vector[columns[chain]];
+                        sums[chain] += window.load(&entries[chain]) * vector[columns[chain]];
                     }
                 }
                 let [mut first, second, third, fourth] = sums;
                 for (&column, entries) in last_columns.iter().zip(last_entries) {
-                    first += place.load(entries) * vector[column];
+                    first += window.load(entries) * vector[column];
                 }
-                place.store_slice(product, (first + second) + (third + fourth));
+                window.store_slice(product, (first + second) + (third + fourth));
             }
             begin = end;
         }

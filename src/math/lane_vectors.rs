@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use pulp::Scalar;
 
 use super::arithmetic::Arithmetic;
-use super::lanes::{Eight, LANES, Lanes, Place};
+use super::lanes::{Eight, LANES, Lanes, Window};
 
 /// One vector for each strip of a group.
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +29,9 @@ impl EightVectors {
 
 /// What can be projected on others of its kind and stretched, one for each strip in a register.
 pub trait Arrow<S: Arithmetic>: Copy + Add<Output = Self> + Mul<Lanes<S>, Output = Self> {
+    /// The same vector in every lane, as far as it has components.
+    fn splat(window: Window<S>, vector: &Vector3<f64>) -> Self;
+
     /// Scalar products.
     fn dot(&self, other: &Self) -> Lanes<S>;
 }
@@ -56,7 +59,7 @@ pub struct PlaneVector<S: Arithmetic> {
 impl LaneVector<Scalar> {
     /// A single vector.
     pub fn single(vector: &Vector3<f64>) -> Self {
-        LaneVector::splat(Place::single(), vector)
+        LaneVector::splat(Window::single(), vector)
     }
 
     /// The single vector.
@@ -66,16 +69,10 @@ impl LaneVector<Scalar> {
 }
 
 impl<S: Arithmetic> LaneVector<S> {
-    /// The same vector in every lane.
+    /// The vectors in a window on a group.
     #[inline(always)]
-    pub fn splat(place: Place<S>, vector: &Vector3<f64>) -> Self {
-        LaneVector { x: place.splat(vector.x), y: place.splat(vector.y), z: place.splat(vector.z) }
-    }
-
-    /// The vectors at a place of a group.
-    #[inline(always)]
-    pub fn load(place: Place<S>, vectors: &EightVectors) -> Self {
-        LaneVector { x: place.load(&vectors.x), y: place.load(&vectors.y), z: place.load(&vectors.z) }
+    pub fn load(window: Window<S>, vectors: &EightVectors) -> Self {
+        LaneVector { x: window.load(&vectors.x), y: window.load(&vectors.y), z: window.load(&vectors.z) }
     }
 
     /// Along axis 0 (x), 1 (y) or 2 (z).
@@ -100,6 +97,11 @@ impl<S: Arithmetic> LaneVector<S> {
 }
 
 impl<S: Arithmetic> Arrow<S> for LaneVector<S> {
+    #[inline(always)]
+    fn splat(window: Window<S>, vector: &Vector3<f64>) -> Self {
+        LaneVector { x: window.splat(vector.x), y: window.splat(vector.y), z: window.splat(vector.z) }
+    }
+
     #[inline(always)]
     fn dot(&self, other: &Self) -> Lanes<S> {
         self.x * other.x + self.y * other.y + self.z * other.z
@@ -134,16 +136,10 @@ impl<S: Arithmetic> Mul<Lanes<S>> for LaneVector<S> {
 }
 
 impl<S: Arithmetic> PlaneVector<S> {
-    /// The same vector in every lane; its y component is left out.
+    /// The vectors in a window on a group, by their x and z components.
     #[inline(always)]
-    pub fn splat(place: Place<S>, vector: &Vector3<f64>) -> Self {
-        PlaneVector { x: place.splat(vector.x), z: place.splat(vector.z) }
-    }
-
-    /// The vectors at a place of a group, by their x and z components.
-    #[inline(always)]
-    pub fn load(place: Place<S>, [x, z]: [&Eight; 2]) -> Self {
-        PlaneVector { x: place.load(x), z: place.load(z) }
+    pub fn load(window: Window<S>, [x, z]: [&Eight; 2]) -> Self {
+        PlaneVector { x: window.load(x), z: window.load(z) }
     }
 
     /// Vector products, which point along y.
@@ -160,6 +156,11 @@ impl<S: Arithmetic> PlaneVector<S> {
 }
 
 impl<S: Arithmetic> Arrow<S> for PlaneVector<S> {
+    #[inline(always)]
+    fn splat(window: Window<S>, vector: &Vector3<f64>) -> Self {
+        PlaneVector { x: window.splat(vector.x), z: window.splat(vector.z) }
+    }
+
     #[inline(always)]
     fn dot(&self, other: &Self) -> Lanes<S> {
         self.x * other.x + self.z * other.z

@@ -2,7 +2,7 @@
 //! at a time as the machine's vectors hold.
 //!
 //! [`Eight`] is memory, one number per strip of a group; [`Lanes`] is a register with the part of it at which a
-//! [`Place`] points. Every lane sees the same IEEE operations in the same order whatever the width of the
+//! [`Window`] points. Every lane sees the same IEEE operations in the same order whatever the width of the
 //! registers, products and sums are never fused, and sums over lanes are taken in one fixed order: results do not
 //! depend on the machine.
 
@@ -42,23 +42,23 @@ impl Eight {
 
 /// The strips of a group that one register holds.
 #[derive(Clone, Copy, Debug)]
-pub struct Place<S: Arithmetic> {
+pub struct Window<S: Arithmetic> {
     simd: S,
     index: usize,
 }
 
-impl Place<Scalar> {
-    /// The place of a single number.
+impl Window<Scalar> {
+    /// On a single number.
     pub fn single() -> Self {
-        Place { simd: Scalar::new(), index: 0 }
+        Window { simd: Scalar::new(), index: 0 }
     }
 }
 
-impl<S: Arithmetic> Place<S> {
-    /// All places of a group.
+impl<S: Arithmetic> Window<S> {
+    /// All windows on a group.
     #[inline(always)]
-    pub fn all(simd: S) -> impl Iterator<Item = Place<S>> {
-        (0..LANES / S::WIDTH).map(move |index| Place { simd, index })
+    pub fn all(simd: S) -> impl Iterator<Item = Window<S>> {
+        (0..LANES / S::WIDTH).map(move |index| Window { simd, index })
     }
 
     /// The same number in every lane.

@@ -6,13 +6,13 @@
 use pulp::Arch;
 
 use super::arithmetic::{Arithmetic, Machine, Work};
-use super::lanes::{LANES, Place};
+use super::lanes::{LANES, Window};
 use super::square_matrix::SquareMatrix;
 
 /// A x = b. A is written anew for every factorisation, which takes its place.
 #[derive(Clone, Debug)]
 pub struct LinearSystem {
-    /// A, of which only the upper triangle is read if it is symmetric; then its factor.
+    /// A, of which only the upper triangle is read if it is self-adjoint; then its factor.
     pub matrix: SquareMatrix,
     method: Method,
 }
@@ -27,12 +27,13 @@ enum Method {
 
 impl LinearSystem {
     /// Of so many unknowns.
-    pub fn new(symmetric: bool, size: usize) -> Self {
-        let method = if symmetric { Method::Cholesky } else { Method::Elimination { pivots: vec![0; size] } };
+    pub fn new(self_adjoint: bool, size: usize) -> Self {
+        let method =
+            if self_adjoint { Method::Cholesky } else { Method::Elimination { pivots: vec![0; size] } };
         LinearSystem { matrix: SquareMatrix::new(size), method }
     }
 
-    /// Factorises A and turns b into x. `false` when A is singular, or not positive definite if it is to be symmetric.
+    /// Factorises A and turns b into x. `false` when A is singular, or not positive definite if it is to be self-adjoint.
     pub fn solve(&mut self, machine: impl Machine, b: &mut [f64]) -> bool {
         match &mut self.method {
             Method::Cholesky => machine.run(CholeskySolution { matrix: &mut self.matrix, b }),
@@ -64,7 +65,7 @@ impl LinearSystem {
     }
 }
 
-/// Factorisation of a symmetric matrix and solution.
+/// Factorisation of a self-adjoint matrix and solution.
 struct CholeskySolution<'a> {
     matrix: &'a mut SquareMatrix,
     b: &'a mut [f64],
@@ -99,7 +100,7 @@ impl Work for CholeskySolution<'_> {
     }
 }
 
-/// Factorises a symmetric matrix with rows of a given width, and eliminates all that stands right of it; `false` when it
+/// Factorises a self-adjoint matrix with rows of a given width, and eliminates all that stands right of it; `false` when it
 /// is not positive definite.
 #[inline(always)]
 fn factorise<S: Arithmetic>(simd: S, rows: &mut [f64], width: usize) -> bool {
@@ -118,8 +119,8 @@ fn factorise<S: Arithmetic>(simd: S, rows: &mut [f64], width: usize) -> bool {
             subtract(simd, target, row[i] * reciprocal, row);
         }
         for row in row.chunks_exact_mut(LANES) {
-            for place in Place::all(simd) {
-                place.store_slice(row, place.load_slice(row) * reciprocal);
+            for window in Window::all(simd) {
+                window.store_slice(row, window.load_slice(row) * reciprocal);
             }
         }
         row[j] = reciprocal;
@@ -142,8 +143,8 @@ fn substitute_back(matrix: &SquareMatrix, b: &mut [f64]) {
 #[inline(always)]
 fn subtract<S: Arithmetic>(simd: S, target: &mut [f64], factor: f64, row: &[f64]) {
     for (target, row) in target.chunks_exact_mut(LANES).zip(row.chunks_exact(LANES)) {
-        for place in Place::all(simd) {
-            place.store_slice(target, place.load_slice(target) - place.load_slice(row) * factor);
+        for window in Window::all(simd) {
+            window.store_slice(target, window.load_slice(target) - window.load_slice(row) * factor);
         }
     }
 }

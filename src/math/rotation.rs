@@ -2,9 +2,6 @@
 //!
 //! [theory: frames.rotation, frames.spin]
 
-use nalgebra::Vector3;
-use pulp::Scalar;
-
 use super::arithmetic::Arithmetic;
 use super::lane_vectors::{Arrow, LaneVector, PlaneVector};
 use super::lanes::Lanes;
@@ -84,12 +81,27 @@ impl<S: Arithmetic> Rotation<S> {
     }
 }
 
-/// Vectors in the mirror plane turned by angles about y, rad.
-#[inline(always)]
-pub fn turned_about_y<S: Arithmetic>(angle: Lanes<S>, vectors: PlaneVector<S>) -> PlaneVector<S> {
-    let square = angle * angle;
-    let [sine, versine, _] = functions(square);
-    vectors * (square.splat(1.0) - square * versine) + vectors.turned_by(angle * sine)
+/// Rotation of the mirror plane, about y.
+#[derive(Clone, Copy, Debug)]
+pub struct PlaneRotation<S: Arithmetic> {
+    cosine: Lanes<S>,
+    sine: Lanes<S>,
+}
+
+impl<S: Arithmetic> PlaneRotation<S> {
+    /// By angles, rad.
+    #[inline(always)]
+    pub fn new(angle: Lanes<S>) -> Self {
+        let square = angle * angle;
+        let [sine, versine, _] = functions(square);
+        PlaneRotation { cosine: square.splat(1.0) - square * versine, sine: angle * sine }
+    }
+
+    /// The turned vectors.
+    #[inline(always)]
+    pub fn apply(&self, vectors: &PlaneVector<S>) -> PlaneVector<S> {
+        *vectors * self.cosine + vectors.turned_by(self.sine)
+    }
 }
 
 /// sin φ/φ, (1 − cos φ)/φ² and (1 − sin φ/φ)/φ² of φ².
@@ -119,11 +131,6 @@ fn closed_forms<S: Arithmetic>(
     [sine, versine, sine_deficit]
 }
 
-/// A single vector turned by a single rotation vector.
-pub fn turned(rotation: &Vector3<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
-    Rotation::<Scalar>::new(LaneVector::single(rotation)).apply(&LaneVector::single(vector)).vector()
-}
-
 /// c₀ + c₁x + c₂x² + …, in pairs: a shorter way from x to the sum.
 #[inline(always)]
 fn polynomial<S: Arithmetic>(x: Lanes<S>, [c0, c1, c2, c3, c4, c5, c6]: &[f64; TERMS]) -> Lanes<S> {
@@ -135,8 +142,16 @@ fn polynomial<S: Arithmetic>(x: Lanes<S>, [c0, c1, c2, c3, c4, c5, c6]: &[f64; T
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Vector3;
+    use pulp::Scalar;
+
     use super::*;
-    use crate::math::{Eight, EightVectors, LANES, Place};
+    use crate::math::{Eight, EightVectors, LANES, Window};
+
+    /// A single vector turned by a single rotation vector.
+    fn turned(rotation: &Vector3<f64>, vector: &Vector3<f64>) -> Vector3<f64> {
+        Rotation::<Scalar>::new(LaneVector::single(rotation)).apply(&LaneVector::single(vector)).vector()
+    }
 
     #[test]
     fn the_exponential_is_a_rotation_about_the_vector_on_both_sides_of_the_series_limit() {
@@ -153,8 +168,8 @@ mod tests {
         let arm = Vector3::new(0.3, 0.0, 0.7);
         for angle in [0.0, -0.2, 0.499_999, 0.500_001, 2.0] {
             let turned = turned(&Vector3::new(0.0, angle, 0.0), &arm);
-            let place = Place::single();
-            let in_plane = turned_about_y(place.splat(angle), PlaneVector::splat(place, &arm));
+            let window = Window::single();
+            let in_plane = PlaneRotation::new(window.splat(angle)).apply(&PlaneVector::splat(window, &arm));
             let [x, z] = [in_plane.x, in_plane.z].map(|lanes| lanes.numbers()[0]);
             assert!((Vector3::new(x, 0.0, z) - turned).norm() < 1e-15, "{angle}");
         }
@@ -182,10 +197,10 @@ mod tests {
         (mixed[1], mixed[2]) = (small * 10.0, Vector3::zeros());
         let mixed = EightVectors::new(mixed);
         let mut turned_x = Eight::ZERO;
-        for place in Place::all(Scalar::new()) {
-            let turned = Rotation::new(LaneVector::load(place, &mixed))
-                .apply(&LaneVector::splat(place, &Vector3::y()));
-            place.store(&mut turned_x, turned.x);
+        for window in Window::all(Scalar::new()) {
+            let turned = Rotation::new(LaneVector::load(window, &mixed))
+                .apply(&LaneVector::splat(window, &Vector3::y()));
+            window.store(&mut turned_x, turned.x);
         }
         assert_eq!(turned_x.0[3], turned(&small, &Vector3::y()).x);
     }

@@ -3,7 +3,7 @@
 use std::ops::{Index, IndexMut};
 
 use super::arithmetic::Arithmetic;
-use super::lanes::{AlignedNumbers, LANES, Place, zeros};
+use super::lanes::{AlignedNumbers, LANES, Window, zeros};
 
 /// Rows and columns that there are at least beyond the matrix, for blocks and right-hand sides that reach over its edge.
 pub const SPARE: usize = 2;
@@ -86,8 +86,8 @@ impl SquareMatrix {
     pub fn add_scaled<S: Arithmetic>(&mut self, simd: S, factor: f64, other: &Self) {
         let eights = other.numbers.chunks_exact(LANES);
         for (sum, other) in self.numbers.chunks_exact_mut(LANES).zip(eights) {
-            for place in Place::all(simd) {
-                place.store_slice(sum, place.load_slice(sum) + place.load_slice(other) * factor);
+            for window in Window::all(simd) {
+                window.store_slice(sum, window.load_slice(sum) + window.load_slice(other) * factor);
             }
         }
     }

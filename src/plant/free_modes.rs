@@ -3,7 +3,7 @@
 //! The generalised coordinates belong to the clamped structure. In flight the rigid motion answers every
 //! deformation and air moves along, so that the coordinates swing in other combinations q = Qz and at other
 //! frequencies. With ν̇ = A⁻¹F they follow from W = (A⁻¹)_qq and the derivatives of q̈ with the wake at rest: Q
-//! makes W⁻¹ the unit matrix and the symmetric part of −W⁻¹ ∂q̈/∂q diagonal.
+//! makes W⁻¹ the unit matrix and the self-adjoint part of −W⁻¹ ∂q̈/∂q diagonal.
 
 use nalgebra::{Cholesky, DMatrix, SymmetricEigen};
 
@@ -46,12 +46,12 @@ impl FreeModes {
             derivatives(equations, state, controls, layout.coordinate_rates().start, &mut workspace);
 
         let stiffness = -(&inverse_root * by_coordinates * &root);
-        let symmetric = (&stiffness + stiffness.transpose()) * 0.5;
-        if n == 0 || !symmetric.iter().chain(by_rates.iter()).all(|x| x.is_finite()) {
+        let self_adjoint = (&stiffness + stiffness.transpose()) * 0.5;
+        if n == 0 || !self_adjoint.iter().chain(by_rates.iter()).all(|x| x.is_finite()) {
             return None;
         }
         let SymmetricEigen { eigenvectors, eigenvalues } =
-            SymmetricEigen::try_new(symmetric, f64::EPSILON, MOST_SWEEPS)?;
+            SymmetricEigen::try_new(self_adjoint, f64::EPSILON, MOST_SWEEPS)?;
         let shapes = root * &eigenvectors;
         let inverse = eigenvectors.transpose() * inverse_root;
         let damping = -(&inverse * by_rates * &shapes);

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::air::{Air, STANDARD_GRAVITY};
 use crate::equations::{Controls, EquationsOfMotion, StateLayout, Workspace};
-use crate::kinematics::combine;
+use crate::kinematics::{GeneralisedVector, Section, Sections};
 use crate::math::Attitude;
 use crate::structure::{ReducedModel, ReducedStation};
 
@@ -99,7 +99,7 @@ impl Outputs {
         let layout = equations.layout();
         let to_body = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial;
         let motion = equations.motion(state);
-        let acceleration = Vector3::from_column_slice(&workspace.accelerations()[0..3]);
+        let acceleration = GeneralisedVector::of(workspace.accelerations()).translation;
         self.position = course.north_east_down(&Vector3::from_column_slice(&state[layout.position()]));
         self.attitude = Attitude { body_from_inertial: to_body * course.matrix() }.euler_angles();
         self.velocity = motion.velocity;
@@ -128,23 +128,21 @@ impl Outputs {
         state: &[f64],
         workspace: &Workspace,
     ) {
-        let layout = equations.layout();
-        let to_body = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial;
-        let q = &state[layout.coordinates()];
+        let to_body = Attitude::from_quaternion(&state[equations.layout().attitude()]).body_from_inertial;
+        let accelerations = GeneralisedVector::of(workspace.accelerations());
         let body = BodyMotion {
             motion: equations.motion(state),
-            acceleration: Vector3::from_column_slice(&workspace.accelerations()[0..3]),
-            angular_acceleration: Vector3::from_column_slice(&workspace.accelerations()[3..6]),
+            acceleration: accelerations.translation,
+            angular_acceleration: accelerations.rotation,
             gravity: to_body * Vector3::new(0.0, 0.0, equations.gravity),
-            q_dot: &state[layout.coordinate_rates()],
-            q_ddot: &workspace.accelerations()[6..],
+            q_ddot: accelerations.modal,
         };
+        let sections = equations.sections(state);
         let places = self.deflections.iter_mut().zip(&mut self.sensors);
-        for ((deflection, sensors), station) in places.zip(stations) {
-            let displacement = combine(&station.shapes.translation, q);
-            let turned = combine(&station.shapes.rotation, q);
-            *deflection = Deflection { displacement, twist: station.twist_axis.dot(&turned) };
-            *sensors = Sensors::read(station, [&displacement, &turned], &body);
+        for (((deflection, sensors), station), section) in places.zip(stations).zip(sections.stations()) {
+            let (displacement, twist) = (section.displacement(), section.twist(&station.twist_axis));
+            *deflection = Deflection { displacement, twist };
+            *sensors = Sensors::read(&section, &body);
         }
     }
 

@@ -1,14 +1,10 @@
 //! What sensors fixed to a section of the deformed structure read [theory: outputs.sensors; thesis eq. 2.1].
 //!
-//! Symbols: R = r + Ψᵘq the place of the section, φ = Ψᵠq its rotation vector. Its axes are the body axes turned
-//! by exp(φ×); it spins at ω plus the true rate of that rotation, which for finite φ is not quite Ψᵠq̇.
+//! Their axes are those of the body, turned with the section.
 
 use nalgebra::Vector3;
-use pulp::Scalar;
 
-use crate::kinematics::{RigidMotion, combine};
-use crate::math::{LaneVector, Rotation};
-use crate::structure::ReducedStation;
+use crate::kinematics::{RigidMotion, Section};
 
 /// How the aircraft moves and deforms at an instant; vectors in body axes.
 #[derive(Clone, Copy, Debug)]
@@ -21,8 +17,6 @@ pub struct BodyMotion<'a> {
     pub angular_acceleration: Vector3<f64>,
     /// m/s².
     pub gravity: Vector3<f64>,
-    /// q̇.
-    pub q_dot: &'a [f64],
     /// q̈.
     pub q_ddot: &'a [f64],
 }
@@ -38,28 +32,18 @@ pub struct Sensors {
 }
 
 impl Sensors {
-    /// The readings at a station whose shapes are those of the modes in use, Ψᵘq and Ψᵠq there being known.
-    pub fn read(
-        station: &ReducedStation,
-        [displacement, turned]: [&Vector3<f64>; 2],
-        body: &BodyMotion,
-    ) -> Self {
-        let BodyMotion { motion: RigidMotion { velocity, rate }, q_dot, q_ddot, .. } = *body;
-        let (translation, rotation) = (&station.shapes.translation, &station.shapes.rotation);
-        let place = station.position + displacement;
+    /// The readings at a section.
+    pub(crate) fn read(section: &impl Section, body: &BodyMotion) -> Self {
+        let BodyMotion { motion: RigidMotion { velocity, rate }, q_ddot, .. } = *body;
+        let place = section.at_rest() + section.displacement();
         let acceleration = body.acceleration
             + rate.cross(&velocity)
             + body.angular_acceleration.cross(&place)
-            + rate.cross(&(rate.cross(&place) + combine(translation, q_dot) * 2.0))
-            + combine(translation, q_ddot);
-
-        let turn = Rotation::<Scalar>::new(LaneVector::single(turned));
-        let turn_rate = LaneVector::single(&combine(rotation, q_dot));
-        let spin = LaneVector::single(&rate) + turn_rate + turn.excess_spin(&turn_rate);
-        let specific_force = LaneVector::single(&(acceleration - body.gravity));
+            + rate.cross(&(rate.cross(&place) + section.velocity() * 2.0))
+            + section.acceleration(q_ddot);
         Sensors {
-            specific_force: turn.apply_inverse(&specific_force).vector(),
-            rate: turn.apply_inverse(&spin).vector(),
+            specific_force: section.turned_back(&(acceleration - body.gravity)),
+            rate: section.turned_back(&section.spin(&rate)),
         }
     }
 }

@@ -10,7 +10,6 @@ use nalgebra::Vector3;
 use crate::air::Air;
 use crate::aircraft::{Control, Support};
 use crate::equations::{Configuration, Controls, EquationsOfMotion, StateLayout, Workspace};
-use crate::math::Attitude;
 use crate::structure::{ReducedModel, ReducedStation};
 
 use super::course::Course;
@@ -168,9 +167,7 @@ impl Plant {
 
     /// The flow at O.
     pub fn air_data(&self, state: &[f64], controls: &Controls) -> AirData {
-        let to_body = Attitude::from_quaternion(&state[self.layout().attitude()]).body_from_inertial;
-        let wind = to_body * self.equations.air_motion(controls);
-        AirData::new(&(self.equations.motion(state).velocity - wind), &self.equations.air(state))
+        AirData::new(&self.equations.air_velocity(state, controls), &self.equations.air(state))
     }
 
     /// The packaged number of the first lifting strip that met the air from behind at the last evaluation.

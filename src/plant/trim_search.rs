@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use crate::air::STANDARD_GRAVITY;
 use crate::aircraft::{Support, TrimRole};
 use crate::equations::{Controls, Workspace};
+use crate::kinematics::{ASIDE, GeneralisedVector, IN_PLANE};
 use crate::math::{Attitude, quaternion_of_euler_angles, solve};
 
 use super::system::Plant;
@@ -26,10 +27,6 @@ const BALANCED: f64 = 1e-7;
 
 /// An aircraft that goes aside or turns by less than this, m/s² or rad/s², is symmetric up to rounding.
 const STRAIGHT: f64 = 1e-10;
-
-/// Places of the equations of the plane of symmetry in ν, and of those across it.
-const IN_PLANE: [usize; 3] = [0, 2, 4];
-const ASIDE: [usize; 3] = [1, 3, 5];
 
 /// Wings that do not carry the weight at this angle of attack are too slow, rad.
 const STEEP: f64 = 15.0 * std::f64::consts::PI / 180.0;
@@ -213,7 +210,7 @@ impl<'a> Search<'a> {
         for (out, &row) in flight.iter_mut().zip(&self.rows) {
             *out = forces[row];
         }
-        elastic.copy_from_slice(&forces[6..]);
+        elastic.copy_from_slice(GeneralisedVector::of(forces).modal);
     }
 
     /// Searches from the present unknowns on.
@@ -283,7 +280,7 @@ impl<'a> Search<'a> {
     /// Accepts the present unknowns only when nothing accelerates, laterally too [theory: trim.balance].
     fn check_balance(&mut self, end: SearchEnd) -> Result<(), Box<TrimError>> {
         self.evaluate();
-        let modal = largest(&self.workspace.accelerations()[6..]);
+        let modal = largest(GeneralisedVector::of(self.workspace.accelerations()).modal);
         let elastic = largest(&self.workspace.elastic_force).max(1.0);
         let reversed = self.plant.reversed_strip(&self.state, &self.controls, &self.workspace);
         let in_balance = self.workspace.accelerations().iter().all(|a| a.is_finite())
@@ -339,7 +336,7 @@ impl<'a> Search<'a> {
         level.evaluate();
         let layout = self.plant.layout();
         let attitude = Attitude::from_quaternion(&level.state[layout.attitude()]);
-        let force = Vector3::from_column_slice(&level.workspace.forces()[0..3]);
+        let force = GeneralisedVector::of(level.workspace.forces()).translation;
         let downwards = attitude.body_from_inertial.tr_mul(&force).z;
         let weight = self.plant.equations.integrals().mass * self.plant.equations.gravity;
         let share = 1.0 - downwards / weight;

@@ -4,9 +4,8 @@
 
 use nalgebra::Vector3;
 
-use crate::kinematics::combine;
+use crate::kinematics::Sections;
 use crate::plant::{Plant, Trim};
-use crate::structure::{ReducedModel, ReducedStrip};
 
 /// The shape and attitude of an aircraft in trim.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,13 +17,12 @@ pub(super) struct Equilibrium {
 }
 
 impl Equilibrium {
-    pub fn new(model: &ReducedModel, plant: &Plant, trim: &Trim) -> Self {
+    pub fn new(plant: &Plant, trim: &Trim) -> Self {
         let layout = plant.layout();
-        let q = &trim.state[layout.coordinates()];
         let mut angles = trim.state[layout.attitude()].to_vec();
         angles.extend(&trim.controls.angles);
-        let displacement = |strip: &ReducedStrip| combine(&strip.shapes.translation, q);
-        Equilibrium { displacements: model.strips.iter().map(displacement).collect(), angles }
+        let displacements = plant.equations().sections(&trim.state).strip_displacements().collect();
+        Equilibrium { displacements, angles }
     }
 
     /// How far from another one: the greatest difference, of shapes as shares of a length (m), or of angles.

@@ -66,7 +66,7 @@ impl Family<'_> {
     /// The trim alone.
     pub fn equilibrium(&self, airspeed: f64) -> Result<Equilibrium, SimulationError> {
         let (plant, trim) = self.trimmed(airspeed)?;
-        Ok(Equilibrium::new(self.model, &plant, &trim))
+        Ok(Equilibrium::new(&plant, &trim))
     }
 
     /// The linearised motion alone; none without a trim.
@@ -102,7 +102,7 @@ impl Family<'_> {
         let in_shape = |unknown: &&Unknown| !matches!(unknown, Unknown::Inflow { .. });
         Ok(Point {
             airspeed,
-            equilibrium: Equilibrium::new(self.model, &plant, &trim),
+            equilibrium: Equilibrium::new(&plant, &trim),
             limits_exceeded: LimitExceeded::find(&self.model.limits, &plant, &trim),
             problem: Arc::new(Condensed::new(&matrix)),
             unknowns: matrix.unknowns.iter().filter(in_shape).copied().collect(),

@@ -2,19 +2,26 @@
 //!
 //! [theory: air-loads.distribution, air-loads.apparent-mass, inflow.state; thesis §4.1]
 
-use crate::math::{Arithmetic, LANES, Place, SquareMatrix, Work};
+use crate::air::MetAir;
+use crate::kinematics::Sections;
+use crate::math::{Arithmetic, LANES, SquareMatrix, Window, Work};
 
-use super::group::{Group, MovingSections, Strips, Surroundings, first_reversed};
+use super::all_strips::Strips;
+use super::group::{Group, MovingSections};
 use super::inflow::{InflowStates, WakeFlow};
 use super::inflow_layout::InflowLayout;
+use super::section::first_reversed;
 use super::sums::StripSums;
+use super::surroundings::Surroundings;
 
 /// What the loads of all strips are computed from, and where they go.
-pub struct SumLoads<'a> {
+pub struct SumLoads<'a, K, A> {
     /// The strips.
     pub strips: &'a Strips,
+    /// Where their sections are and how they move.
+    pub sections: K,
     /// The state of the aircraft and of the air.
-    pub around: &'a Surroundings<'a>,
+    pub around: &'a Surroundings<'a, A>,
     /// Where the inflow states stand.
     pub layout: &'a InflowLayout,
     /// All states.
@@ -27,42 +34,49 @@ pub struct SumLoads<'a> {
     pub passive: &'a mut [f64],
     /// Those per unit of each factor of the flaps' loads, one row on ν after the other, are added to these.
     pub effects: &'a mut [f64],
-    /// The apparent mass is added to this mass matrix of the components that move; of a symmetric one only the upper
+    /// The apparent mass is added to this mass matrix of the components that move; of a self-adjoint one only the upper
     /// triangle.
     pub mass: &'a mut SquareMatrix,
 }
 
-impl Work for SumLoads<'_> {
+impl<K: Sections, A: MetAir> Work for SumLoads<'_, K, A> {
     type Output = ();
 
     #[inline(always)]
     fn with<S: Arithmetic>(self, simd: S) {
-        if self.sums.is_symmetric() { self.sum::<S, true>(simd) } else { self.sum::<S, false>(simd) }
+        if self.sums.has_equal_rows() { self.sum::<S, true>(simd) } else { self.sum::<S, false>(simd) }
     }
 }
 
-impl SumLoads<'_> {
-    /// `SYMMETRIC` where apparent mass is.
+impl<K: Sections, A: MetAir> SumLoads<'_, K, A> {
+    /// `EQUAL_ROWS` where accelerations are distributed as loads are.
     #[inline(always)]
-    fn sum<S: Arithmetic, const SYMMETRIC: bool>(self, simd: S) {
-        let SumLoads { strips, around, layout, state, rates, sums, passive, effects, mass } = self;
+    fn sum<S: Arithmetic, const EQUAL_ROWS: bool>(self, simd: S) {
+        let SumLoads { strips, sections, around, layout, state, rates, sums, passive, effects, mass } = self;
         sums.clear();
         for (index, group) in strips.groups.iter().enumerate() {
             let inflow = layout.of_group(index);
             let (states, mut rates) = (inflow.read(state), inflow.write(rates));
-            for place in Place::all(simd) {
+            let hung_on = sections.of_strips(index);
+            for window in Window::all(simd) {
                 if group.in_plane {
-                    let mut moving = group.deform_in_plane::<S, SYMMETRIC>(place, around);
-                    follow_wake(place, (index, group), around, &mut moving, (&states, &mut rates), sums);
-                    group.distribute_in_plane::<S, SYMMETRIC>(place, index, around, &moving, sums);
+                    let mut moving = group.deform_in_plane::<S, EQUAL_ROWS>(window, &hung_on, around);
+                    follow_wake(window, (index, group), around, &mut moving, (&states, &mut rates), sums);
+                    group.distribute_in_plane::<S, EQUAL_ROWS>(
+                        window,
+                        (index, &hung_on),
+                        around,
+                        &moving,
+                        sums,
+                    );
                 } else {
-                    let mut moving = group.deform::<S, SYMMETRIC>(place, around);
-                    follow_wake(place, (index, group), around, &mut moving, (&states, &mut rates), sums);
-                    group.distribute::<S, SYMMETRIC>(place, index, around, &moving, sums);
+                    let mut moving = group.deform::<S, EQUAL_ROWS>(window, &hung_on, around);
+                    follow_wake(window, (index, group), around, &mut moving, (&states, &mut rates), sums);
+                    group.distribute::<S, EQUAL_ROWS>(window, (index, &hung_on), around, &moving, sums);
                 }
             }
         }
-        let edge_on = strips.edge_on.add_drag(simd, around, sums);
+        let edge_on = strips.edge_on.add_drag(simd, &sections, around, sums);
         sums.reversed = sums.reversed.or(edge_on.map(|strip| strips.count + strip));
         sums.add_to(simd, around.density, (passive, effects), mass);
     }
@@ -73,19 +87,19 @@ impl SumLoads<'_> {
 /// [theory: inflow.state, air-loads.reverse-flow]
 #[inline(always)]
 fn follow_wake<S: Arithmetic, Motion>(
-    place: Place<S>,
+    window: Window<S>,
     (index, group): (usize, &Group),
-    around: &Surroundings,
+    around: &Surroundings<impl MetAir>,
     MovingSections { flow, .. }: &mut MovingSections<S, Motion>,
     (states, rates): (&InflowStates<&[f64]>, &mut InflowStates<&mut [f64]>),
     sums: &mut StripSums,
 ) {
     if flow.chordwise.least() <= 0.0 && sums.reversed.is_none() {
-        let lane = first_reversed(flow.chordwise, place.load(&group.section.lift_slope));
-        sums.reversed = lane.map(|lane| index * LANES + place.lane(lane));
+        let lane = first_reversed(flow.chordwise, window.load(&group.section.lift_slope));
+        sums.reversed = lane.map(|lane| index * LANES + window.lane(lane));
     }
-    let passing = flow.chordwise * place.load(&group.per_semichord);
+    let passing = flow.chordwise * window.load(&group.per_semichord);
     let wake = WakeFlow { w3: flow.w3, passing };
-    flow.induced = around.inflow.induced_velocity(place, states, flow.w3);
-    around.inflow.write_rates(place, states, &wake, rates);
+    flow.induced = around.inflow.induced_velocity(window, states, flow.w3);
+    around.inflow.write_rates(window, states, &wake, rates);
 }

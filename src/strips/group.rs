@@ -1,29 +1,24 @@
-//! The strips of an aircraft, side by side in groups of eight [theory: air-loads.strip; thesis §4.1].
+//! Eight strips side by side [theory: air-loads.strip; thesis §4.1].
 //!
 //! The last group is filled up with strips of no size.
 
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
-use pulp::Scalar;
 
 use crate::kinematics::RigidFreedom;
-use crate::math::{Arithmetic, Arrow, Eight, EightVectors, LANES, Lanes, Place};
-use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
+use crate::math::{Arithmetic, Arrow, Eight, EightVectors, Lanes, Window};
+use crate::structure::ReducedStrip;
 
-use super::edge_on::EdgeOnStrips;
 use super::flap::FlapEffect;
 use super::flap_factor::FlapFactor;
-use super::inflow::PetersInflow;
-use super::inflow_layout::InflowLayout;
-use super::loads::{Displacement, FlapResultants, StripLoads, StripSizes};
 use super::section::{LocalFlow, Section};
+use super::strip_loads::{Displacement, StripFlapLoads, StripLoads, StripSizes};
 use super::sums::Row;
 
 /// Eight strips.
 #[derive(Clone, Debug)]
 pub(crate) struct Group {
-    pub(crate) position: EightVectors,
     pub(crate) forward: EightVectors,
     pub(crate) span: EightVectors,
     width: Eight,
@@ -34,7 +29,7 @@ pub(crate) struct Group {
     per_root_mass: Eight,
     /// 1/b.
     pub(crate) per_semichord: Eight,
-    zero_lift_offset: Eight,
+    pub(crate) zero_lift_offset: Eight,
     pub(crate) section: Section,
     /// Coefficients of δ by the factors, by their places, that move any flap here.
     gains: Vec<(usize, Eight)>,
@@ -42,42 +37,6 @@ pub(crate) struct Group {
     squared_gains: Vec<(usize, Eight)>,
     /// Whether motion and all strips stay in the mirror plane.
     pub(crate) in_plane: bool,
-    /// Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z of each mode.
-    pub(crate) shapes: Vec<[Eight; 6]>,
-}
-
-/// All strips of an aircraft.
-#[derive(Clone, Debug)]
-pub struct Strips {
-    /// Number of strips.
-    pub(crate) count: usize,
-    pub(crate) groups: Vec<Group>,
-    /// What the loads of any flap are proportional to.
-    pub(crate) factors: Vec<FlapFactor>,
-    /// Those that only drag.
-    pub(crate) edge_on: EdgeOnStrips,
-}
-
-/// The state of the aircraft and of the air that all strips share.
-pub struct Surroundings<'a> {
-    /// Velocity of O relative to the air, body axes, m/s.
-    pub air_velocity: Vector3<f64>,
-    /// ω, body axes, rad/s.
-    pub rate: Vector3<f64>,
-    /// ω × W − C_bI Ẇ of the velocity W of the air, m/s².
-    pub air_transport: Vector3<f64>,
-    /// q.
-    pub q: &'a [f64],
-    /// q̇.
-    pub q_dot: &'a [f64],
-    /// ρ, kg/m³.
-    pub density: f64,
-    /// The inflow model of every strip.
-    pub inflow: &'a PetersInflow,
-    /// Whether forces act at the deformed place (all models but RL).
-    pub deformed_arms: bool,
-    /// Which components of v and ω move.
-    pub freedom: RigidFreedom,
 }
 
 /// Sections in their flow, with what is known of their motion.
@@ -87,79 +46,12 @@ pub(crate) struct MovingSections<S: Arithmetic, Motion> {
 }
 
 /// Loads on strips, vectors of kind `V`: those with the flaps neutral, and those of the flaps if there are any.
-pub(crate) type Loads<S, V, const SYMMETRIC: bool> = (StripLoads<S, V, SYMMETRIC>, Option<FlapResultants<S>>);
-
-impl Strips {
-    /// The strips of a model, and others with the same modes that flow in the mirror plane meets edge-on; `free` says
-    /// whether motion is in that plane.
-    pub fn new(model: &ReducedModel, edge_on: &[ReducedStrip], free: RigidFreedom) -> Self {
-        let modes = model.modes.len();
-        let flaps =
-            model.strips.iter().filter_map(|strip| Some((strip.flap.as_ref()?, flap_drag(strip) != 0.0)));
-        let factors = FlapFactor::of_flaps(flaps);
-        let group = |strips: &[ReducedStrip]| Group {
-            in_plane: free == RigidFreedom::InPlane && strips.iter().all(ReducedStrip::stays_in_plane),
-            ..Group::new(strips, &factors, modes)
-        };
-        Strips {
-            count: model.strips.len(),
-            groups: model.strips.chunks(LANES).map(group).collect(),
-            factors,
-            edge_on: EdgeOnStrips::new(edge_on, modes),
-        }
-    }
-
-    /// Number of strips, without those edge-on.
-    pub fn count(&self) -> usize {
-        self.count
-    }
-
-    /// The largest displacement or rotation of any strip by a unit coordinate, m or rad.
-    pub fn largest_shape(&self) -> f64 {
-        let shapes = self.groups.iter().flat_map(|group| group.shapes.iter().flatten());
-        shapes.flat_map(|lanes| lanes.0).fold(0.0, |largest, shape| shape.abs().max(largest))
-    }
-
-    /// Number of groups of strips.
-    pub fn groups(&self) -> usize {
-        self.groups.len()
-    }
-
-    /// Whether ẇ and the loads are linear in the same rows, so that apparent mass is symmetric.
-    ///
-    /// [theory: air-loads.apparent-mass]
-    pub fn zero_lift_lines_are_chords(&self) -> bool {
-        self.groups.iter().all(|group| group.zero_lift_offset == Eight::ZERO)
-    }
-
-    /// Writes the inflow's linear part at a constant airspeed (m/s) into a vector of the state's layout, 1/s.
-    pub fn inflow_linear_part(
-        &self,
-        inflow: &PetersInflow,
-        airspeed: f64,
-        layout: &InflowLayout,
-        linear: &mut [f64],
-    ) {
-        for (index, group) in self.groups.iter().enumerate() {
-            let passing = Eight(group.section.semichord.0.map(|semichord| airspeed / semichord));
-            inflow.linear_part(&passing, &mut layout.of_group(index).write(linear));
-        }
-    }
-
-    /// Sets the inflow states of every strip to a wake long at rest.
-    pub fn settle_inflow(&self, around: &Surroundings, layout: &InflowLayout, state: &mut [f64]) {
-        for (index, group) in self.groups.iter().enumerate() {
-            for place in Place::all(Scalar::new()) {
-                let w3 = group.deform::<Scalar, false>(place, around).flow.w3;
-                around.inflow.settle(place, w3, &mut layout.of_group(index).write(state));
-            }
-        }
-    }
-}
+pub(crate) type StripLoadsWithFlaps<S, V, const EQUAL_ROWS: bool> =
+    (StripLoads<S, V, EQUAL_ROWS>, Option<StripFlapLoads<S>>);
 
 impl Group {
-    /// Up to eight strips of a model with `modes` modes.
-    fn new(strips: &[ReducedStrip], factors: &[FlapFactor], modes: usize) -> Self {
+    /// Up to eight strips of a model in the freedom that its motion has.
+    pub(crate) fn new(strips: &[ReducedStrip], factors: &[FlapFactor], free: RigidFreedom) -> Self {
         let lanes = |value: &dyn Fn(&ReducedStrip) -> f64, empty: f64| {
             Eight(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
         };
@@ -177,17 +69,8 @@ impl Group {
             });
             coefficients.filter(|(_, coefficients)| *coefficients != Eight::ZERO).collect()
         };
-        let shape = |mode: usize, row: usize| {
-            lanes(
-                &|ReducedStrip { shapes: ModeShapes { translation, rotation }, .. }| {
-                    (if row < 3 { translation } else { rotation })[row % 3 * modes + mode]
-                },
-                0.0,
-            )
-        };
         let root_mass = |strip: &ReducedStrip| strip.semichord * libm::sqrt(PI * strip.width);
         Group {
-            position: vectors(&|strip| strip.position, Vector3::zeros()),
             // Forward, so that strips of no size do not meet the air from behind.
             forward: vectors(&|strip| strip.forward, Vector3::x()),
             span: vectors(&|strip| strip.span, Vector3::zeros()),
@@ -210,89 +93,89 @@ impl Group {
             },
             gains: coefficients(&|factor| matches!(factor, FlapFactor::Angle(_))),
             squared_gains: coefficients(&|factor| matches!(factor, FlapFactor::Product(_))),
-            in_plane: false,
-            shapes: (0..modes).map(|mode| std::array::from_fn(|row| shape(mode, row))).collect(),
+            in_plane: free == RigidFreedom::InPlane && strips.iter().all(ReducedStrip::stays_in_plane),
         }
     }
 
     /// m = n + α0 f [theory: air-loads.triad].
     #[inline(always)]
-    pub(crate) fn zero_lift_normal<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool>(
+    pub(crate) fn zero_lift_normal<S: Arithmetic, V: Arrow<S>, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         [normal, forward]: [V; 2],
     ) -> V {
-        if SYMMETRIC { normal } else { normal + forward * place.load(&self.zero_lift_offset) }
+        if EQUAL_ROWS { normal } else { normal + forward * window.load(&self.zero_lift_offset) }
     }
 
     /// The flow by f·V, n·V and Ω, and by those parts of ẇ and Ω̇ that no acceleration makes; the induced velocity is left
     /// at zero [theory: air-loads.flow, air-loads.rates].
     #[inline(always)]
-    pub(crate) fn flow<S: Arithmetic, const SYMMETRIC: bool>(
+    pub(crate) fn flow<S: Arithmetic, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         density: f64,
         [chordwise, normal, pitch_rate]: [Lanes<S>; 3],
         [upwash_drift, pitch_drift]: [Lanes<S>; 2],
     ) -> LocalFlow<S> {
-        let upwash = if SYMMETRIC { normal } else { normal + chordwise * place.load(&self.zero_lift_offset) };
+        let upwash =
+            if EQUAL_ROWS { normal } else { normal + chordwise * window.load(&self.zero_lift_offset) };
         LocalFlow {
-            density: place.splat(density),
+            density: window.splat(density),
             chordwise,
             normal,
             upwash,
             pitch_rate,
-            w3: self.section.three_quarter_chord_upwash(place, upwash, pitch_rate),
+            w3: self.section.three_quarter_chord_upwash(window, upwash, pitch_rate),
             upwash_drift,
             pitch_drift,
-            induced: place.splat(0.0),
+            induced: window.splat(0.0),
         }
     }
 
     /// The loads on the strips in a flow, by their axes n, f and m.
     #[inline(always)]
-    pub(crate) fn loads<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool>(
+    pub(crate) fn loads<S: Arithmetic, V: Arrow<S>, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         flow: &LocalFlow<S>,
         axes: [&V; 3],
-    ) -> Loads<S, V, SYMMETRIC> {
-        let section = self.section.at(place);
+    ) -> StripLoadsWithFlaps<S, V, EQUAL_ROWS> {
+        let section = self.section.at(window);
         let sizes = StripSizes {
-            width: place.load(&self.width),
+            width: window.load(&self.width),
             elastic_axis_aft_of_midchord: section.elastic_axis_aft_of_midchord,
-            root_mass: place.load(&self.root_mass),
-            root_inertia: place.load(&self.root_inertia),
+            root_mass: window.load(&self.root_mass),
+            root_inertia: window.load(&self.root_inertia),
         };
         let loads = StripLoads::new(&section.loads(flow), &sizes, axes);
         let flaps = if self.gains.is_empty() {
             None
         } else {
-            Some(FlapResultants::new(&section.flap_loads(flow), &sizes, place.load(&self.per_root_mass)))
+            Some(StripFlapLoads::new(&section.flap_loads(flow), &sizes, window.load(&self.per_root_mass)))
         };
         (loads, flaps)
     }
 
     /// Adds what the loads and the flaps contribute to one component of ν.
     #[inline(always)]
-    pub(crate) fn add_row<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool>(
+    pub(crate) fn add_row<S: Arithmetic, V: Arrow<S>, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         index: usize,
         displacement: &Displacement<S>,
-        (loads, flaps): &Loads<S, V, SYMMETRIC>,
+        (loads, flaps): &StripLoadsWithFlaps<S, V, EQUAL_ROWS>,
         row: &mut Row,
     ) {
-        row.add::<S, SYMMETRIC>(place, index, &loads.on(displacement));
+        row.add::<S, EQUAL_ROWS>(window, index, &loads.on(displacement));
         if let Some(flaps) = flaps {
             let effect = flaps.on(displacement);
             for (factor, gain) in &self.gains {
-                row.add_effect(place, *factor, effect * place.load(gain));
+                row.add_effect(window, *factor, effect * window.load(gain));
             }
             if !self.squared_gains.is_empty() {
                 let drag = flaps.drag_on(displacement);
                 for (factor, gain) in &self.squared_gains {
-                    row.add_effect(place, *factor, drag * place.load(gain));
+                    row.add_effect(window, *factor, drag * window.load(gain));
                 }
             }
         }
@@ -305,7 +188,7 @@ fn suction_loss(strip: &ReducedStrip) -> f64 {
 }
 
 /// (1 − η)(CLδ c1)²/CLα, 1/rad.
-fn flap_drag(strip: &ReducedStrip) -> f64 {
+pub(crate) fn flap_drag(strip: &ReducedStrip) -> f64 {
     match &strip.flap {
         Some(flap) if strip.lift_slope != 0.0 => {
             let lift = FlapEffect::new(flap).lift;
@@ -321,11 +204,4 @@ fn coefficient(strip: &ReducedStrip, factor: FlapFactor) -> f64 {
         FlapFactor::Product(_) if flap_drag(strip) == 0.0 => 0.0,
         _ => strip.flap.as_ref().map_or(0.0, |flap| factor.coefficient(&flap.gains)),
     }
-}
-
-/// The first lane whose lifting strip meets the air from behind [theory: air-loads.reverse-flow].
-#[cold]
-pub(crate) fn first_reversed<S: Arithmetic>(chordwise: Lanes<S>, lift_slope: Lanes<S>) -> Option<usize> {
-    let mut strips = chordwise.numbers().iter().zip(lift_slope.numbers());
-    strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
 }

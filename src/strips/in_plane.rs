@@ -1,30 +1,20 @@
 //! Strips in the mirror plane while all motion is in it [theory: symmetry.in-plane; thesis §4.1].
 //!
-//! Everything is in x and z but rates and turns, which are about y. The triad turns about a fixed axis: Ψᵠq̇ is its
-//! spin in the body. Symbols as in `in_space`.
+//! Everything is in x and z but rates and turns, which are about y. Symbols as in `in_space`.
 
-use crate::kinematics::RigidFreedom;
-use crate::math::{Arithmetic, Arrow, Eight, Lanes, Place, PlaneVector, turned_about_y};
+use crate::air::{MetAir, MetAt};
+use crate::kinematics::{Bias, RigidFreedom, SectionMotion, SectionsInPlane, Turn};
+use crate::math::{Arithmetic, Arrow, Lanes, PlaneVector, Window};
 
-use super::group::{Group, Loads, MovingSections, Surroundings};
+use super::group::{Group, MovingSections, StripLoadsWithFlaps};
 use super::sums::StripSums;
-
-/// Where strips in the mirror plane are and how they move.
-pub(crate) struct PlaneMotion<S: Arithmetic> {
-    /// R.
-    pub(crate) position: PlaneVector<S>,
-    pub(crate) forward: PlaneVector<S>,
-    /// V.
-    pub(crate) velocity: PlaneVector<S>,
-    /// Ψᵘq̇.
-    elastic_velocity: PlaneVector<S>,
-    /// Ψᵠq̇.
-    elastic_rate: Lanes<S>,
-}
+use super::surroundings::Surroundings;
 
 /// How sections in the mirror plane stand.
 pub(crate) struct PlaneSections<S: Arithmetic> {
-    motion: PlaneMotion<S>,
+    /// X.
+    position: PlaneVector<S>,
+    forward: PlaneVector<S>,
     /// s.
     span: Lanes<S>,
     normal: PlaneVector<S>,
@@ -32,74 +22,53 @@ pub(crate) struct PlaneSections<S: Arithmetic> {
     zero_lift_normal: PlaneVector<S>,
 }
 
-impl<S: Arithmetic> PlaneMotion<S> {
-    /// Of strips with their undeformed places and axes f, and the x and z components of Ψᵘ and the y component of Ψᵠ of
-    /// each mode.
-    #[inline(always)]
-    pub(crate) fn new<'a>(
-        place: Place<S>,
-        [at_rest, forward]: [PlaneVector<S>; 2],
-        shapes: impl Iterator<Item = [&'a Eight; 3]>,
-        around: &Surroundings,
-    ) -> Self {
-        let zero = place.splat(0.0);
-        let (mut x, mut z, mut turn) = (zero, zero, zero);
-        let (mut x_rate, mut z_rate, mut turn_rate) = (zero, zero, zero);
-        for (shape, (&q, &q_dot)) in shapes.zip(around.q.iter().zip(around.q_dot)) {
-            let [along_x, along_z, about_y] = shape.map(|shape| place.load(shape));
-            x += along_x * q;
-            z += along_z * q;
-            turn += about_y * q;
-            x_rate += along_x * q_dot;
-            z_rate += along_z * q_dot;
-            turn_rate += about_y * q_dot;
-        }
-        let position = at_rest + PlaneVector { x, z };
-        let elastic_velocity = PlaneVector { x: x_rate, z: z_rate };
-        let air_velocity = PlaneVector::splat(place, &around.air_velocity);
-        PlaneMotion {
-            position,
-            forward: turned_about_y(turn, forward),
-            velocity: air_velocity + position.turned_by(place.splat(around.rate.y)) + elastic_velocity,
-            elastic_velocity,
-            elastic_rate: turn_rate,
-        }
+/// How sections move relative to the air: V, and the part of its rate that no acceleration makes.
+#[inline(always)]
+pub(crate) fn flow_past<S: Arithmetic, T>(
+    window: Window<S>,
+    motion: &SectionMotion<PlaneVector<S>, Lanes<S>, T>,
+    around: &Surroundings<impl MetAir>,
+) -> MetAt<PlaneVector<S>> {
+    let SectionMotion { position, velocity, .. } = motion;
+    let body_rate = window.splat(around.rate.y);
+    let air = around.air.at(window, [position, velocity]);
+    MetAt {
+        velocity: air.velocity + position.turned_by(body_rate) + *velocity,
+        drift: air.drift + velocity.turned_by(body_rate),
     }
 }
 
 impl Group {
-    /// Where the undeformed strips are.
-    #[inline(always)]
-    fn place_in_plane<S: Arithmetic>(&self, place: Place<S>) -> PlaneVector<S> {
-        PlaneVector::load(place, [&self.position.x, &self.position.z])
-    }
-
     /// Deforms the sections and finds their flow; the induced velocity is left at zero.
     #[inline(always)]
-    pub(crate) fn deform_in_plane<S: Arithmetic, const SYMMETRIC: bool>(
+    pub(crate) fn deform_in_plane<S: Arithmetic, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
-        around: &Surroundings,
+        window: Window<S>,
+        sections: &impl SectionsInPlane,
+        around: &Surroundings<impl MetAir>,
     ) -> MovingSections<S, PlaneSections<S>> {
-        let forward = PlaneVector::load(place, [&self.forward.x, &self.forward.z]);
-        let shapes = self.shapes.iter().map(|[x, _, z, _, about_y, _]| [x, z, about_y]);
-        let motion = PlaneMotion::new(place, [self.place_in_plane(place), forward], shapes, around);
-        let PlaneMotion { forward, velocity, elastic_velocity, elastic_rate, .. } = motion;
-        let span = place.load(&self.span.y);
+        let motion = sections.motion(window);
+        let MetAt { velocity, mut drift } = flow_past(window, &motion, around);
+        let SectionMotion { position, turn, rate, spin, bias, .. } = motion;
+        let forward = turn.apply(&PlaneVector::load(window, [&self.forward.x, &self.forward.z]));
+        let span = window.load(&self.span.y);
         let normal = forward.turned_by(-span);
-        let zero_lift_normal = self.zero_lift_normal::<S, _, SYMMETRIC>(place, [normal, forward]);
+        let zero_lift_normal = self.zero_lift_normal::<S, _, EQUAL_ROWS>(window, [normal, forward]);
 
-        let rate = place.splat(around.rate.y);
-        let transport = PlaneVector::splat(place, &around.air_transport) + elastic_velocity.turned_by(rate);
-        let upwash_drift =
-            zero_lift_normal.dot(&transport) + elastic_rate * zero_lift_normal.cross(&velocity);
-        let flow = self.flow::<S, SYMMETRIC>(
-            place,
+        let body_rate = window.splat(around.rate.y);
+        let mut pitch_drift = window.splat(0.0);
+        if let Some(Bias { acceleration, angular_acceleration }) = bias {
+            drift = drift + acceleration;
+            pitch_drift += span * angular_acceleration;
+        }
+        let upwash_drift = zero_lift_normal.dot(&drift) + spin * zero_lift_normal.cross(&velocity);
+        let flow = self.flow::<S, EQUAL_ROWS>(
+            window,
             around.density,
-            [forward.dot(&velocity), normal.dot(&velocity), span * (rate + elastic_rate)],
-            [upwash_drift, place.splat(0.0)],
+            [forward.dot(&velocity), normal.dot(&velocity), span * (body_rate + rate)],
+            [upwash_drift, pitch_drift],
         );
-        let motion = PlaneSections { motion, span, normal, zero_lift_normal };
+        let motion = PlaneSections { position, forward, span, normal, zero_lift_normal };
         MovingSections { motion, flow }
     }
 
@@ -107,30 +76,29 @@ impl Group {
     ///
     /// [theory: air-loads.distribution, air-loads.apparent-mass]
     #[inline(always)]
-    pub(crate) fn distribute_in_plane<S: Arithmetic, const SYMMETRIC: bool>(
+    pub(crate) fn distribute_in_plane<S: Arithmetic, const EQUAL_ROWS: bool>(
         &self,
-        place: Place<S>,
-        index: usize,
-        around: &Surroundings,
+        window: Window<S>,
+        (index, sections): (usize, &impl SectionsInPlane),
+        around: &Surroundings<impl MetAir>,
         moving: &MovingSections<S, PlaneSections<S>>,
         sums: &mut StripSums,
     ) {
-        let PlaneSections { motion: PlaneMotion { position, forward, .. }, span, normal, zero_lift_normal } =
-            &moving.motion;
-        let loads: Loads<_, _, SYMMETRIC> =
-            self.loads(place, &moving.flow, [normal, forward, zero_lift_normal]);
+        let PlaneSections { position, forward, span, normal, zero_lift_normal } = &moving.motion;
+        let loads: StripLoadsWithFlaps<_, _, EQUAL_ROWS> =
+            self.loads(window, &moving.flow, [normal, forward, zero_lift_normal]);
         let resultants = &loads.0.resultants;
         let mut rows = sums.rows();
         if around.freedom == RigidFreedom::InPlane {
-            let arm = if around.deformed_arms { *position } else { self.place_in_plane(place) };
+            let arm = if around.deformed_arms { *position } else { sections.at_rest(window) };
             for (displacement, row) in resultants.in_plane([&arm, position], *span).iter().zip(&mut rows) {
-                self.add_row(place, index, displacement, &loads, row);
+                self.add_row(window, index, displacement, &loads, row);
             }
         }
-        for ([x, _, z, _, about_y, _], row) in self.shapes.iter().zip(rows) {
+        for ([x, z, about_y], row) in sections.rows().zip(rows) {
             let displacement =
-                resultants.displaced(&PlaneVector::load(place, [x, z]), place.load(about_y) * *span);
-            self.add_row(place, index, &displacement, &loads, row);
+                resultants.displaced(&PlaneVector::load(window, [x, z]), window.load(about_y) * *span);
+            self.add_row(window, index, &displacement, &loads, row);
         }
     }
 }

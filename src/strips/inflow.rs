@@ -15,7 +15,7 @@
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
 use crate::aircraft::MOST_INFLOW_STATES;
-use crate::math::{Arithmetic, Eight, LANES, Lanes, Place};
+use crate::math::{Arithmetic, Eight, LANES, Lanes, Window};
 
 /// A real eigenvalue.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,17 +88,17 @@ impl PetersInflow {
     #[inline(always)]
     pub fn induced_velocity<S: Arithmetic>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         states: &InflowStates<&[f64]>,
         w3: Lanes<S>,
     ) -> Lanes<S> {
-        let mut induced = place.splat(0.0);
+        let mut induced = window.splat(0.0);
         for (lag, state) in self.lags.iter().zip(states.real.chunks_exact(LANES)) {
-            induced += (place.load_slice(state) + w3) * lag.weight;
+            induced += (window.load_slice(state) + w3) * lag.weight;
         }
         let complex = states.re.chunks_exact(LANES).zip(states.im.chunks_exact(LANES));
         for (pair, (re, im)) in self.pairs.iter().zip(complex) {
-            let (re, im) = (place.load_slice(re) + w3, place.load_slice(im));
+            let (re, im) = (window.load_slice(re) + w3, window.load_slice(im));
             induced += re * (2.0 * pair.weight.re) - im * (2.0 * pair.weight.im);
         }
         induced
@@ -109,7 +109,7 @@ impl PetersInflow {
     #[inline(always)]
     pub fn write_rates<S: Arithmetic>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         states: &InflowStates<&[f64]>,
         wake: &WakeFlow<S>,
         rates: &mut InflowStates<&mut [f64]>,
@@ -118,15 +118,15 @@ impl PetersInflow {
         let passing = (passing + passing.abs()) * 0.5;
         let real = states.real.chunks_exact(LANES).zip(rates.real.chunks_exact_mut(LANES));
         for (lag, (state, rate)) in self.lags.iter().zip(real) {
-            place.store_slice(rate, -(passing * lag.rate * (place.load_slice(state) + w3)));
+            window.store_slice(rate, -(passing * lag.rate * (window.load_slice(state) + w3)));
         }
         let complex = states.re.chunks_exact(LANES).zip(states.im.chunks_exact(LANES));
         let complex_rates = rates.re.chunks_exact_mut(LANES).zip(rates.im.chunks_exact_mut(LANES));
         for ((pair, (re, im)), (re_rate, im_rate)) in self.pairs.iter().zip(complex).zip(complex_rates) {
-            let (re, im) = (place.load_slice(re) + w3, place.load_slice(im));
+            let (re, im) = (window.load_slice(re) + w3, window.load_slice(im));
             let (decay, frequency) = (pair.decay, pair.frequency);
-            place.store_slice(re_rate, -(passing * (re * decay - im * frequency)));
-            place.store_slice(im_rate, -(passing * (re * frequency + im * decay)));
+            window.store_slice(re_rate, -(passing * (re * decay - im * frequency)));
+            window.store_slice(im_rate, -(passing * (re * frequency + im * decay)));
         }
     }
 
@@ -152,15 +152,15 @@ impl PetersInflow {
     /// Sets the states of strips to a wake long at rest: λ = 0 [theory: inflow.state].
     pub fn settle<S: Arithmetic>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         w3: Lanes<S>,
         states: &mut InflowStates<&mut [f64]>,
     ) {
         for state in states.real.chunks_exact_mut(LANES).chain(states.re.chunks_exact_mut(LANES)) {
-            place.store_slice(state, -w3);
+            window.store_slice(state, -w3);
         }
         for state in states.im.chunks_exact_mut(LANES) {
-            place.store_slice(state, place.splat(0.0));
+            window.store_slice(state, window.splat(0.0));
         }
     }
 }
@@ -288,12 +288,12 @@ mod tests {
     #[test]
     fn a_settled_wake_induces_nothing_and_stays_settled() {
         let inflow = PetersInflow::new(5);
-        let place = Place::all(pulp::Scalar::new()).next().unwrap();
-        let w3 = place.splat(3.5);
-        let wake = WakeFlow { w3, passing: place.splat(100.0) };
+        let window = Window::all(pulp::Scalar::new()).next().unwrap();
+        let w3 = window.splat(3.5);
+        let wake = WakeFlow { w3, passing: window.splat(100.0) };
         let (mut states, mut rates) = ([[0.0; 3 * LANES]; 3], [[1.0; 3 * LANES]; 3]);
         let [real, re, im] = &mut states;
-        inflow.settle(place, w3, &mut InflowStates { real, re: &mut re[..LANES], im: &mut im[..LANES] });
+        inflow.settle(window, w3, &mut InflowStates { real, re: &mut re[..LANES], im: &mut im[..LANES] });
         let [real, re, im] = &states;
         let states = InflowStates { real: real.as_slice(), re: &re[..LANES], im: &im[..LANES] };
         let [real_rates, re_rates, im_rates] = &mut rates;
@@ -302,8 +302,8 @@ mod tests {
             re: &mut re_rates[..LANES],
             im: &mut im_rates[..LANES],
         };
-        inflow.write_rates(place, &states, &wake, &mut slopes);
-        assert_eq!(inflow.induced_velocity(place, &states, w3).numbers(), [0.0]);
+        inflow.write_rates(window, &states, &wake, &mut slopes);
+        assert_eq!(inflow.induced_velocity(window, &states, w3).numbers(), [0.0]);
         let first = |rates: &[f64]| rates.chunks(LANES).map(|lanes| lanes[0]).collect::<Vec<_>>();
         for rates in [&*slopes.real, &*slopes.re, &*slopes.im] {
             assert!(first(rates).iter().all(|&rate| rate == 0.0));

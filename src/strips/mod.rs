@@ -3,6 +3,7 @@
 //! [theory: air-loads.flow, air-loads.distribution, inflow.state; thesis §4.1]
 
 mod air_loads;
+mod all_strips;
 mod edge_on;
 mod flap;
 mod flap_factor;
@@ -11,14 +12,19 @@ mod in_plane;
 mod in_space;
 mod inflow;
 mod inflow_layout;
-mod loads;
 mod section;
+mod strip_loads;
 mod sums;
+mod surroundings;
 
 pub(crate) use air_loads::SumLoads;
+pub(crate) use all_strips::Strips;
 pub use flap::FlapEffect;
 pub(crate) use flap_factor::FlapFactor;
-pub(crate) use group::{Strips, Surroundings};
 pub use inflow::{InflowStates, PetersInflow};
 pub use inflow_layout::{GroupInflow, InflowLayout};
 pub(crate) use sums::StripSums;
+pub(crate) use surroundings::Surroundings;
+
+#[cfg(test)]
+mod tests;

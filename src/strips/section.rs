@@ -8,7 +8,7 @@
 
 use std::f64::consts::PI;
 
-use crate::math::{Arithmetic, Eight, Lanes, Place};
+use crate::math::{Arithmetic, Eight, Lanes, Window};
 
 /// What aerofoil sections are, apart from their places: in memory one number per strip of a group, in use those of
 /// the strips at hand.
@@ -59,7 +59,7 @@ pub struct LocalFlow<S: Arithmetic> {
 
 /// Loads of flaps at the elastic axis per unit width: per radian of δ, and a drag per radian squared.
 #[derive(Clone, Copy, Debug)]
-pub struct FlapLoads<S: Arithmetic> {
+pub struct SectionFlapLoads<S: Arithmetic> {
     /// Along f, N/m.
     pub forward: Lanes<S>,
     /// Along −f per δ², N/m.
@@ -82,19 +82,19 @@ pub struct SectionLoads<S: Arithmetic> {
 }
 
 impl Section {
-    /// The sections at a place of the group.
+    /// The sections in a window on the group.
     #[inline(always)]
-    pub fn at<S: Arithmetic>(&self, place: Place<S>) -> Section<Lanes<S>> {
+    pub fn at<S: Arithmetic>(&self, window: Window<S>) -> Section<Lanes<S>> {
         Section {
-            semichord: place.load(&self.semichord),
-            elastic_axis_aft_of_midchord: place.load(&self.elastic_axis_aft_of_midchord),
-            lift_slope: place.load(&self.lift_slope),
-            profile_drag: place.load(&self.profile_drag),
-            zero_lift_moment: place.load(&self.zero_lift_moment),
-            suction_loss: place.load(&self.suction_loss),
-            flap_lift: place.load(&self.flap_lift),
-            flap_drag: place.load(&self.flap_drag),
-            flap_moment: place.load(&self.flap_moment),
+            semichord: window.load(&self.semichord),
+            elastic_axis_aft_of_midchord: window.load(&self.elastic_axis_aft_of_midchord),
+            lift_slope: window.load(&self.lift_slope),
+            profile_drag: window.load(&self.profile_drag),
+            zero_lift_moment: window.load(&self.zero_lift_moment),
+            suction_loss: window.load(&self.suction_loss),
+            flap_lift: window.load(&self.flap_lift),
+            flap_drag: window.load(&self.flap_drag),
+            flap_moment: window.load(&self.flap_moment),
         }
     }
 
@@ -102,11 +102,11 @@ impl Section {
     #[inline(always)]
     pub fn three_quarter_chord_upwash<S: Arithmetic>(
         &self,
-        place: Place<S>,
+        window: Window<S>,
         upwash: Lanes<S>,
         pitch_rate: Lanes<S>,
     ) -> Lanes<S> {
-        let (b, d) = (place.load(&self.semichord), place.load(&self.elastic_axis_aft_of_midchord));
+        let (b, d) = (window.load(&self.semichord), window.load(&self.elastic_axis_aft_of_midchord));
         upwash + (half(b) - d) * pitch_rate
     }
 }
@@ -160,20 +160,27 @@ impl<S: Arithmetic> Section<Lanes<S>> {
     ///
     /// [theory: air-loads.flap-products]
     #[inline(always)]
-    pub fn flap_loads(&self, flow: &LocalFlow<S>) -> FlapLoads<S> {
+    pub fn flap_loads(&self, flow: &LocalFlow<S>) -> SectionFlapLoads<S> {
         let (b, d) = (self.semichord, self.elastic_axis_aft_of_midchord);
         let momentum = flow.density * b * flow.chordwise;
         let (pressure, lift_by_velocity) = (momentum * flow.chordwise, momentum * self.flap_lift);
         let lift = pressure * self.flap_lift;
         let suction_velocity = flow.at_midchord(d, flow.normal);
         let incidence_velocity = flow.at_midchord(d, flow.upwash);
-        FlapLoads {
+        SectionFlapLoads {
             forward: lift_by_velocity * (suction_velocity - self.suction_loss * incidence_velocity * 2.0),
             drag: pressure * self.flap_drag,
             down: -lift,
             pitching: (half(b) + d) * lift + pressure * b * self.flap_moment,
         }
     }
+}
+
+/// The first lane whose lifting strip meets the air from behind.
+#[cold]
+pub fn first_reversed<S: Arithmetic>(chordwise: Lanes<S>, lift_slope: Lanes<S>) -> Option<usize> {
+    let mut strips = chordwise.numbers().iter().zip(lift_slope.numbers());
+    strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
 }
 
 #[inline(always)]

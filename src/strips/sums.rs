@@ -7,9 +7,7 @@
 //! by lane over the groups of strips, then over the lanes: always in the same order.
 
 use crate::kinematics::RigidFreedom;
-use crate::math::{Arithmetic, Eight, Lanes, Place, SPARE, SquareMatrix};
-
-use super::group::Strips;
+use crate::math::{Arithmetic, Eight, Lanes, SPARE, SquareMatrix, Window};
 
 /// Rows and columns of the product that are summed together.
 const BLOCK: usize = 1 + SPARE;
@@ -22,11 +20,11 @@ pub struct StripSums {
     moving: Vec<usize>,
     /// How many of them, the first, are translations of the whole aircraft.
     translations: usize,
-    /// Whether X and Y are the same.
-    symmetric: bool,
+    /// Whether X and Y are the same, so that their product is self-adjoint.
+    equal_rows: bool,
     /// Padded to whole blocks.
     rows: Vec<Row>,
-    /// XᵀY, of a symmetric one only the upper triangle.
+    /// XᵀY, of a self-adjoint one only the upper triangle.
     product: SquareMatrix,
     /// The first lifting strip in reverse flow, if any; those edge-on count after all others.
     pub reversed: Option<usize>,
@@ -61,16 +59,17 @@ pub struct RowEntry<S: Arithmetic> {
 }
 
 impl StripSums {
-    /// Room for the sums of some strips; of the generalised forces and masses those of the components of ν that move.
-    pub fn new(strips: &Strips, freedom: RigidFreedom, modes: usize, symmetric: bool) -> Self {
+    /// Room for the sums over so many groups of strips with so many factors of their flaps' loads; of the generalised forces and
+    /// masses those of the components of ν that move.
+    pub fn new([groups, factors]: [usize; 2], freedom: RigidFreedom, modes: usize, equal_rows: bool) -> Self {
         let moving = freedom.moving(modes);
-        let row = Row::new(strips.groups(), strips.factors.len(), symmetric);
+        let row = Row::new(groups, factors, equal_rows);
         StripSums {
             rows: vec![row; moving.len().next_multiple_of(BLOCK)],
             product: SquareMatrix::new(moving.len()),
             moving,
             translations: freedom.translations(),
-            symmetric,
+            equal_rows,
             reversed: None,
         }
     }
@@ -81,8 +80,8 @@ impl StripSums {
     }
 
     /// Whether accelerations are distributed as loads are.
-    pub fn is_symmetric(&self) -> bool {
-        self.symmetric
+    pub fn has_equal_rows(&self) -> bool {
+        self.equal_rows
     }
 
     /// Forgets the forces of the last evaluation; X and Y are overwritten.
@@ -102,7 +101,7 @@ impl StripSums {
     }
 
     /// Adds the forces to those on ν and to those of the flaps, and ρXᵀY to the mass matrix of the components that move;
-    /// of a symmetric one only the upper triangle.
+    /// of a self-adjoint one only the upper triangle.
     #[inline(always)]
     pub fn add_to<S: Arithmetic>(
         &mut self,
@@ -122,17 +121,17 @@ impl StripSums {
         }
         let size = self.moving.len();
         for row in (0..size).step_by(BLOCK) {
-            if self.symmetric {
+            if self.equal_rows {
                 self.multiply::<S, true>(simd, row, row);
             }
-            for column in (if self.symmetric { row + BLOCK } else { 0 }..size).step_by(BLOCK) {
+            for column in (if self.equal_rows { row + BLOCK } else { 0 }..size).step_by(BLOCK) {
                 self.multiply::<S, false>(simd, row, column);
             }
         }
         mass.add_scaled(simd, density, &self.product);
     }
 
-    /// Writes the block of XᵀY that begins at a row and a column; of one on the diagonal of a symmetric product, only
+    /// Writes the block of XᵀY that begins at a row and a column; of one on the diagonal of a self-adjoint product, only
     /// the upper triangle counts.
     #[inline(always)]
     fn multiply<S: Arithmetic, const ON_DIAGONAL: bool>(&mut self, simd: S, row: usize, column: usize) {
@@ -141,23 +140,23 @@ impl StripSums {
         let translations = |first: usize| self.translations.saturating_sub(first);
         let turning = if translations(column) >= BLOCK { 0 } else { BLOCK.saturating_sub(translations(row)) };
         let mut block = [[Eight::ZERO; BLOCK]; BLOCK];
-        for place in Place::all(simd) {
-            let mut sums = [[place.splat(0.0); BLOCK]; BLOCK];
+        for window in Window::all(simd) {
+            let mut sums = [[window.splat(0.0); BLOCK]; BLOCK];
             let [heave, acceleration, pitch] = [
                 [&x[0].heave, &x[1].heave, &x[2].heave],
                 [y[0].acceleration(), y[1].acceleration(), y[2].acceleration()],
                 [&x[0].pitch, &x[1].pitch, &x[2].pitch],
             ];
-            add_products::<S, BLOCK, ON_DIAGONAL>(place, heave, acceleration, &mut sums);
+            add_products::<S, BLOCK, ON_DIAGONAL>(window, heave, acceleration, &mut sums);
             let turn = [&y[0].pitch, &y[1].pitch, &y[2].pitch];
             match turning {
                 0 => {}
-                1 => add_products::<S, 1, ON_DIAGONAL>(place, pitch, turn, &mut sums),
-                _ => add_products::<S, BLOCK, ON_DIAGONAL>(place, pitch, turn, &mut sums),
+                1 => add_products::<S, 1, ON_DIAGONAL>(window, pitch, turn, &mut sums),
+                _ => add_products::<S, BLOCK, ON_DIAGONAL>(window, pitch, turn, &mut sums),
             }
             for i in 0..BLOCK {
                 for j in 0..BLOCK {
-                    place.store(&mut block[i][j], sums[i][j]);
+                    window.store(&mut block[i][j], sums[i][j]);
                 }
             }
         }
@@ -174,15 +173,15 @@ impl StripSums {
 /// only the upper triangle.
 #[inline(always)]
 fn add_products<S: Arithmetic, const ROWS: usize, const ON_DIAGONAL: bool>(
-    place: Place<S>,
+    window: Window<S>,
     [x0, x1, x2]: [&Vec<Eight>; BLOCK],
     [y0, y1, y2]: [&Vec<Eight>; BLOCK],
     sums: &mut [[Lanes<S>; BLOCK]; BLOCK],
 ) {
     let pairs = x0.iter().zip(x1).zip(x2).zip(y0.iter().zip(y1).zip(y2));
     for (((x0, x1), x2), ((y0, y1), y2)) in pairs {
-        let x = [place.load(x0), place.load(x1), place.load(x2)];
-        let y = [place.load(y0), place.load(y1), place.load(y2)];
+        let x = [window.load(x0), window.load(x1), window.load(x2)];
+        let y = [window.load(y0), window.load(y1), window.load(y2)];
         for i in BLOCK - ROWS..BLOCK {
             for j in if ON_DIAGONAL { i } else { 0 }..BLOCK {
                 sums[i][j] += x[i] * y[j];
@@ -192,15 +191,15 @@ fn add_products<S: Arithmetic, const ROWS: usize, const ON_DIAGONAL: bool>(
 }
 
 impl Row {
-    /// Of so many groups, and factors of the flaps' loads; `symmetric` where accelerations are distributed as loads are.
-    fn new(groups: usize, factors: usize, symmetric: bool) -> Self {
+    /// Of so many groups, and factors of the flaps' loads; `equal_rows` where accelerations are distributed as loads are.
+    fn new(groups: usize, factors: usize, equal_rows: bool) -> Self {
         let zeros = vec![Eight::ZERO; groups];
         Row {
             force: Eight::ZERO,
             effects: vec![Eight::ZERO; factors],
             pitch: zeros.clone(),
             heave: zeros.clone(),
-            acceleration: if symmetric { Vec::new() } else { zeros },
+            acceleration: if equal_rows { Vec::new() } else { zeros },
         }
     }
 
@@ -212,34 +211,34 @@ impl Row {
 
     /// Sets what a group's strips have in this row of X and Y, and adds their force.
     #[inline(always)]
-    pub fn add<S: Arithmetic, const SYMMETRIC: bool>(
+    pub fn add<S: Arithmetic, const EQUAL_ROWS: bool>(
         &mut self,
-        place: Place<S>,
+        window: Window<S>,
         group: usize,
         entry: &RowEntry<S>,
     ) {
-        self.add_force(place, entry.force);
-        place.store(&mut self.heave[group], entry.heave);
-        place.store(&mut self.pitch[group], entry.pitch);
-        if !SYMMETRIC {
-            place.store(&mut self.acceleration[group], entry.acceleration);
+        self.add_force(window, entry.force);
+        window.store(&mut self.heave[group], entry.heave);
+        window.store(&mut self.pitch[group], entry.pitch);
+        if !EQUAL_ROWS {
+            window.store(&mut self.acceleration[group], entry.acceleration);
         }
     }
 
     /// Adds a generalised force.
     #[inline(always)]
-    pub fn add_force<S: Arithmetic>(&mut self, place: Place<S>, force: Lanes<S>) {
-        add_to(place, &mut self.force, force);
+    pub fn add_force<S: Arithmetic>(&mut self, window: Window<S>, force: Lanes<S>) {
+        add_to(window, &mut self.force, force);
     }
 
     /// Adds the generalised force per unit of a factor of the flaps' loads.
     #[inline(always)]
-    pub fn add_effect<S: Arithmetic>(&mut self, place: Place<S>, factor: usize, effect: Lanes<S>) {
-        add_to(place, &mut self.effects[factor], effect);
+    pub fn add_effect<S: Arithmetic>(&mut self, window: Window<S>, factor: usize, effect: Lanes<S>) {
+        add_to(window, &mut self.effects[factor], effect);
     }
 }
 
 #[inline(always)]
-fn add_to<S: Arithmetic>(place: Place<S>, sum: &mut Eight, lanes: Lanes<S>) {
-    place.store(sum, place.load(sum) + lanes);
+fn add_to<S: Arithmetic>(window: Window<S>, sum: &mut Eight, lanes: Lanes<S>) {
+    window.store(sum, window.load(sum) + lanes);
 }

@@ -6,7 +6,7 @@
 //! ∂U/∂q_a = (K₀ q + D p)_a + Σ_b S_ab q_b,      S = F p,
 //! ```
 //!
-//! where D has the coefficients of U₃ and the symmetric S those of U₄, a third of ½K₂ each way. On an airframe with a
+//! where D has the coefficients of U₃ and the self-adjoint S those of U₄, a third of ½K₂ each way. On an airframe with a
 //! mirror plane every monomial with an odd number of antisymmetric modes vanishes: rows are ordered by parity, and
 //! [`Columns`] leaves out what is zero. The plain form is [`StrainEnergy`].
 

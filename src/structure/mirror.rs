@@ -62,7 +62,7 @@ impl Mirror {
     }
 }
 
-/// A symmetric matrix of nodal unknowns, to be compared with its reflection.
+/// A self-adjoint matrix of nodal unknowns, to be compared with its reflection.
 struct Reflected<'m> {
     matrix: &'m DMatrix<f64>,
     /// Roots of the diagonal.

@@ -13,7 +13,7 @@ use super::{Mode, ModeFamily, ModeKind, StructureError};
 /// Frequencies closer than this (relative) count as equal: symmetric before antisymmetric.
 const DEGENERATE: f64 = 1e-9;
 
-/// Cap on the iterations of the symmetric eigensolver.
+/// Cap on the iterations of the eigensolver.
 const MAX_ITERATIONS: usize = 100_000;
 
 /// Natural modes with their shapes.
@@ -86,8 +86,8 @@ fn family_modes(
         matrix
     };
     let flexibility = solve(solve(mirror::restrict(mass, basis)).transpose());
-    let symmetric = (&flexibility + flexibility.transpose()) * 0.5;
-    let eigen = SymmetricEigen::try_new(symmetric, f64::EPSILON, MAX_ITERATIONS)
+    let self_adjoint = (&flexibility + flexibility.transpose()) * 0.5;
+    let eigen = SymmetricEigen::try_new(self_adjoint, f64::EPSILON, MAX_ITERATIONS)
         .ok_or(StructureError::EigenvaluesNotFound)?;
 
     let mut order: Vec<usize> = (0..basis.len()).collect();

@@ -166,20 +166,20 @@ impl StrainEnergy {
 
         for (tuple, coefficient) in ascending_tuples(self.modes).zip(&mut self.cubic) {
             let [a, b, c] = tuple;
-            let symmetric = e[a] * quadratic[(b, c)] + e[b] * quadratic[(a, c)] + e[c] * quadratic[(a, b)];
-            *coefficient += 0.5 * rigidity * permutations(&tuple) * symmetric / 3.0;
+            let permuted = e[a] * quadratic[(b, c)] + e[b] * quadratic[(a, c)] + e[c] * quadratic[(a, b)];
+            *coefficient += 0.5 * rigidity * permutations(&tuple) * permuted / 3.0;
         }
         let mut rest = self.quartic.as_mut_slice();
         for [a, b, c] in ascending_tuples(self.modes) {
             let (row, tail) = rest.split_at_mut(self.modes - c);
             rest = tail;
-            // Columns stand for rows of the symmetric matrix: their numbers lie side by side.
+            // Columns stand for rows of the self-adjoint matrix: their numbers lie side by side.
             let [of_a, of_b, of_c] = [a, b, c].map(|mode| &quadratic.as_slice()[mode * self.modes..][c..]);
             let (ab, ac, bc) = (quadratic[(a, b)], quadratic[(a, c)], quadratic[(b, c)]);
             let factor = |d| 0.125 * rigidity * permutations(&[a, b, c, d]);
             let add = |coefficient: &mut f64, factor: f64, ad: f64, bd: f64, cd: f64| {
-                let symmetric = ab * cd + ac * bd + ad * bc;
-                *coefficient += factor * symmetric / 3.0;
+                let permuted = ab * cd + ac * bd + ad * bc;
+                *coefficient += factor * permuted / 3.0;
             };
             add(&mut row[0], factor(c), of_a[0], of_b[0], of_c[0]);
             // All others have as many orders as the next.

@@ -66,13 +66,10 @@ impl SymmetricHalf {
         let mirror = Mirror::of(&model);
         let engines = mirror.engine_images(&model.engines)?;
         let images = mirror.images(&model.strips)?;
-        let pairs = images
-            .iter()
-            .enumerate()
-            .map(|(index, image)| (&model.strips[image.of], &model.strips[index], image.sign));
-        let controls = EvenControls::new(pairs);
-        let trimmed_by = model.control_for(TrimRole::Pitch).filter(|_| model.support == Support::Free);
-        if trimmed_by.is_some_and(|control| !controls.leave_free(control)) {
+        let pairs = model.strips.iter().zip(&images);
+        let controls =
+            EvenControls::new(pairs.map(|(strip, image)| (&model.strips[image.of], strip, image.sign)));
+        if trim_control(&model).is_some_and(|control| !controls.leave_free(control)) {
             return None;
         }
         let (mut kept, mut edge_on) = (Vec::new(), Vec::new());
@@ -104,6 +101,11 @@ impl SymmetricHalf {
     pub fn equations(&self, configuration: &Configuration) -> EquationsOfMotion {
         EquationsOfMotion::in_plane(&self.model, &self.edge_on, configuration)
     }
+}
+
+/// The control that holds the pitch of a free aircraft.
+fn trim_control(model: &ReducedModel) -> Option<usize> {
+    model.control_for(TrimRole::Pitch).filter(|_| model.support == Support::Free)
 }
 
 /// A strip as it counts in the half.

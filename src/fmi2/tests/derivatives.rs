@@ -4,6 +4,7 @@
 use nalgebra::{Rotation3, Vector3};
 
 use crate::equations::evaluations;
+use crate::kinematics::GeneralisedVector;
 use crate::variables::Slot;
 
 use super::state::{Saved, shortest};
@@ -170,7 +171,8 @@ fn derivatives_by_inputs_are_the_rates_at_which_flights_part() {
             0.01
         };
         let parting = parting(&fmu, input, apart, &moving);
-        let [velocity, rate] = [0, 3].map(|at| Vector3::from_column_slice(&parting[at..at + 3]));
+        let GeneralisedVector { translation: velocity, rotation: rate, modal } =
+            GeneralisedVector::of(&parting);
         let combine = |shapes: &[f64], weights: &[f64]| {
             Vector3::from_fn(|axis, _| {
                 (0..modes).map(|mode| shapes[axis * modes + mode] * weights[mode]).sum()
@@ -182,7 +184,7 @@ fn derivatives_by_inputs_are_the_rates_at_which_flights_part() {
         for station in &jet().stations {
             let (translation, rotation) = (&station.shapes.translation, &station.shapes.rotation);
             let place = station.position + combine(translation, &q);
-            let acceleration = velocity + rate.cross(&place) + combine(translation, &parting[6..]);
+            let acceleration = velocity + rate.cross(&place) + combine(translation, modal);
             let turn: Rotation3<f64> = Rotation3::from_scaled_axis(combine(rotation, &q));
             expected
                 .push((format!("station.{}.specific_force", station.name), turn.inverse() * acceleration));

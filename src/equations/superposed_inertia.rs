@@ -1,21 +1,24 @@
-//! Inertia of the deformed aircraft: mass matrix and inertial forcing.
+//! Inertia of an aircraft that deforms by superposition: mass matrix and inertial forcing.
 //!
 //! [theory: equations-of-motion.deformed-integrals, equations-of-motion.rows; thesis eq. 2.3]
+//!
+//! Constant shapes make every integral over the mass a polynomial of q, found once (`ModalIntegrals`). What the equations ask of
+//! inertia, of whatever kinematics: to be deformed, for the mass matrix, for the inertial forces and for those of gravity.
 //!
 //! Γ̂_α and ĥ_α are linear in q, and both are needed along the axes about which the aircraft spins. They are kept
 //! component by component, each for all modes, and come from one product of a constant matrix with q.
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::kinematics::{RigidFreedom, RigidMotion};
+use crate::kinematics::{GeneralisedVectorMut, RigidFreedom, RigidMotion};
 use crate::math::{AlignedNumbers, Arithmetic, Columns, LANES, SquareMatrix, zeros};
 use crate::structure::ModalIntegrals;
 
 /// The deformation-dependent integrals ĉ, Ĵ, Γ̂, ĥ at one q [theory: equations-of-motion.deformed-integrals].
 #[derive(Clone, Debug)]
-pub struct DeformedInertia {
+pub struct SuperposedInertia {
     /// ĉ = c₀ + p_α q_α, kg·m.
-    pub first_moment: Vector3<f64>,
+    first_moment: Vector3<f64>,
     /// Ĵ = J₀ + (Γᵀ + Γ)q + Πqq, kg·m².
     inertia: Matrix3<f64>,
     freedom: RigidFreedom,
@@ -33,7 +36,7 @@ pub struct DeformedInertia {
     coriolis: AlignedNumbers,
 }
 
-impl DeformedInertia {
+impl SuperposedInertia {
     /// The undeformed values.
     pub fn undeformed(integrals: &ModalIntegrals, freedom: RigidFreedom) -> Self {
         let (n, axes) = (integrals.modes(), freedom.axes());
@@ -56,7 +59,7 @@ impl DeformedInertia {
         let slope = |row: usize, b: usize| {
             number(row, &|a, i| integrals.upsilon[a * n + b][i], &|a, [i, j]| integrals.pi[a * n + b][(i, j)])
         };
-        let mut inertia = DeformedInertia {
+        let mut inertia = SuperposedInertia {
             first_moment: integrals.first_moment,
             inertia: integrals.inertia,
             undeformed_mass_matrix: constant_mass_matrix(integrals, freedom),
@@ -128,26 +131,54 @@ impl DeformedInertia {
         }
     }
 
+    /// Adds the inertial forces on ν in a motion of the body axes and, unless they are left out, the δ terms in q̇.
+    #[inline(always)]
+    pub fn add_forces<S: Arithmetic>(
+        &mut self,
+        simd: S,
+        integrals: &ModalIntegrals,
+        motion: &RigidMotion,
+        q_dot: Option<&[f64]>,
+        force: &mut [f64],
+    ) {
+        self.add_forcing(integrals.mass, &integrals.momentum, motion, force);
+        if let Some(q_dot) = q_dot {
+            self.add_coriolis(simd, integrals, &motion.rate, q_dot, force);
+        }
+    }
+
+    /// Adds the generalised forces of gravity, body axes, m/s².
+    #[inline(always)]
+    pub fn add_gravity(&self, integrals: &ModalIntegrals, gravity: &Vector3<f64>, force: &mut [f64]) {
+        let mut force = GeneralisedVectorMut::of(force);
+        force.add_rigid(&(gravity * integrals.mass), &self.first_moment.cross(gravity));
+        for (force, momentum) in force.modal.iter_mut().zip(&integrals.momentum) {
+            *force += momentum.dot(gravity);
+        }
+    }
+
     /// Adds the inertial forcing of the rigid motion: −mω×v + ω×cω… without the δ terms in q̇.
     ///
     /// [theory: equations-of-motion.rows]
     #[inline(always)]
-    pub fn add_forcing(&self, mass: f64, momentum: &[Vector3<f64>], motion: &RigidMotion, force: &mut [f64]) {
+    fn add_forcing(&self, mass: f64, momentum: &[Vector3<f64>], motion: &RigidMotion, force: &mut [f64]) {
         let RigidMotion { velocity, rate } = motion;
         let transport = rate.cross(velocity);
         let c = &self.first_moment;
-        add(&mut force[0..3], &(-transport * mass + rate.cross(&c.cross(rate))));
-        add(&mut force[3..6], &(-c.cross(&transport) - rate.cross(&(self.inertia * rate))));
-        for (force, p) in force[6..].iter_mut().zip(momentum) {
+        let mut force = GeneralisedVectorMut::of(force);
+        force.add_rigid(
+            &(-transport * mass + rate.cross(&c.cross(rate))),
+            &(-c.cross(&transport) - rate.cross(&(self.inertia * rate))),
+        );
+        for (force, p) in force.modal.iter_mut().zip(momentum) {
             *force -= p.dot(&transport);
         }
         let axes = self.freedom.axes();
         for (i, &axis) in axes.iter().enumerate() {
             for (j, &other) in axes.iter().enumerate() {
                 let squares = rate[axis] * rate[other];
-                for (force, gamma) in
-                    force[6..].iter_mut().zip(gamma(&self.deformed, axes, [i, j], momentum.len()))
-                {
+                let gamma = gamma(&self.deformed, axes, [i, j], momentum.len());
+                for (force, gamma) in force.modal.iter_mut().zip(gamma) {
                     *force += gamma * squares;
                 }
             }
@@ -158,7 +189,7 @@ impl DeformedInertia {
     ///
     /// [theory: equations-of-motion.delta-terms; thesis §2.3]
     #[inline(always)]
-    pub fn add_coriolis<S: Arithmetic>(
+    fn add_coriolis<S: Arithmetic>(
         &mut self,
         simd: S,
         integrals: &ModalIntegrals,
@@ -171,16 +202,17 @@ impl DeformedInertia {
         for (p, &q_dot) in integrals.momentum.iter().zip(q_dot) {
             momentum += p * q_dot;
         }
-        add(&mut force[0..3], &(rate.cross(&momentum) * -2.0));
+        let mut force = GeneralisedVectorMut::of(force);
+        force.add_translation(&(rate.cross(&momentum) * -2.0));
         let axes = self.freedom.axes();
         self.upsilon.times(simd, q_dot, &mut self.coriolis);
         for (i, &axis) in axes.iter().enumerate() {
             for (j, &other) in axes.iter().enumerate() {
                 let turned = dot(gamma(&self.deformed, axes, [i, j], n), q_dot);
-                force[3 + other] -= 2.0 * rate[axis] * turned;
+                force.rotation[other] -= 2.0 * rate[axis] * turned;
             }
             let upsilon = &self.coriolis[i * block_length(n)..][..n];
-            for (force, upsilon) in force[6..].iter_mut().zip(upsilon) {
+            for (force, upsilon) in force.modal.iter_mut().zip(upsilon) {
                 *force -= 2.0 * rate[axis] * upsilon;
             }
         }
@@ -201,13 +233,6 @@ fn gamma<'a>(numbers: &'a [f64], axes: &[usize], [i, j]: [usize; 2], modes: usiz
 #[inline(always)]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// Adds a vector to three entries of a slice.
-pub fn add(target: &mut [f64], vector: &Vector3<f64>) {
-    for (target, value) in target.iter_mut().zip(vector.iter()) {
-        *target += value;
-    }
 }
 
 /// The blocks m1, p and M of the mass matrix, which do not depend on q, without the rows and columns that do not move.

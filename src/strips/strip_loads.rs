@@ -13,13 +13,13 @@
 
 use crate::math::{Arithmetic, Arrow, LaneVector, Lanes, PlaneVector};
 
-use super::section::{FlapLoads, SectionLoads};
+use super::section::{SectionFlapLoads, SectionLoads};
 use super::sums::RowEntry;
 
-/// Resultants on whole strips, vectors of kind `V`; `SYMMETRIC` where accelerations are distributed as loads are.
-pub struct StripLoads<S: Arithmetic, V, const SYMMETRIC: bool> {
+/// Resultants on whole strips, vectors of kind `V`; `EQUAL_ROWS` where accelerations are distributed as loads are.
+pub struct StripLoads<S: Arithmetic, V, const EQUAL_ROWS: bool> {
     /// What translations meet.
-    pub resultants: Resultants<V, SYMMETRIC>,
+    pub resultants: Resultants<V, EQUAL_ROWS>,
     /// M, N·m.
     moment: Lanes<S>,
     /// −d √(πb²Δy).
@@ -29,7 +29,7 @@ pub struct StripLoads<S: Arithmetic, V, const SYMMETRIC: bool> {
 }
 
 /// Vectors whose products with a translation are its entries.
-pub struct Resultants<V, const SYMMETRIC: bool> {
+pub struct Resultants<V, const EQUAL_ROWS: bool> {
     /// √(πb²Δy) n.
     heave: V,
     /// F, N.
@@ -41,7 +41,7 @@ pub struct Resultants<V, const SYMMETRIC: bool> {
 }
 
 /// Resultants of the flaps: forces in parts of the heave and of the forward axis of [`Resultants`].
-pub struct FlapResultants<S: Arithmetic> {
+pub struct StripFlapLoads<S: Arithmetic> {
     /// Per radian: N per √kg along heave, N along f, N·m.
     heave: Lanes<S>,
     forward: Lanes<S>,
@@ -76,7 +76,7 @@ pub struct Displacement<S: Arithmetic> {
     turn: Lanes<S>,
 }
 
-impl<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETRIC> {
+impl<S: Arithmetic, V: Arrow<S>, const EQUAL_ROWS: bool> StripLoads<S, V, EQUAL_ROWS> {
     /// Of strips with their axes n, f and m.
     #[inline(always)]
     pub fn new(
@@ -89,7 +89,7 @@ impl<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETR
             resultants: Resultants {
                 heave,
                 force: *normal * (loads.down * sizes.width) + *forward * (loads.forward * sizes.width),
-                acceleration: if SYMMETRIC { heave } else { *zero_lift_normal * sizes.root_mass },
+                acceleration: if EQUAL_ROWS { heave } else { *zero_lift_normal * sizes.root_mass },
                 forward: *forward,
             },
             moment: loads.pitching * sizes.width,
@@ -107,13 +107,13 @@ impl<S: Arithmetic, V: Arrow<S>, const SYMMETRIC: bool> StripLoads<S, V, SYMMETR
         RowEntry {
             heave,
             pitch: turn * self.pitch_by_turn,
-            acceleration: if SYMMETRIC { heave } else { acceleration + by_turn },
+            acceleration: if EQUAL_ROWS { heave } else { acceleration + by_turn },
             force: force + turn * self.moment,
         }
     }
 }
 
-impl<V, const SYMMETRIC: bool> Resultants<V, SYMMETRIC> {
+impl<V, const EQUAL_ROWS: bool> Resultants<V, EQUAL_ROWS> {
     /// Of a component of ν that moves the attachment along a vector and turns the strips.
     #[inline(always)]
     pub fn displaced<S: Arithmetic>(&self, translation: &V, turn: Lanes<S>) -> Displacement<S>
@@ -124,14 +124,14 @@ impl<V, const SYMMETRIC: bool> Resultants<V, SYMMETRIC> {
         Displacement {
             heave,
             force: self.force.dot(translation),
-            acceleration: if SYMMETRIC { heave } else { self.acceleration.dot(translation) },
+            acceleration: if EQUAL_ROWS { heave } else { self.acceleration.dot(translation) },
             forward: self.forward.dot(translation),
             turn,
         }
     }
 }
 
-impl<S: Arithmetic, const SYMMETRIC: bool> Resultants<LaneVector<S>, SYMMETRIC> {
+impl<S: Arithmetic, const EQUAL_ROWS: bool> Resultants<LaneVector<S>, EQUAL_ROWS> {
     /// Those that rotations about O meet: of forces at `arm`, of accelerations at `position`.
     #[inline(always)]
     pub fn about(&self, [arm, position]: [&LaneVector<S>; 2]) -> Self {
@@ -139,7 +139,7 @@ impl<S: Arithmetic, const SYMMETRIC: bool> Resultants<LaneVector<S>, SYMMETRIC> 
         Resultants {
             heave,
             force: arm.cross(&self.force),
-            acceleration: if SYMMETRIC { heave } else { position.cross(&self.acceleration) },
+            acceleration: if EQUAL_ROWS { heave } else { position.cross(&self.acceleration) },
             forward: arm.cross(&self.forward),
         }
     }
@@ -157,7 +157,7 @@ impl<S: Arithmetic, const SYMMETRIC: bool> Resultants<LaneVector<S>, SYMMETRIC> 
     }
 }
 
-impl<S: Arithmetic, const SYMMETRIC: bool> Resultants<PlaneVector<S>, SYMMETRIC> {
+impl<S: Arithmetic, const EQUAL_ROWS: bool> Resultants<PlaneVector<S>, EQUAL_ROWS> {
     /// Of units of motion in the mirror plane: along x, along z, and about y through O, which turns the strips by
     /// `turn`; loads act at `arm`, accelerations at `position`.
     #[inline(always)]
@@ -174,7 +174,7 @@ impl<S: Arithmetic, const SYMMETRIC: bool> Resultants<PlaneVector<S>, SYMMETRIC>
         let about = Displacement {
             heave: heave_about,
             force: arm.cross(force),
-            acceleration: if SYMMETRIC { heave_about } else { position.cross(acceleration) },
+            acceleration: if EQUAL_ROWS { heave_about } else { position.cross(acceleration) },
             forward: arm.cross(forward),
             turn,
         };
@@ -182,11 +182,11 @@ impl<S: Arithmetic, const SYMMETRIC: bool> Resultants<PlaneVector<S>, SYMMETRIC>
     }
 }
 
-impl<S: Arithmetic> FlapResultants<S> {
+impl<S: Arithmetic> StripFlapLoads<S> {
     /// Of the flaps of strips.
     #[inline(always)]
-    pub fn new(loads: &FlapLoads<S>, sizes: &StripSizes<S>, per_root_mass: Lanes<S>) -> Self {
-        FlapResultants {
+    pub fn new(loads: &SectionFlapLoads<S>, sizes: &StripSizes<S>, per_root_mass: Lanes<S>) -> Self {
+        StripFlapLoads {
             heave: loads.down * sizes.width * per_root_mass,
             forward: loads.forward * sizes.width,
             moment: loads.pitching * sizes.width,

@@ -1,0 +1,101 @@
+//! A single section, displaced and turned by superposition.
+
+use nalgebra::Vector3;
+use pulp::Scalar;
+
+use crate::math::{LaneVector, Rotation};
+use crate::structure::ModeShapes;
+
+use super::super::sections::Section;
+
+/// A section and the mode shapes there.
+#[derive(Clone, Debug)]
+pub struct LinearSection {
+    at_rest: Vector3<f64>,
+    shapes: ModeShapes,
+}
+
+/// A section at an instant.
+#[derive(Clone, Copy, Debug)]
+pub struct SuperposedSection<'a> {
+    section: &'a LinearSection,
+    q_dot: &'a [f64],
+    /// Ψᵘq.
+    displacement: Vector3<f64>,
+    /// φ = Ψᵠq.
+    rotation: Vector3<f64>,
+    /// exp(φ×).
+    turn: Rotation<Scalar>,
+}
+
+impl LinearSection {
+    /// At a place of the undeformed aircraft.
+    pub fn new(at_rest: Vector3<f64>, shapes: ModeShapes) -> Self {
+        LinearSection { at_rest, shapes }
+    }
+
+    /// At some q and q̇.
+    pub fn at<'a>(&'a self, [q, q_dot]: [&'a [f64]; 2]) -> SuperposedSection<'a> {
+        let rotation = combine(&self.shapes.rotation, q);
+        SuperposedSection {
+            section: self,
+            q_dot,
+            displacement: combine(&self.shapes.translation, q),
+            rotation,
+            turn: Rotation::new(LaneVector::single(&rotation)),
+        }
+    }
+}
+
+impl Section for SuperposedSection<'_> {
+    fn displacement(&self) -> Vector3<f64> {
+        self.displacement
+    }
+
+    fn at_rest(&self) -> Vector3<f64> {
+        self.section.at_rest
+    }
+
+    fn velocity(&self) -> Vector3<f64> {
+        combine(&self.section.shapes.translation, self.q_dot)
+    }
+
+    fn acceleration(&self, q_ddot: &[f64]) -> Vector3<f64> {
+        combine(&self.section.shapes.translation, q_ddot)
+    }
+
+    fn spin(&self, body_rate: &Vector3<f64>) -> Vector3<f64> {
+        let rate = LaneVector::single(&combine(&self.section.shapes.rotation, self.q_dot));
+        (LaneVector::single(body_rate) + rate + self.turn.excess_spin(&rate)).vector()
+    }
+
+    fn turned(&self, vector: &Vector3<f64>) -> Vector3<f64> {
+        self.turn.apply(&LaneVector::single(vector)).vector()
+    }
+
+    fn turned_back(&self, vector: &Vector3<f64>) -> Vector3<f64> {
+        self.turn.apply_inverse(&LaneVector::single(vector)).vector()
+    }
+
+    fn twist(&self, axis: &Vector3<f64>) -> f64 {
+        axis.dot(&self.rotation)
+    }
+
+    fn write_generalised_force(&self, force: &Vector3<f64>, generalised: &mut [f64]) {
+        let (translation, n) = (&self.section.shapes.translation, self.q_dot.len());
+        for (mode, generalised) in generalised.iter_mut().enumerate() {
+            *generalised = (0..3).map(|i| translation[i * n + mode] * force[i]).sum();
+        }
+    }
+}
+
+/// Row-major 3 × n times q.
+fn combine(rows: &[f64], q: &[f64]) -> Vector3<f64> {
+    let (x, others) = rows.split_at(q.len());
+    let (y, z) = others.split_at(q.len());
+    let mut sum = Vector3::zeros();
+    for (((x, y), z), q) in x.iter().zip(y).zip(z).zip(q) {
+        sum += Vector3::new(*x, *y, *z) * *q;
+    }
+    sum
+}

@@ -1,0 +1,23 @@
+//! What all strips of an aircraft share at an instant [theory: air-loads.flow].
+
+use nalgebra::Vector3;
+
+use crate::kinematics::RigidFreedom;
+
+use super::inflow::PetersInflow;
+
+/// The state of the aircraft and of the air that all strips share.
+pub struct Surroundings<'a, A> {
+    /// The air as the aircraft meets it.
+    pub air: A,
+    /// ω, body axes, rad/s.
+    pub rate: Vector3<f64>,
+    /// ρ, kg/m³.
+    pub density: f64,
+    /// The inflow model of every strip.
+    pub inflow: &'a PetersInflow,
+    /// Whether forces act at the deformed place (all models but RL).
+    pub deformed_arms: bool,
+    /// Which components of v and ω move.
+    pub freedom: RigidFreedom,
+}
