@@ -54,7 +54,8 @@ impl Aircraft {
     ///
     /// # Errors
     /// When the file cannot be read, or for everything [`Aircraft::parse`] complains about.
-    pub fn read(path: &Path) -> Result<Aircraft, AircraftFileError> {
+    pub fn read(path: impl AsRef<Path>) -> Result<Aircraft, AircraftFileError> {
+        let path = path.as_ref();
         let file_name = path.display().to_string();
         match std::fs::read_to_string(path) {
             Ok(text) => Aircraft::parse(&text, &file_name),

@@ -114,6 +114,22 @@ pub struct ReducedStation {
     pub shapes: ModeShapes,
 }
 
+impl Aircraft {
+    /// Reduces the aircraft to as many modes as are usual: see [`ReducedModel::new`] for other numbers.
+    ///
+    /// ```
+    /// let model = flexible_aircraft::Aircraft::read("aircraft/generic-business-jet.toml")?.reduce()?;
+    /// assert_eq!((model.modes.len(), model.engines.len()), (26, 2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When the structure has no modes or its numbers overflow.
+    pub fn reduce(&self) -> Result<ReducedModel, StructureError> {
+        ReducedModel::new(self, ModeCount::Usual(ReducedModel::USUAL_MODES))
+    }
+}
+
 impl ReducedModel {
     /// How many modes a model has unless someone asks for another number: of the generic business jet's 26
     /// lowest modes twelve are symmetric, so that the FMU's `mode_count` of 12 serves either `mode_family`.
