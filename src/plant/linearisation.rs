@@ -36,6 +36,7 @@ const MAX_ITERATIONS: usize = 30;
 
 /// An unknown of the linearised motion: a departure from the trim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Unknown {
     /// Position down, m.
     Down,
