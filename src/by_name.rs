@@ -267,8 +267,7 @@ impl Flight {
     }
 
     fn variable(&self, name: &str) -> Result<&Variable, FlightError> {
-        let found = self.variables.iter().find(|(_, variable)| variable.name == name);
-        found.map(|(_, variable)| variable).ok_or_else(|| FlightError::Unknown(name.to_owned()))
+        self.variables.named(name).ok_or_else(|| FlightError::Unknown(name.to_owned()))
     }
 }
 

@@ -65,6 +65,12 @@ impl Aircraft {
 
     /// Expands the text of an aircraft file; `file_name` is what messages call it.
     ///
+    /// ```
+    /// # use flexible_aircraft::Aircraft;
+    /// let error = Aircraft::parse("nam = \"A glider\"", "glider.toml").unwrap_err();
+    /// assert!(error.to_string().contains("glider.toml:1:1: nam"), "{error}");
+    /// ```
+    ///
     /// # Errors
     /// [`AircraftFileError::Rejected`] with every mistake that can be told without guessing: first all that
     /// are in the reading of fields, then all that are in the aircraft which they describe.

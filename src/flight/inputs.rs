@@ -3,6 +3,17 @@
 use nalgebra::Vector3;
 
 /// Inputs at one instant, or their rates of change (the same quantities per second).
+///
+/// ```
+/// use flexible_aircraft::flight::Inputs;
+///
+/// let mut inputs = Inputs::zero(2);
+/// inputs.thrust[1] = 500.0; // N, of the second engine alone
+/// let mut rates = Inputs::zero(2);
+/// rates.wind.z = -4.0; // m/s²: air that rises faster and faster
+/// inputs.add(0.5, &rates); // s
+/// assert_eq!((inputs.wind.z, inputs.thrust[1]), (-2.0, 500.0));
+/// ```
 #[derive(Debug, PartialEq)]
 pub struct Inputs {
     /// rad, positive trailing edge down (nose-down moment).

@@ -10,6 +10,15 @@ use super::mode_count::ModeCount;
 use super::{ModalBasis, ModalIntegrals, Mode, ModeKind, ModeShapes, StrainEnergy, StructureError};
 
 /// An aircraft reduced to its modes.
+///
+/// ```
+/// use flexible_aircraft::{Aircraft, ReducedModel};
+///
+/// let wing = ReducedModel::new(&Aircraft::read("aircraft/goland-wing.toml")?, 2)?;
+/// let [bending, torsion] = [0, 1].map(|mode| wing.modes[mode].angular_frequency); // rad/s
+/// assert!((bending - 48.2).abs() < 0.1 && (torsion - 95.9).abs() < 0.1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReducedModel {
     /// Name for people.
