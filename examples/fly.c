@@ -1,6 +1,6 @@
 /* Flies the unpacked FMU through its C interface: an elevator pulse, printed every half second.
  *
- *   unzip -qo target/fmu/FlexibleAircraft.fmu -d target/unpacked
+ *   python3 -m zipfile -e target/fmu/FlexibleAircraft.fmu target/unpacked
  *   cc -std=c11 -I fmi-headers examples/fly.c target/unpacked/binaries/linux64/FlexibleAircraft.so -o target/unpacked/fly
  *   target/unpacked/fly "$PWD/target/unpacked"
  */

@@ -1,4 +1,4 @@
-"""Flies the FMU with what Python brings along, no FMI tool and no package: an elevator pulse, printed every half second.
+"""Flies the FMU with what Python brings along, no FMI tool, no package: an elevator pulse, printed every half second.
 
     python3 examples/fly_without_master.py target/fmu/FlexibleAircraft.fmu
 """

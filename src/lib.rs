@@ -64,3 +64,8 @@ pub mod variables;
 pub use aircraft::Aircraft;
 pub use by_name::{Flight, FlightError, Setting};
 pub use structure::ReducedModel;
+
+/// The README's Rust compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
