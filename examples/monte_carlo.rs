@@ -5,9 +5,9 @@
 //! cargo run --release --example monte_carlo -- 1000 4   # 1000 on four
 //! ```
 //!
-//! The aircraft is trimmed once. Every run goes back to the snapshot of that trim and draws from a generator of its own,
-//! so that the result is the same whatever the number of threads. A gust is 1 − cos, of any size up to 15 m/s upwards or
-//! downwards; its gradient distance is between 9 m and 107 m, as in CS-25.341.
+//! The aircraft is trimmed once. Every run goes back to the snapshot of that trim and draws from a generator of its
+//! own, so that the result is the same whatever the number of threads. A gust is 1 − cos, of any size up to 15 m/s
+//! upwards or downwards; its gradient distance is between 9 m and 107 m, as in CS-25.341.
 
 use std::env;
 use std::error::Error;

@@ -22,7 +22,8 @@
 //!
 //! [`Flight`] is the face for scripts and programs. Below it, each with its own types: [`flight::Simulation`] is stepped with
 //! typed inputs and outputs and never allocates; [`plant::Plant`] gives rates, outputs and linearised motion at any state;
-//! [`stability`] finds flutter; `flexair`, the command, packages the FMU.
+//! [`stability`] finds flutter; `flexair`, the command, packages the FMU. The folder `examples` has a flight, a control law in a
+//! loop and many random gusts from one snapshot.
 //!
 //! Data flows one way, and a layer never looks up:
 //!
