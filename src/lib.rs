@@ -6,6 +6,26 @@
 //! thesis' equations and sections. SI units and radians everywhere; body frame x forward, y right, z down; inertial
 //! frame north-east-down [theory: frames.conventions, frames.axes].
 //!
+//! From a file to a flight, by the [names of variables](Flight::variables) that the FMU has too:
+//!
+//! ```
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! use flexible_aircraft::{Aircraft, Flight};
+//!
+//! let mut flight = Flight::new(Aircraft::read("aircraft/generic-business-jet.toml")?.reduce()?);
+//! flight.set("elevator", -0.02)?; // rad, about the trim; positive nose-down
+//! flight.advance(2.0)?; // s
+//! println!("pitch {:.4} rad", flight.get("attitude.pitch")?);
+//! println!("wing tip {:.3} m up", flight.get("deflection.wing_tip_right.up")?);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! [`Flight`] is the face for scripts and programs. Below it, each with its own types: [`flight::Simulation`] is stepped with
+//! typed inputs and outputs and never allocates; [`plant::Plant`] gives rates, outputs and linearised motion at any state;
+//! [`stability`] finds flutter; `flexair`, the command, packages the FMU. The folder `examples` has a flight, a control law in a
+//! loop and many random gusts from one snapshot.
+//!
 //! Data flows one way, and a layer never looks up:
 //!
 //! | module | takes | gives |
@@ -22,11 +42,13 @@
 //! | [`flight`] | `ReducedModel`, settings | a flight in time |
 //! | [`stability`] | `ReducedModel`, settings | flutter and divergence over a range of airspeeds |
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
+//! | [`Flight`] | `ReducedModel` | a flight by the names of variables |
 //! | `fmi` | everything above | an FMU without its C: instance, life cycle, saved states, model description (feature `fmi`) |
 //! | `fmi2` | `fmi` | the C ABI of FMI 2.0 (feature `fmi`) |
 
 pub mod air;
 pub mod aircraft;
+mod by_name;
 pub mod equations;
 pub mod flight;
 #[cfg(feature = "fmi")]
@@ -43,3 +65,12 @@ pub mod strips;
 pub mod structure;
 pub mod symmetry;
 pub mod variables;
+
+pub use aircraft::Aircraft;
+pub use by_name::{Flight, FlightError, Setting};
+pub use structure::ReducedModel;
+
+/// The README's Rust compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -34,6 +34,7 @@ fn render_with(error: &AircraftFileError, renderer: &Renderer) -> String {
             });
             blocks.collect::<Vec<_>>().join("\n\n")
         }
+        _ => format!("error: {error}"),
     }
 }
 

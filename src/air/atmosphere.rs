@@ -20,6 +20,14 @@ const TROPOPAUSE: f64 = 11_000.0;
 const HEAT_RATIO: f64 = 1.4;
 
 /// The air at one altitude.
+///
+/// ```
+/// use flexible_aircraft::air::Air;
+///
+/// let [ground, cruise] = [0.0, 11_000.0].map(Air::at); // m
+/// assert!((ground.density - 1.225).abs() < 1e-4); // kg/m³
+/// assert!((cruise.speed_of_sound - 295.07).abs() < 0.01); // m/s
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Air {
     /// ρ, kg/m³.

@@ -76,6 +76,7 @@ impl fmt::Display for Diagnostic {
 
 /// Why an aircraft file was not understood.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum AircraftFileError {
     /// The file could not be read at all.
     #[error("{file_name}: cannot read the aircraft file: {source}")]

@@ -63,7 +63,8 @@ impl Aircraft {
     ///
     /// # Errors
     /// When the file cannot be read, or for everything [`Aircraft::parse`] complains about.
-    pub fn read(path: &Path) -> Result<Aircraft, AircraftFileError> {
+    pub fn read(path: impl AsRef<Path>) -> Result<Aircraft, AircraftFileError> {
+        let path = path.as_ref();
         let file_name = path.display().to_string();
         match std::fs::read_to_string(path) {
             Ok(text) => Aircraft::parse(&text, &file_name),
@@ -72,6 +73,12 @@ impl Aircraft {
     }
 
     /// Expands the text of an aircraft file; `file_name` is what messages call it.
+    ///
+    /// ```
+    /// # use flexible_aircraft::Aircraft;
+    /// let error = Aircraft::parse("nam = \"A glider\"", "glider.toml").unwrap_err();
+    /// assert!(error.to_string().contains("glider.toml:1:1: nam"), "{error}");
+    /// ```
     ///
     /// # Errors
     /// [`AircraftFileError::Rejected`] with every mistake that can be told without guessing: first all that

@@ -60,6 +60,15 @@ pub const ALTITUDES: RangeInclusive<f64> = -1000.0..=20_000.0;
 pub const MOST_INFLOW_STATES: usize = 8;
 
 /// A whole aircraft, expanded. Built by [`Aircraft::read`](super::Aircraft) from an aircraft file.
+///
+/// ```
+/// use flexible_aircraft::Aircraft;
+///
+/// let wing = Aircraft::read("aircraft/goland-wing.toml")?;
+/// let span: f64 = wing.strips.iter().map(|strip| strip.width).sum();
+/// assert!((span - 6.096).abs() < 1e-9); // m
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Aircraft {
     /// Name for people.

@@ -1,7 +1,15 @@
 //! The five fidelity levels and the terms that each keeps [theory: equations-of-motion.levels; thesis §2.4].
 
 /// How much of the nonlinear dynamics a model keeps.
+///
+/// ```
+/// use flexible_aircraft::equations::Fidelity;
+///
+/// let terms = Fidelity::Inconsistent.terms();
+/// assert!(terms.deformed_mass && !terms.quartic_energy);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Fidelity {
     /// E: all inertial and geometric nonlinearities.
     Exact,
@@ -37,6 +45,28 @@ impl Fidelity {
         Fidelity::RuthlesslyLinearised,
         Fidelity::Rigid,
     ];
+
+    /// The thesis' letters.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Fidelity::Exact => "E",
+            Fidelity::ConsistentlyLinearised => "CL",
+            Fidelity::Inconsistent => "I",
+            Fidelity::RuthlesslyLinearised => "RL",
+            Fidelity::Rigid => "Rigid",
+        }
+    }
+
+    /// For people, beside the letters.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Fidelity::Exact => "exact",
+            Fidelity::ConsistentlyLinearised => "consistently linearised",
+            Fidelity::Inconsistent => "inconsistent",
+            Fidelity::RuthlesslyLinearised => "ruthlessly linearised",
+            Fidelity::Rigid => "no deformation",
+        }
+    }
 
     /// The table of [theory: equations-of-motion.levels].
     pub fn terms(self) -> Terms {

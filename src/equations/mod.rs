@@ -1,6 +1,29 @@
 //! The equations of motion of the flexible aircraft at five fidelity levels.
 //!
 //! [theory: equations-of-motion.rows, equations-of-motion.levels; thesis §2.2–2.4]
+//!
+//! ```
+//! use flexible_aircraft::equations::{Configuration, EquationsOfMotion, Fidelity, Workspace};
+//! use flexible_aircraft::{Aircraft, ReducedModel};
+//! use nalgebra::Vector3;
+//!
+//! let jet = ReducedModel::new(&Aircraft::read("aircraft/generic-business-jet.toml")?, 4)?;
+//! let equations = EquationsOfMotion::new(&jet, &Configuration {
+//!     fidelity: Fidelity::Exact,
+//!     stiffness_scale: 1.0,
+//!     structural_damping: 0.0,
+//!     inflow_states: 2,
+//!     tunnel_flow: Vector3::zeros(),
+//! });
+//! let mut state = vec![0.0; equations.layout().len()];
+//! state[equations.layout().attitude()][0] = 1.0; // level, at rest, not deformed
+//! let (mut rates, mut workspace) = (vec![0.0; state.len()], Workspace::new(&equations));
+//! equations.rates(&state, &equations.neutral_controls(), &mut rates, &mut workspace);
+//! let fall = rates[equations.layout().velocity()][2]; // m/s², down
+//! // The wings have to push the air aside, which weighs something.
+//! assert!(0.95 * jet.gravity < fall && fall < jet.gravity, "{fall}");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod acting;
 mod around;

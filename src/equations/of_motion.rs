@@ -33,7 +33,7 @@ pub struct Configuration {
     pub tunnel_flow: Vector3<f64>,
 }
 
-/// The equations of motion of one aircraft at one fidelity level.
+/// The equations of motion of one aircraft at one fidelity level: an [example](crate::equations).
 #[derive(Clone, Debug)]
 pub struct EquationsOfMotion {
     pub(crate) layout: StateLayout,

@@ -4,6 +4,7 @@ use crate::plant::TrimError;
 
 /// Why a flight cannot start or go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SimulationError {
     /// A setting is outside its range.
     #[error("{setting}: found {found}, allowed is {allowed}")]

@@ -5,6 +5,20 @@ use nalgebra::Vector3;
 use crate::structure::ReducedModel;
 
 /// Inputs at one instant, or their rates of change (the same quantities per second).
+///
+/// ```
+/// use flexible_aircraft::Aircraft;
+/// use flexible_aircraft::flight::Inputs;
+///
+/// let jet = Aircraft::read("aircraft/generic-business-jet.toml")?.reduce()?;
+/// let mut inputs = Inputs::zero(&jet);
+/// inputs.thrust[1] = 500.0; // N, of the second engine alone
+/// let mut rates = Inputs::zero(&jet);
+/// rates.wind.z = -4.0; // m/s²: air that rises faster and faster
+/// inputs.add(0.5, &rates); // s
+/// assert_eq!((inputs.wind.z, inputs.thrust[1]), (-2.0, 500.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, PartialEq)]
 pub struct Inputs {
     /// rad, one per control in the order of [`ReducedModel::controls`].

@@ -23,6 +23,7 @@ pub struct LimitExceeded {
 
 /// What limits are for.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum LimitedQuantity {
     /// Of the body x axis at O, rad.
     AngleOfAttack,

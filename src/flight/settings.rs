@@ -36,6 +36,21 @@ pub enum InputReference {
 const USUAL_MODES: usize = 12;
 
 /// The parameters of a flight.
+///
+/// ```
+/// use flexible_aircraft::equations::Fidelity;
+/// use flexible_aircraft::flight::Settings;
+/// # use flexible_aircraft::{Aircraft, ReducedModel};
+///
+/// let jet = ReducedModel::new(&Aircraft::read("aircraft/generic-business-jet.toml")?, 4)?;
+/// let fast = Settings { airspeed: 180.0, ..Settings::of(&jet) }; // m/s
+/// assert_eq!(fast.choose_modes(&jet)?, [0, 1, 2, 3]);
+/// let rigid = Settings { fidelity: Fidelity::Rigid, ..fast.clone() };
+/// assert_eq!(rigid.plant(&jet)?.layout().modes(), 0);
+/// let refused = Settings { airspeed: -1.0, ..fast }.plant(&jet).unwrap_err();
+/// assert_eq!(refused.to_string(), "airspeed: found -1, allowed is 1 to 400 (m/s)");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// Fidelity level.

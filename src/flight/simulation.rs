@@ -27,6 +27,22 @@ const AIRSPEED_DRIFT: f64 = 0.1;
 /// Cells of time begin and end on a grid that begins with the flight. Where a step ends inside a cell, the present is computed
 /// from the cell's beginning, the anchor, and the next step begins at the anchor again, unless the inputs
 /// have changed: one step of 10 ms and ten of 1 ms are the same computation and give the same bits.
+///
+/// ```
+/// # use std::sync::Arc;
+/// use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+/// # use flexible_aircraft::{Aircraft, ReducedModel};
+///
+/// let jet = Arc::new(ReducedModel::new(&Aircraft::read("aircraft/generic-business-jet.toml")?, 4)?);
+/// let mut flight = Simulation::new(Arc::clone(&jet), &Settings::of(&jet), 0.0)?;
+/// let constant = Inputs::zero(&jet);
+/// let mut inputs = constant.clone();
+/// inputs.wind.z = -3.0; // m/s: the air rises
+/// flight.set_inputs(&inputs, &constant);
+/// flight.advance_to(0.5)?; // s
+/// assert!(flight.outputs().load_factor.z > 1.02);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Simulation {
     pub(super) model: Arc<ReducedModel>,

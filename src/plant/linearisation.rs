@@ -38,6 +38,7 @@ const MAX_ITERATIONS: usize = 30;
 
 /// An unknown of the linearised motion: a departure from the trim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Unknown {
     /// Position down, m.
     Down,
@@ -63,6 +64,22 @@ pub enum Unknown {
 }
 
 /// A of ẋ = A x.
+///
+/// ```
+/// use flexible_aircraft::flight::Settings;
+/// use flexible_aircraft::{Aircraft, ReducedModel};
+///
+/// let wing = ReducedModel::new(&Aircraft::read("aircraft/goland-wing.toml")?, 2)?;
+/// let is_stable = |airspeed: f64| -> Result<bool, Box<dyn std::error::Error>> {
+///     let settings = Settings { airspeed, inflow_states: 4, ..Settings::of(&wing) };
+///     let plant = settings.plant(&wing)?;
+///     let trim = plant.trim(&settings.trim_condition())?;
+///     let eigenvalues = plant.linearise(&trim).eigenvalues()?; // 1/s
+///     Ok(eigenvalues.iter().all(|eigenvalue| eigenvalue.re < 1e-6))
+/// };
+/// assert!(is_stable(120.0)? && !is_stable(150.0)?); // m/s; it flutters at 137
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateMatrix {
     /// The unknown of each row and column: rigid motion, q, q̇, then the inflow strip by strip, the real and

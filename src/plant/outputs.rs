@@ -12,6 +12,20 @@ use super::course::Course;
 use super::sensors::{BodyMotion, Sensors};
 
 /// All outputs at one instant.
+///
+/// ```
+/// # use std::sync::Arc;
+/// # use flexible_aircraft::flight::{Settings, Simulation};
+/// # use flexible_aircraft::{Aircraft, ReducedModel};
+/// let jet = Arc::new(ReducedModel::new(&Aircraft::read("aircraft/generic-business-jet.toml")?, 4)?);
+/// let mut flight = Simulation::new(Arc::clone(&jet), &Settings::of(&jet), 0.0)?;
+/// let tip = jet.stations.iter().position(|station| station.name == "wing_tip_right").ok_or("no such station")?;
+/// let outputs = flight.outputs();
+/// assert!((outputs.air.speed - jet.airspeed).abs() < 1e-9); // m/s
+/// assert!((outputs.load_factor.z - outputs.attitude.y.cos()).abs() < 1e-6); // level flight
+/// assert!(outputs.deflections[tip].displacement.z < -0.5); // m: up
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outputs {
     /// Of O, north-east-down, m.

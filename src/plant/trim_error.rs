@@ -8,6 +8,7 @@ use super::trim::TrimPoint;
 
 /// Why there is no trim.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum TrimFailure {
     /// Newton's method ended elsewhere.
     NotFound,

@@ -27,6 +27,7 @@ pub struct Skipped {
 
 /// Why a speed could not be analysed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SkipReason {
     /// There is no trim.
     #[error(transparent)]

@@ -19,6 +19,18 @@ use super::unstable::{Findings, UnstableRange};
 const SHARE: usize = 8;
 
 /// The roots of an aircraft over a range of airspeeds.
+///
+/// ```
+/// use flexible_aircraft::flight::Settings;
+/// use flexible_aircraft::stability::{CrossingKind, Sweep};
+/// use flexible_aircraft::{Aircraft, ReducedModel};
+///
+/// let wing = ReducedModel::new(&Aircraft::read("aircraft/goland-wing.toml")?, 3)?;
+/// let sweep = Sweep::new(&wing, &Settings::of(&wing), &[120.0, 130.0, 140.0])?; // m/s
+/// let flutter = sweep.crossings.iter().find(|crossing| crossing.kind == CrossingKind::Flutter).ok_or("none")?;
+/// assert!((flutter.airspeed - 137.0).abs() < 1.0, "{flutter:?}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Sweep {
     /// Ascending airspeeds at which the aircraft is trimmed, m/s.

@@ -36,6 +36,14 @@ struct LagPair {
 }
 
 /// The inflow of a strip with N states.
+///
+/// ```
+/// use flexible_aircraft::strips::PetersInflow;
+///
+/// let inflow = PetersInflow::new(6);
+/// assert_eq!(inflow.real_lags() + 2 * inflow.lag_pairs(), 6);
+/// assert_eq!(PetersInflow::new(0).real_lags(), 0); // steady aerodynamics
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PetersInflow {
     lags: Vec<Lag>,

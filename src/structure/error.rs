@@ -4,6 +4,7 @@ use super::ModeKind;
 
 /// Why a structure could not be reduced, or a reduced model not be read.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum StructureError {
     /// A bay's inertia violates the triangle inequality.
     #[error(

@@ -12,6 +12,15 @@ use super::mode_count::ModeCount;
 use super::{ModalBasis, ModalIntegrals, Mode, ModeKind, ModeShapes, StrainEnergy, StructureError};
 
 /// An aircraft reduced to its modes.
+///
+/// ```
+/// use flexible_aircraft::{Aircraft, ReducedModel};
+///
+/// let wing = ReducedModel::new(&Aircraft::read("aircraft/goland-wing.toml")?, 2)?;
+/// let [bending, torsion] = [0, 1].map(|mode| wing.modes[mode].angular_frequency); // rad/s
+/// assert!((bending - 48.2).abs() < 0.1 && (torsion - 95.9).abs() < 0.1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReducedModel {
     /// Name for people.
@@ -116,6 +125,22 @@ pub struct ReducedStation {
     pub twist_axis: Vector3<f64>,
     /// On the elastic axis.
     pub shapes: ModeShapes,
+}
+
+impl Aircraft {
+    /// Reduces the aircraft to as many modes as are usual: see [`ReducedModel::new`] for other numbers.
+    ///
+    /// ```
+    /// let model = flexible_aircraft::Aircraft::read("aircraft/generic-business-jet.toml")?.reduce()?;
+    /// assert_eq!((model.modes.len(), model.engines.len()), (26, 2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When the structure has no modes or its numbers overflow.
+    pub fn reduce(&self) -> Result<ReducedModel, StructureError> {
+        ReducedModel::new(self, ModeCount::Usual(ReducedModel::USUAL_MODES))
+    }
 }
 
 impl ReducedModel {

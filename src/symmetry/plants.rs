@@ -15,6 +15,23 @@ use super::half::{Counterpart, SymmetricHalf};
 use super::unfolding::Unfolding;
 
 /// The plant of each form of an aircraft.
+///
+/// ```
+/// use flexible_aircraft::flight::Settings;
+/// use flexible_aircraft::symmetry::Form;
+/// # use flexible_aircraft::{Aircraft, ReducedModel};
+///
+/// let jet = ReducedModel::new(&Aircraft::read("aircraft/generic-business-jet.toml")?, 4)?;
+/// let settings = Settings::of(&jet);
+/// let plants = settings.plants(&jet)?;
+/// let half = plants.half().ok_or("the jet has a mirror plane")?;
+/// assert!(half.layout().len() < plants.whole().layout().len());
+/// // The trim is found with the half and stands for the whole.
+/// let trimmed = plants.trim(&settings.trim_condition())?;
+/// assert!(trimmed.form.is_symmetric());
+/// assert_eq!(trimmed.trims.of(Form::of_symmetric(false)).state.len(), plants.whole().layout().len());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Plants {
     plants: Forms<Plant>,

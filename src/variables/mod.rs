@@ -21,6 +21,17 @@ use crate::aircraft::TrimRole;
 use crate::structure::ReducedModel;
 
 /// All variables of the FMU of one aircraft; the index is the value reference.
+///
+/// ```
+/// use flexible_aircraft::variables::{Unit, VariableTable};
+/// # use flexible_aircraft::{Aircraft, ReducedModel};
+///
+/// let jet = ReducedModel::new(&Aircraft::read("aircraft/generic-business-jet.toml")?, 4)?;
+/// let table = VariableTable::new(&jet);
+/// let airspeed = table.named("airspeed").ok_or("no such variable")?;
+/// assert_eq!((airspeed.unit, airspeed.allowed()), (Some(Unit::MetrePerSecond), "1 to 400 m/s".to_owned()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct VariableTable {
     rows: Vec<Variable>,
@@ -43,6 +54,11 @@ impl VariableTable {
     /// All variables with their value references, in order.
     pub fn iter(&self) -> impl Iterator<Item = (u32, &Variable)> {
         (0u32..).zip(&self.rows)
+    }
+
+    /// The variable of a name.
+    pub fn named(&self, name: &str) -> Option<&Variable> {
+        self.rows.iter().find(|variable| variable.name == name)
     }
 
     /// The value reference of a name.

@@ -16,6 +16,7 @@ pub enum Value {
 
 /// The enumerations of the parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum EnumerationType {
     /// [`Fidelity`].
     Model,
@@ -91,6 +92,7 @@ impl Axis {
 /// A quantity of the flow at O.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "the quantities are documented in AirData")]
+#[non_exhaustive]
 pub enum AirQuantity {
     Speed,
     AngleOfAttack,
@@ -102,6 +104,7 @@ pub enum AirQuantity {
 
 /// A component of a station's deflection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum DeflectionComponent {
     /// Displacement along a body axis, m.
     Along(Axis),
@@ -114,6 +117,7 @@ pub enum DeflectionComponent {
 /// An input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "the quantities are documented in Inputs")]
+#[non_exhaustive]
 pub enum InputSlot {
     /// The angle of the control with this index.
     Control(usize),
@@ -126,6 +130,7 @@ pub enum InputSlot {
 /// A parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "the quantities are documented in Settings")]
+#[non_exhaustive]
 pub enum ParameterSlot {
     InputReference,
     Model,
@@ -143,6 +148,7 @@ pub enum ParameterSlot {
 /// An output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "the quantities are documented in Outputs and TrimPoint")]
+#[non_exhaustive]
 pub enum OutputSlot {
     Position(Axis),
     Attitude(Axis),

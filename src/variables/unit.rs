@@ -3,6 +3,7 @@
 
 /// Unit of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Unit {
     /// 1
     One,

@@ -25,11 +25,12 @@ def blocks(language):
 
 @pytest.fixture
 def folder(fmu, tmp_path):
-    """A folder with the FMU where the README has it, and the aircraft files."""
+    """A folder with the FMU where the README has it, and what its commands read."""
     packaged = tmp_path / "target" / "fmu" / "FlexibleAircraft.fmu"
     packaged.parent.mkdir(parents=True)
     shutil.copy(fmu, packaged)
-    (tmp_path / "aircraft").symlink_to(ROOT / "aircraft")
+    for name in ("aircraft", "examples", "fmi-headers"):
+        (tmp_path / name).symlink_to(ROOT / name)
     return tmp_path
 
 
@@ -66,6 +67,19 @@ def test_the_table_of_the_readme_becomes_a_flight_worth_plotting(folder):
     assert edges == pytest.approx([1.0, 2.4, 4.5, 5.2, 5.9])
     assert set(inputs["elevator"]) == {0.0, 0.05, -0.05} and inputs["elevator"][150] == -0.05
     assert np.ptp(flight["attitude.pitch"]) > 0.02
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the commands are those for Linux")
+def test_the_commands_of_the_readme_fly_the_fmu_from_c_and_from_python_alike(folder):
+    [commands] = [commands for commands in blocks("sh") if "fly.c" in commands]
+    shell = ["bash", "-euo", "pipefail", "-c", commands]
+    lines = subprocess.run(shell, cwd=folder, check=True, capture_output=True, text=True).stdout.splitlines()
+    assert len(lines) == 16 and lines[:8] == lines[8:], lines
+
+
+def test_the_readme_names_every_example():
+    stems = {path.stem for path in (ROOT / "examples").glob("*.*")}
+    assert [stem for stem in sorted(stems) if not re.search(rf"\b{stem}\b", README)] == []
 
 
 def test_the_readme_lists_what_goes_in_and_what_comes_out(model_description):

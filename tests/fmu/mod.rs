@@ -67,7 +67,7 @@ fn inputs_at(time: f64) -> Inputs {
 
 #[test]
 fn fmu_and_rust_library_give_the_same_bits() {
-    let aircraft = Aircraft::read(&jet_file()).unwrap();
+    let aircraft = Aircraft::read(jet_file()).unwrap();
     let model = Arc::new(ReducedModel::new(&aircraft, MODE_COUNT).unwrap());
     let settings = Settings::of(&model);
     let mut flight = Simulation::new(model, &settings, 0.0).unwrap();

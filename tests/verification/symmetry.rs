@@ -130,7 +130,7 @@ fn the_whole_aircraft_goes_on_where_the_half_stood() {
     flight.advance_to(0.777).unwrap();
     let half = flight.outputs().clone();
     set(&mut flight, |inputs| {
-        (inputs.controls[ELEVATOR], inputs.wind.z, inputs.controls[AILERON]) = (-0.03, -2.0, NOTHING)
+        (inputs.controls[ELEVATOR], inputs.wind.z, inputs.controls[AILERON]) = (-0.03, -2.0, NOTHING);
     });
     let seen = flight.outputs().clone();
     flight.advance_to(0.777 + 1e-5).unwrap();

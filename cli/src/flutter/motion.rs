@@ -39,7 +39,8 @@ impl Shares {
                     let frequency = model.modes[mode].angular_frequency;
                     shares.modes[mode] += settings.stiffness_scale * frequency * frequency * square;
                 }
-                Unknown::Down | Unknown::Roll | Unknown::Pitch | Unknown::Inflow { .. } => {}
+                // Position, attitude and the wake have no energy that is the aircraft's.
+                _ => {}
             }
         }
         let total = shares.rigid + shares.modes.iter().sum::<f64>();

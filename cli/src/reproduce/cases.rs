@@ -161,18 +161,7 @@ impl Flight {
     /// For file names.
     pub fn slug(&self) -> String {
         let steady = if self.inflow_states == 0 { "-steady" } else { "" };
-        format!("{}-{}{steady}", self.case.slug(), symbol(self.fidelity))
-    }
-}
-
-/// The thesis' name of a model.
-pub fn symbol(fidelity: Fidelity) -> &'static str {
-    match fidelity {
-        Fidelity::Exact => "E",
-        Fidelity::ConsistentlyLinearised => "CL",
-        Fidelity::Inconsistent => "I",
-        Fidelity::RuthlesslyLinearised => "RL",
-        Fidelity::Rigid => "Rigid",
+        format!("{}-{}{steady}", self.case.slug(), self.fidelity.symbol())
     }
 }
 

@@ -9,7 +9,7 @@ use flexible_aircraft::equations::Fidelity;
 
 use crate::chart::Window;
 
-use super::cases::{Case, Flight, UNSTEADY, symbol};
+use super::cases::{Case, Flight, UNSTEADY};
 use super::history::Quantity::{
     self, AccelerationX, AccelerationY, AccelerationZ, Pitch, RateX, RateY, RateZ, Roll, VelocityX,
     VelocityY, VelocityZ, WingTip, Yaw,
@@ -166,7 +166,7 @@ impl Comparison {
         match self {
             Comparison::Models(case) => {
                 let flight = |fidelity| Flight { case, fidelity, inflow_states: UNSTEADY };
-                Fidelity::ALL.map(|fidelity| (flight(fidelity), symbol(fidelity).to_owned())).into()
+                Fidelity::ALL.map(|fidelity| (flight(fidelity), fidelity.symbol().to_owned())).into()
             }
             Comparison::Aerodynamics(fidelity) => {
                 let steady = Flight::steady(fidelity);
@@ -181,7 +181,7 @@ impl Comparison {
         match self {
             Comparison::Models(case) => case.title().to_owned(),
             Comparison::Aerodynamics(fidelity) => {
-                format!("{}, unsteady and steady aerodynamics, 177.8 m/s", symbol(fidelity))
+                format!("{}, unsteady and steady aerodynamics, 177.8 m/s", fidelity.symbol())
             }
         }
     }

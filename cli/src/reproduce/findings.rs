@@ -1,7 +1,6 @@
 //! What the page says. The constants tell what was done and how to read it; what came out is computed from the
 //! flights that were flown, for whatever aircraft, and nothing else is said of them.
 
-use super::cases::symbol;
 use super::figures::{Comparison, Group};
 use super::fit::Verdict;
 use super::history::{History, Quantity};
@@ -70,9 +69,9 @@ pub fn in_short(table: &Table) -> Vec<String> {
     if let [(least, low), .., (most, high)] = soft[..] {
         found.push(format!(
             "At a tenth of the stiffness {} deflects least ({} m), {} most ({} m).",
-            symbol(least.fidelity),
+            least.fidelity.symbol(),
             number(low, 2),
-            symbol(most.fidelity),
+            most.fidelity.symbol(),
             number(high, 2)
         ));
     }

@@ -4,7 +4,6 @@ use std::fmt::Write;
 
 use crate::chart::{escaped, legend};
 
-use super::cases::symbol;
 use super::figures::Comparison;
 use super::fit::Verdict;
 use super::plots::Plot;
@@ -183,7 +182,7 @@ pub fn count<'a>(plots: impl Iterator<Item = &'a Plot>) -> String {
 fn conditions(comparison: Comparison) -> String {
     let describe = |(flight, label): &(super::cases::Flight, String)| match comparison {
         Comparison::Models(_) => label.clone(),
-        Comparison::Aerodynamics(_) => format!("{} {label}", symbol(flight.fidelity)),
+        Comparison::Aerodynamics(_) => format!("{} {label}", flight.fidelity.symbol()),
     };
     let (case, flights) = (comparison.case(), comparison.flights());
     let family = match case.modes() {
@@ -236,7 +235,7 @@ mod tests {
         static REPRODUCTION: OnceLock<Reproduction> = OnceLock::new();
         REPRODUCTION.get_or_init(|| {
             let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../aircraft/generic-business-jet.toml");
-            let aircraft = Aircraft::read(file.as_ref()).unwrap();
+            let aircraft = Aircraft::read(file).unwrap();
             let model = Arc::new(ReducedModel::new(&aircraft, ReducedModel::USUAL_MODES).unwrap());
             let flight =
                 Flight { case: Case::ElevatorTenth, fidelity: Fidelity::Exact, inflow_states: UNSTEADY };
@@ -280,7 +279,7 @@ mod tests {
     #[test]
     fn only_the_shipped_aircraft_is_compared_with_what_others_found_for_it() {
         let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../aircraft/generic-business-jet.toml");
-        let mut aircraft = Aircraft::read(file.as_ref()).unwrap();
+        let mut aircraft = Aircraft::read(file).unwrap();
         assert!(Reproduction::new(&aircraft, &[]).table.is_shipped);
         aircraft.bays[0].mass += 1.0;
         let page = html(&Reproduction::new(&aircraft, &[]));

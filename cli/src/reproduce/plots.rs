@@ -4,7 +4,7 @@ use flexible_aircraft::equations::Fidelity;
 
 use crate::chart::{Axis, Chart, Curve, FONT, Mark, Window, escaped, legend};
 
-use super::cases::{Surface, symbol};
+use super::cases::Surface;
 use super::figures::{Comparison, Figure};
 use super::fit::Fit;
 use super::history::{DURATION, History};
@@ -57,7 +57,7 @@ impl Plot {
 fn subtitle(figure: &Figure) -> String {
     match figure.comparison {
         Comparison::Models(_) => String::new(),
-        Comparison::Aerodynamics(fidelity) => format!(", model {}", symbol(fidelity)),
+        Comparison::Aerodynamics(fidelity) => format!(", model {}", fidelity.symbol()),
     }
 }
 
@@ -105,7 +105,7 @@ pub fn overview(title: &str, panels: &[&str]) -> String {
         let (x, y) = (width * (index % 2) as f64, head + height * (index / 2) as f64);
         format!("<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\">{panel}</svg>")
     });
-    let labels = Fidelity::ALL.map(|fidelity| format!("{}, {}", symbol(fidelity), in_words(fidelity)));
+    let labels = Fidelity::ALL.map(|fidelity| format!("{}, {}", fidelity.symbol(), fidelity.in_words()));
     let legend = legend(&labels.each_ref().map(String::as_str), whole);
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {whole} {}\"><rect width=\"100%\" height=\"100%\" \
@@ -116,16 +116,6 @@ pub fn overview(title: &str, panels: &[&str]) -> String {
         placed.collect::<String>(),
         head + height * rows + 8.0
     )
-}
-
-fn in_words(fidelity: Fidelity) -> &'static str {
-    match fidelity {
-        Fidelity::Exact => "exact",
-        Fidelity::ConsistentlyLinearised => "consistently linearised",
-        Fidelity::Inconsistent => "inconsistent",
-        Fidelity::RuthlesslyLinearised => "ruthlessly linearised",
-        Fidelity::Rigid => "no deformation",
-    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use flexible_aircraft::equations::Fidelity;
 
-use super::cases::{Case, Flight, UNSTEADY, symbol};
+use super::cases::{Case, Flight, UNSTEADY};
 use super::history::{History, Quantity};
 use super::page::number;
 
@@ -53,7 +53,7 @@ impl Row {
     /// Model and stiffness.
     pub fn title(&self) -> String {
         let stiffness = if self.is_soft() { "a tenth" } else { "nominal" };
-        format!("{}, {stiffness}", symbol(self.fidelity))
+        format!("{}, {stiffness}", self.fidelity.symbol())
     }
 
     /// Whether it has a tenth of the stiffness.
