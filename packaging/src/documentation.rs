@@ -255,8 +255,9 @@ mod tests {
     fn the_page_says_what_positive_angles_of_the_aircrafts_own_controls_do() {
         let mut aircraft = jet();
         assert!(page_of(&aircraft).contains("<li>Positive <code>elevator</code>: nose-down.</li>"));
-        (aircraft.controls[0].name, aircraft.controls[0].positive) =
-            ("canard".to_owned(), "up & away".to_owned());
+        let pitch = &mut aircraft.controls[0];
+        (pitch.name, pitch.description) = ("canard".to_owned(), "Canard deflection".to_owned());
+        pitch.positive = "up & away".to_owned();
         let page = page_of(&aircraft);
         assert!(
             page.contains("<li>Positive <code>canard</code>: up &amp; away.</li>")
