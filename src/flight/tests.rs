@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use crate::variables::tests::{AILERON, ELEVATOR, RUDDER, jet};
+use crate::structure::test_jet::{AILERON, ELEVATOR, RUDDER, jet};
 
 use super::inputs::Inputs;
 use super::moment::Moment;

@@ -1,6 +1,7 @@
 //! The rules of the house that no compiler checks.
 
 mod imports;
+mod modules;
 mod theory;
 
 use std::fs;

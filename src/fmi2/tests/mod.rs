@@ -26,8 +26,8 @@ use super::exports::*;
 use super::types::{CallbackFunctions, CallbackLogger, Component, FmuState, Status};
 use crate::fmi::RESOURCE_FILE;
 use crate::fmi::description::guid;
+use crate::structure::test_jet::jet;
 use crate::variables::VariableTable;
-use crate::variables::tests::jet;
 
 /// A message as the importer's logger gets it.
 #[derive(Clone, Debug, PartialEq)]
