@@ -11,7 +11,8 @@ use super::fidelity::Fidelity;
 use super::of_motion::{Configuration, EquationsOfMotion};
 use super::workspace::Workspace;
 
-fn configuration(fidelity: Fidelity) -> Configuration {
+/// What tests ask for: five lags a strip, no damping.
+pub(crate) fn configuration(fidelity: Fidelity) -> Configuration {
     Configuration {
         fidelity,
         stiffness_scale: 1.0,

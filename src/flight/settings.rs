@@ -23,7 +23,7 @@ pub enum ModeSelection {
     Symmetric,
 }
 
-/// What the surface and thrust inputs mean.
+/// What the inputs of controls and thrusts mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum InputReference {
     /// They add to the trim values.

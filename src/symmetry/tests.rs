@@ -3,22 +3,13 @@
 use nalgebra::Vector3;
 
 use crate::aircraft::Flap;
-use crate::equations::{Configuration, EquationsOfMotion, Fidelity, StateLayout, Workspace};
+use crate::equations::tests::configuration;
+use crate::equations::{EquationsOfMotion, Fidelity, StateLayout, Workspace};
 use crate::math::LANES;
 use crate::structure::ReducedModel;
 use crate::structure::test_jet::{AILERON_SYMMETRIC, ELEVATOR, jet};
 
 use super::half::{Counterpart, SymmetricHalf};
-
-fn configuration(fidelity: Fidelity) -> Configuration {
-    Configuration {
-        fidelity,
-        stiffness_scale: 1.0,
-        structural_damping: 0.0,
-        inflow_states: 5,
-        tunnel_flow: Vector3::zeros(),
-    }
-}
 
 /// A state of symmetric motion, the inflow of each strip and each place given by `inflow`.
 fn symmetric_state(
