@@ -288,7 +288,7 @@ fn value(variable: &Variable, setting: Setting) -> Option<Value> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::variables::tests::jet;
+    use crate::structure::test_jet::jet;
 
     fn rigid() -> Flight {
         let mut flight = Flight::new(jet().clone());

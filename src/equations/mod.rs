@@ -49,4 +49,4 @@ pub use of_motion::{Configuration, EquationsOfMotion};
 pub use workspace::Workspace;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

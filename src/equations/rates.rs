@@ -61,7 +61,7 @@ impl EquationsOfMotion {
         rates[layout.coordinates()].copy_from_slice(&state[layout.coordinate_rates()]);
     }
 
-    /// Writes the accelerations under given surface angles and thrusts at the state and in the wind of the last
+    /// Writes the accelerations under given angles of controls and thrusts at the state and in the wind of the last
     /// evaluation into its rates: the same bits as a new evaluation, for next to nothing.
     pub fn steer(&self, controls: &Controls, rates: &mut [f64], workspace: &mut Workspace) {
         workspace.collect_forces(controls);

@@ -12,7 +12,7 @@ use super::superposed_inertia::SuperposedInertia;
 /// Everything that evaluating the equations of motion overwrites.
 #[derive(Clone, Debug)]
 pub struct Workspace {
-    /// Integrals at the present q.
+    /// Of the aircraft as it is deformed at the present q.
     pub(crate) inertia: SuperposedInertia,
     /// On ν.
     pub(crate) forces: GeneralisedForces,

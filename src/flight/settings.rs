@@ -23,7 +23,7 @@ pub enum ModeSelection {
     Symmetric,
 }
 
-/// What the surface and thrust inputs mean.
+/// What the inputs of controls and thrusts mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum InputReference {
     /// They add to the trim values.
@@ -232,7 +232,7 @@ fn refuse<T>(setting: &'static str, found: impl Display, allowed: &str) -> Resul
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::variables::tests::jet;
+    use crate::structure::test_jet::jet;
 
     #[test]
     fn the_identity_of_a_snapshot_depends_on_every_setting_and_on_no_name() {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use crate::variables::tests::{AILERON, ELEVATOR, RUDDER, jet};
+use crate::structure::test_jet::{AILERON, ELEVATOR, RUDDER, jet};
 
 use super::inputs::Inputs;
 use super::moment::Moment;
@@ -75,7 +75,7 @@ fn wind_along_the_heading_leaves_half_the_aircraft_flying_whatever_the_heading()
 
 /// A law that holds the heading or shares a thrust out leaves such traces.
 #[test]
-fn thrusts_and_surfaces_that_differ_by_rounding_leave_half_the_aircraft_flying() {
+fn thrusts_and_controls_that_differ_by_rounding_leave_half_the_aircraft_flying() {
     for input_reference in [InputReference::Trim, InputReference::Absolute] {
         let settings = Settings { input_reference, ..Settings::of(jet()) };
         let mut flight = flight(&settings);

@@ -14,7 +14,7 @@ use crate::variables::{InputSlot, OutputSlot, ParameterSlot, Slot, Value};
 
 use super::instance::{Instance, Refusal};
 use super::life_cycle::State;
-use super::values::{Family, ValueReference};
+use super::values::{Numbers, ValueReference};
 
 /// Changes over which the outputs bend little, yet far beyond rounding: rad, N, m/s, m/s², m, rad, parts of the parameter.
 const CONTROL_CHANGE: f64 = 0.01;
@@ -124,7 +124,7 @@ impl Instance {
     }
 
     fn output(&self, reference: ValueReference) -> Result<OutputSlot, Refusal> {
-        let variable = self.variable(reference, Family::Real)?;
+        let variable = self.variable(reference, Numbers::Real)?;
         match variable.slot {
             Slot::Output(slot) => Ok(slot),
             _ => Err(Refusal::error(format!("`{}` is not an output: it has no derivatives", variable.name))),
@@ -133,7 +133,7 @@ impl Instance {
 
     /// The place of a variable by which there are derivatives now.
     fn known(&self, reference: ValueReference, component: f64) -> Result<Slot, Refusal> {
-        let variable = self.variable(reference, Family::Real)?;
+        let variable = self.variable(reference, Numbers::Real)?;
         let reason = match variable.slot {
             Slot::Output(_) => {
                 "is neither an input nor a parameter: there are no derivatives by it".to_owned()

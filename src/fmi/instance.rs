@@ -191,7 +191,7 @@ impl Instance {
         body: impl FnOnce(&mut Self) -> Result<(), Refusal>,
     ) -> Status {
         if let Some(objection) = operation.objection(self.state) {
-            self.log.write(Status::Error, &objection);
+            self.log.refuse(operation, objection);
             return Status::Error;
         }
         // The instance is not used again after a panic, so a state broken halfway does no harm.
@@ -199,18 +199,18 @@ impl Instance {
             Ok(Ok(())) if self.warnings.is_empty() => Status::Ok,
             Ok(Ok(())) => {
                 for warning in std::mem::take(&mut self.warnings) {
-                    self.log.write(Status::Warning, &format!("{}: {warning}", operation.name()));
+                    self.log.write_of(operation, Status::Warning, &warning);
                 }
                 Status::Warning
             }
             Ok(Err(refusal)) => {
                 self.warnings.clear();
-                self.log.write(refusal.status, &format!("{}: {}", operation.name(), refusal.reason));
+                self.log.write_of(operation, refusal.status, &refusal.reason);
                 refusal.status
             }
             Err(panic) => {
                 self.state = State::Fatal;
-                self.log.write(Status::Fatal, &format!("{}: {}", operation.name(), panic_text(&*panic)));
+                self.log.write_of(operation, Status::Fatal, &panic_text(&*panic));
                 Status::Fatal
             }
         }

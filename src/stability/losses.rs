@@ -8,7 +8,7 @@
 use crate::flight::SimulationError;
 
 use super::equilibrium::Equilibrium;
-use super::points::Family;
+use super::points::Motions;
 
 /// Equilibria that differ less are one: shares of the aircraft's size, rad.
 const NEGLIGIBLE: f64 = 1e-7;
@@ -54,7 +54,7 @@ pub enum LossKind {
 /// An airspeed, m/s, and the equilibrium there.
 pub(super) type At = (f64, Equilibrium);
 
-impl Family<'_> {
+impl Motions<'_> {
     /// Where between two airspeeds in trim the equilibrium is lost, if it is.
     pub fn loss_between(&self, mut low: At, mut high: At) -> Option<EquilibriumLoss> {
         let size = self.size();

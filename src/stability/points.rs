@@ -39,14 +39,14 @@ pub enum SkipReason {
 
 /// The linearised motions of one aircraft, one for each airspeed.
 #[derive(Clone, Copy)]
-pub(super) struct Family<'a> {
+pub(super) struct Motions<'a> {
     /// With the modes that take part.
     pub model: &'a ReducedModel,
     pub settings: &'a Settings,
 }
 
 /// The motion at one airspeed of the range.
-pub(super) struct Point {
+pub(super) struct AnalysedSpeed {
     pub airspeed: f64,
     pub equilibrium: Equilibrium,
     pub limits_exceeded: Vec<LimitExceeded>,
@@ -56,7 +56,7 @@ pub(super) struct Point {
     pub unstable: Vec<Complex<f64>>,
 }
 
-impl Family<'_> {
+impl Motions<'_> {
     fn trimmed(&self, airspeed: f64) -> Result<(Plant, Trim), SimulationError> {
         let settings = Settings { airspeed, ..self.settings.clone() };
         let plant = settings.plant(self.model)?;
@@ -77,7 +77,11 @@ impl Family<'_> {
     }
 
     /// Some points of the range, computed side by side; `analysed` is called after each.
-    pub fn points(&self, airspeeds: &[f64], analysed: &(dyn Fn() + Sync)) -> Vec<Result<Point, SkipReason>> {
+    pub fn points(
+        &self,
+        airspeeds: &[f64],
+        analysed: &(dyn Fn() + Sync),
+    ) -> Vec<Result<AnalysedSpeed, SkipReason>> {
         let share = airspeeds.len().div_ceil(workers()).max(1);
         let analyse = |&airspeed: &f64| {
             let point = self.point(airspeed);
@@ -95,13 +99,13 @@ impl Family<'_> {
         })
     }
 
-    fn point(&self, airspeed: f64) -> Result<Point, SkipReason> {
+    fn point(&self, airspeed: f64) -> Result<AnalysedSpeed, SkipReason> {
         let (plant, trim) = self.trimmed(airspeed)?;
         let matrix: StateMatrix = plant.linearise(&trim);
         let mut unstable = matrix.eigenvalues()?;
         unstable.retain(|eigenvalue| eigenvalue.re > UNSTABLE && eigenvalue.im >= 0.0);
         let in_shape = |unknown: &&Unknown| !matches!(unknown, Unknown::Inflow { .. });
-        Ok(Point {
+        Ok(AnalysedSpeed {
             airspeed,
             equilibrium: Equilibrium::new(&plant, &trim),
             limits_exceeded: LimitExceeded::find(&self.model.limits, &plant, &trim),

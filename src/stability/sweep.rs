@@ -11,7 +11,7 @@ use crate::plant::Unknown;
 use crate::structure::ReducedModel;
 
 use super::losses::{At, EquilibriumLoss};
-use super::points::{Family, SkipReason, Skipped, workers};
+use super::points::{Motions, SkipReason, Skipped, workers};
 use super::tracks::{Branch, Crossing, Tracks};
 use super::unstable::{Findings, UnstableRange};
 
@@ -80,7 +80,7 @@ impl Sweep {
         for &airspeed in airspeeds {
             chosen = Settings { airspeed, ..settings.clone() }.choose_modes(model)?;
         }
-        let aircraft = Family { model: &model.select(&chosen), settings };
+        let aircraft = Motions { model: &model.select(&chosen), settings };
         let mut gathered = Gathered::default();
         let mut tracks = Tracks::new(aircraft);
         for airspeeds in airspeeds.chunks(SHARE * workers()) {
@@ -145,7 +145,7 @@ enum Last {
 
 impl Gathered {
     /// Goes on to the next speed, and looks for a loss of equilibrium on the way.
-    fn go_on(&mut self, aircraft: Family, next: Last) {
+    fn go_on(&mut self, aircraft: Motions, next: Last) {
         let loss = match (std::mem::take(&mut self.last), &next) {
             (Last::Trimmed(low), Last::Trimmed(high)) => aircraft.loss_between(low, high.clone()),
             (Last::Trimmed((with, _)), Last::Skipped(without, SkipReason::Trim(reason))) => {

@@ -9,8 +9,7 @@ use crate::kinematics::{
 };
 use crate::math::{Arithmetic, Arrow, Attitude, Eight, LANES, LaneVector, Lanes, PlaneVector, Window};
 use crate::structure::ReducedStrip;
-use crate::symmetry::SymmetricHalf;
-use crate::variables::tests::jet;
+use crate::structure::test_jet::jet_in_plane;
 
 use super::inflow::PetersInflow;
 use super::{Strips, Surroundings};
@@ -79,8 +78,7 @@ fn expected(strip: &ReducedStrip, [a, alpha]: [Vector3<f64>; 2]) -> [f64; 2] {
 
 #[test]
 fn upwash_and_pitch_rate_change_by_the_biases_of_sections_in_space_and_in_the_mirror_plane() {
-    let half = SymmetricHalf::find(&jet().select(&[0, 1, 2, 3, 4])).unwrap();
-    let mut model = half.model;
+    let (mut model, _) = jet_in_plane();
     model.strips.iter_mut().for_each(|strip| strip.zero_lift_offset = 0.03);
     let (strips, sections) =
         (Strips::new(&model, &[], RigidFreedom::InPlane), Superposition::new(&model, &[]));

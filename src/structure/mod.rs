@@ -16,6 +16,8 @@ mod pairs;
 mod particles;
 mod reduced;
 mod strain_energy;
+#[cfg(test)]
+pub(crate) mod test_jet;
 
 pub use assembly::Structure;
 pub use beam::{BeamGeometry, Gradients, NodalMap, NodalRow};

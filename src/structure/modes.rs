@@ -5,7 +5,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 use crate::aircraft::ModeBasis;
 
 use super::assembly::Structure;
-use super::mirror::{self, Mirror};
+use super::mirror::{self, Reflection};
 use super::mode_count::ModeCount;
 use super::pairs::Pairs;
 use super::{Mode, ModeFamily, ModeKind, StructureError};
@@ -42,17 +42,22 @@ impl ModalBasis {
         let stiffness = structure.stiffness(structure.aircraft.mode_basis == ModeBasis::BendingTorsion);
         let mass = structure.mass();
         // Axially rigid beams would hide a difference in bending.
-        let (mut modes, pairs) = match Mirror::find(structure.aircraft, &structure.stiffness(false), &mass) {
-            Some(mirror) => {
-                let family_modes = |family| family_modes(&stiffness, &mass, &mirror.subspace(family), family);
-                (merge(family_modes(ModeFamily::Symmetric)?, family_modes(ModeFamily::Antisymmetric)?), None)
-            }
-            None => {
-                let whole = mirror::whole_space(structure.unknowns());
-                let modes = family_modes(&stiffness, &mass, &whole, ModeFamily::Unsymmetric)?;
-                (modes, Some(Pairs::new(structure.aircraft, &mass)))
-            }
-        };
+        let (mut modes, pairs) =
+            match Reflection::find(structure.aircraft, &structure.stiffness(false), &mass) {
+                Some(mirror) => {
+                    let family_modes =
+                        |family| family_modes(&stiffness, &mass, &mirror.subspace(family), family);
+                    (
+                        merge(family_modes(ModeFamily::Symmetric)?, family_modes(ModeFamily::Antisymmetric)?),
+                        None,
+                    )
+                }
+                None => {
+                    let whole = mirror::whole_space(structure.unknowns());
+                    let modes = family_modes(&stiffness, &mass, &whole, ModeFamily::Unsymmetric)?;
+                    (modes, Some(Pairs::new(structure.aircraft, &mass)))
+                }
+            };
         let count = count.lowest(kind, modes.iter().map(|(mode, _)| mode.family))?;
         if let Some(pairs) = pairs {
             pairs.mark(&mut modes, count);

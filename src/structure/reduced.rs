@@ -99,6 +99,17 @@ impl ReducedStrip {
         let mut all = [position.y, forward.y, span.x, span.z].into_iter().chain(across.concat());
         all.all(|number| number == 0.0)
     }
+
+    /// Takes off what symmetry up to rounding has left across the mirror plane [theory: symmetry.in-plane].
+    pub fn lay_in_plane(&mut self) {
+        let ReducedStrip { position, forward, span, shapes: ModeShapes { translation, rotation }, .. } = self;
+        (position.y, forward.y) = (0.0, 0.0);
+        *span = Vector3::new(0.0, span.y.signum(), 0.0);
+        let n = translation.len() / 3;
+        translation[n..2 * n].fill(0.0);
+        rotation[..n].fill(0.0);
+        rotation[2 * n..].fill(0.0);
+    }
 }
 
 /// An engine with the mode shapes at the point where its thrust acts.

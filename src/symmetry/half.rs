@@ -112,7 +112,7 @@ fn trim_control(model: &ReducedModel) -> Option<usize> {
 fn half_strip(strip: &ReducedStrip, is_in_plane: bool, controls: &EvenControls) -> ReducedStrip {
     let mut strip = strip.clone();
     if is_in_plane {
-        lay_in_plane(&mut strip);
+        strip.lay_in_plane();
     } else {
         strip.width *= 2.0;
     }
@@ -121,17 +121,6 @@ fn half_strip(strip: &ReducedStrip, is_in_plane: bool, controls: &EvenControls) 
         *gain = if controls.hold_at_zero(control) { 0.0 } else { *gain };
     }
     strip
-}
-
-/// Takes off what symmetry up to rounding has left across the plane [theory: symmetry.in-plane].
-fn lay_in_plane(strip: &mut ReducedStrip) {
-    let ReducedStrip { position, forward, span, shapes: ModeShapes { translation, rotation }, .. } = strip;
-    (position.y, forward.y) = (0.0, 0.0);
-    *span = Vector3::new(0.0, span.y.signum(), 0.0);
-    let n = translation.len() / 3;
-    translation[n..2 * n].fill(0.0);
-    rotation[..n].fill(0.0);
-    rotation[2 * n..].fill(0.0);
 }
 
 /// The strip on the right or in the plane that is a strip or its mirror image.
@@ -291,7 +280,7 @@ fn are_alike(a: f64, b: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::variables::tests::jet;
+    use crate::structure::test_jet::jet;
 
     #[test]
     fn the_jet_has_a_half_of_its_right_strips_and_those_in_the_plane() {

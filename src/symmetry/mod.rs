@@ -10,3 +10,6 @@ pub use even_controls::EvenControls;
 pub use forms::{Form, Forms};
 pub use half::{Counterpart, SymmetricHalf};
 pub use plants::{Actions, Plants, Trimmed};
+
+#[cfg(test)]
+mod tests;

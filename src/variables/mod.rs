@@ -87,4 +87,4 @@ impl VariableTable {
 }
 
 #[cfg(test)]
-pub(crate) mod tests;
+mod tests;

@@ -44,7 +44,7 @@ impl EnumerationType {
     pub fn description(self) -> &'static str {
         match self {
             EnumerationType::Model => "Fidelity level of the equations of motion",
-            EnumerationType::InputReference => "Meaning of the surface and thrust inputs",
+            EnumerationType::InputReference => "Meaning of the inputs of controls and thrusts",
             EnumerationType::ModeFamily => "Families of natural modes",
         }
     }

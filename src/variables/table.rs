@@ -65,7 +65,7 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
             "input_reference",
             P::InputReference,
             EnumerationType::InputReference,
-            "Whether surface and thrust inputs add to the trim values or replace them",
+            "Whether the inputs of controls and thrusts add to the trim values or replace them",
         ),
         choice("model", P::Model, EnumerationType::Model, "Fidelity level"),
         real(

@@ -1,30 +1,11 @@
 use std::collections::HashSet;
-use std::sync::OnceLock;
 
-use crate::aircraft::{Aircraft, TAKEN, TAKEN_BY_TRIM, TrimRole};
+use crate::aircraft::{TAKEN, TAKEN_BY_TRIM, TrimRole};
 use crate::equations::Fidelity;
 use crate::flight::{Inputs, Settings};
+use crate::structure::test_jet::jet;
 
 use super::*;
-
-/// Places of the jet's controls among its inputs.
-pub(crate) const ELEVATOR: usize = 0;
-pub(crate) const AILERON: usize = 1;
-pub(crate) const AILERON_SYMMETRIC: usize = 2;
-pub(crate) const RUDDER: usize = 3;
-
-/// The shipped jet.
-pub(crate) fn jet() -> &'static ReducedModel {
-    static JET: OnceLock<ReducedModel> = OnceLock::new();
-    JET.get_or_init(|| {
-        let text = include_str!("../../aircraft/generic-business-jet.toml");
-        ReducedModel::new(
-            &Aircraft::parse(text, "generic-business-jet.toml").unwrap(),
-            ReducedModel::USUAL_MODES,
-        )
-        .unwrap()
-    })
-}
 
 fn table() -> VariableTable {
     VariableTable::new(jet())
