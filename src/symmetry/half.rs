@@ -125,13 +125,10 @@ fn half_strip(strip: &ReducedStrip, is_in_plane: bool, controls: &EvenControls) 
 
 /// Takes off what symmetry up to rounding has left across the plane [theory: symmetry.in-plane].
 fn lay_in_plane(strip: &mut ReducedStrip) {
-    let ReducedStrip { position, forward, span, shapes: ModeShapes { translation, rotation }, .. } = strip;
+    let ReducedStrip { position, forward, span, shapes, .. } = strip;
     (position.y, forward.y) = (0.0, 0.0);
     *span = Vector3::new(0.0, span.y.signum(), 0.0);
-    let n = translation.len() / 3;
-    translation[n..2 * n].fill(0.0);
-    rotation[..n].fill(0.0);
-    rotation[2 * n..].fill(0.0);
+    ModeShapes::ACROSS.into_iter().for_each(|row| shapes.row_mut(row).fill(0.0));
 }
 
 /// The strip on the right or in the plane that is a strip or its mirror image.
@@ -263,12 +260,9 @@ impl Mirror {
     }
 
     fn maps_shapes(&self, shapes: &ModeShapes, image: &ModeShapes) -> bool {
-        let n = shapes.translation.len() / 3;
-        let column = |rows: &[f64], mode: usize| Vector3::new(rows[mode], rows[n + mode], rows[2 * n + mode]);
-        (0..n).all(|mode| {
-            let pair = |rows: &[f64], images: &[f64]| (column(rows, mode), column(images, mode));
-            let (translation, moved) = pair(&shapes.translation, &image.translation);
-            let (rotation, turned) = pair(&shapes.rotation, &image.rotation);
+        (0..shapes.modes()).all(|mode| {
+            let [translation, rotation] = shapes.of_mode(mode);
+            let [moved, turned] = image.of_mode(mode);
             self.maps(&translation, &moved, self.shape) && maps_axial(&rotation, &turned, self.shape)
         })
     }
