@@ -151,7 +151,7 @@ impl Outputs {
             gravity: to_body * Vector3::new(0.0, 0.0, equations.gravity),
             q_ddot: accelerations.modal,
         };
-        let sections = equations.sections(state);
+        let sections = equations.sections(state, workspace.kinematics());
         let places = self.deflections.iter_mut().zip(&mut self.sensors);
         for (((deflection, sensors), station), section) in places.zip(stations).zip(sections.stations()) {
             let (displacement, twist) = (section.displacement(), section.twist(&station.twist_axis));

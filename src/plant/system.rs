@@ -40,8 +40,6 @@ pub struct Plant {
     stations: Vec<ReducedStation>,
     /// The packaged number of each strip.
     strips: Vec<usize>,
-    /// The coordinate that displaces the most moving strip by a metre.
-    metre: f64,
 }
 
 impl Plant {
@@ -67,10 +65,7 @@ impl Plant {
         modes: Vec<usize>,
         strips: Vec<usize>,
     ) -> Self {
-        let translations = model.strips.iter().flat_map(|strip| &strip.shapes.translation);
-        let largest = translations.fold(0.0_f64, |largest, shape| largest.max(shape.abs()));
-        let metre = if largest > 0.0 { 1.0 / largest } else { 1.0 };
-        Plant { equations, modes, stations: model.stations.clone(), strips, metre }
+        Plant { equations, modes, stations: model.stations.clone(), strips }
     }
 
     /// The equations of motion.
@@ -115,7 +110,7 @@ impl Plant {
 
     /// The coordinate (√kg m) by which the most moving strip is displaced by a metre.
     pub fn metre_of_displacement(&self) -> f64 {
-        self.metre
+        self.equations.metre_of_displacement()
     }
 
     /// ẋ: rates of all states, per second; what else the evaluation has found stays in the workspace. States beyond the

@@ -21,7 +21,9 @@ impl Equilibrium {
         let layout = plant.layout();
         let mut angles = trim.state[layout.attitude()].to_vec();
         angles.extend(&trim.controls.angles);
-        let displacements = plant.equations().sections(&trim.state).strip_displacements().collect();
+        let equations = plant.equations();
+        let memory = equations.evaluate_kinematics(&trim.state);
+        let displacements = equations.sections(&trim.state, &memory).strip_displacements().collect();
         Equilibrium { displacements, angles }
     }
 

@@ -252,12 +252,9 @@ impl Mirror {
     }
 
     fn maps_shapes(&self, shapes: &ModeShapes, image: &ModeShapes) -> bool {
-        let n = shapes.translation.len() / 3;
-        let column = |rows: &[f64], mode: usize| Vector3::new(rows[mode], rows[n + mode], rows[2 * n + mode]);
-        (0..n).all(|mode| {
-            let pair = |rows: &[f64], images: &[f64]| (column(rows, mode), column(images, mode));
-            let (translation, moved) = pair(&shapes.translation, &image.translation);
-            let (rotation, turned) = pair(&shapes.rotation, &image.rotation);
+        (0..shapes.modes()).all(|mode| {
+            let [translation, rotation] = shapes.of_mode(mode);
+            let [moved, turned] = image.of_mode(mode);
             self.maps(&translation, &moved, self.shape) && maps_axial(&rotation, &turned, self.shape)
         })
     }
