@@ -82,16 +82,18 @@ mod tests {
             gravity,
             q_ddot: &q_ddot,
         };
-        let (sections, step) = (kinematics.sections(present, &memory), 1e-3);
+        // Exact for paths of the fourth order in time.
+        let (sections, step) = (kinematics.sections(present, &memory), 0.1);
+        let times = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|steps| steps * step);
         for (section, place) in sections.stations().zip(&kinematics.stations) {
             let sensors = Sensors::read(&section, &body);
-            let [before, now, after] = [-step, 0.0, step].map(|time| place.position(&at(time)));
-            let acceleration = (before - now * 2.0 + after) / (step * step);
+            let [a, b, c, d, e] = times.map(|time| place.position(&at(time)));
+            let acceleration = ((b + d) * 16.0 - (a + e) - c * 30.0) / (12.0 * step * step);
             let expected = section.turned_back(&(acceleration - gravity));
-            assert!((sensors.specific_force - expected).norm() < 1e-7, "{sensors:?} {expected}");
-            let [was_turned, turned] = [-step, step].map(|time| place.angle(&at(time)));
-            let expected = Vector3::y() * ((turned - was_turned) / (2.0 * step));
-            assert!((sensors.rate - expected).norm() < 1e-10, "{sensors:?} {expected}");
+            assert!((sensors.specific_force - expected).norm() < 1e-10, "{sensors:?} {expected}");
+            let [a, b, _, d, e] = times.map(|time| place.angle(&at(time)));
+            let expected = Vector3::y() * (((d - b) * 8.0 - (e - a)) / (12.0 * step));
+            assert!((sensors.rate - expected).norm() < 1e-12, "{sensors:?} {expected}");
         }
     }
 }

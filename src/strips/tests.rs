@@ -124,8 +124,7 @@ fn with_strip(model: &ReducedModel, strip: &ReducedStrip) -> ReducedModel {
     ReducedModel { strips: vec![strip.clone()], ..model.clone() }
 }
 
-/// Strips of the jet with five modes, each alone; then those of its half in and beside the plane, then those edge-on. All have
-/// camber if they are to.
+/// Strips of the jet with five modes, each alone and with some camber; then those of its half in the plane, then those edge-on.
 fn each_strip_alone(camber: f64) -> Vec<OnCurves> {
     let mut model = jet().select(&[0, 1, 2, 3, 4]);
     model.strips.iter_mut().for_each(|strip| strip.zero_lift_offset = camber);
@@ -135,7 +134,7 @@ fn each_strip_alone(camber: f64) -> Vec<OnCurves> {
     let (half, edge_on) = jet_in_plane();
     let none = ReducedModel { strips: Vec::new(), ..half.clone() };
     let in_plane = RigidFreedom::InPlane;
-    all.extend(half.strips.iter().map(|strip| {
+    all.extend(half.strips.iter().filter(|strip| strip.stays_in_plane()).map(|strip| {
         let strip = ReducedStrip { zero_lift_offset: camber, ..strip.clone() };
         OnCurves::new(&with_strip(&half, &strip), &[], in_plane)
     }));
@@ -200,6 +199,7 @@ fn forces_and_apparent_mass_on_coordinates_are_those_on_the_rigid_motion_by_whic
 
 #[test]
 fn wakes_follow_rates_of_coordinates_as_they_follow_the_rigid_motion_by_which_those_move_a_strip() {
+    let mut followed = 0;
     for one in each_strip_alone(0.03).iter().filter(|one| one.strips.count() > 0) {
         let (q, q_dot) = (numbers(one.modes(), 0.3, 30.0), numbers(one.modes(), 1.0, 20.0));
         let still = vec![0.0; one.modes()];
@@ -211,17 +211,18 @@ fn wakes_follow_rates_of_coordinates_as_they_follow_the_rigid_motion_by_which_th
             carried.velocity += velocity * *rate;
             carried.rate += turning * *rate;
         }
-        let moved = one.sum(&motion(one.freedom), Coordinates { q: &q, q_dot: &q_dot }).inflow_rates;
-        let expected = one.sum(&carried, Coordinates { q: &q, q_dot: &still }).inflow_rates;
-        let unmoved = one.sum(&motion(one.freedom), Coordinates { q: &q, q_dot: &still }).inflow_rates;
+        let rates = |motion: &RigidMotion, q_dot: &[f64]| {
+            let rates = one.sum(motion, Coordinates { q: &q, q_dot }).inflow_rates;
+            one.layout.of_strip(0).into_iter().map(|place| rates[place]).collect::<Vec<_>>()
+        };
+        let moved = rates(&motion(one.freedom), &q_dot);
+        let [expected, unmoved] = [&carried, &motion(one.freedom)].map(|motion| rates(motion, &still));
         let largest = expected.iter().fold(0.0_f64, |largest, rate| largest.max(rate.abs()));
-        let mut differs = false;
-        for ((moved, expected), unmoved) in moved.iter().zip(&expected).zip(&unmoved) {
-            assert_close(*moved, *expected, largest);
-            differs |= (moved - unmoved).abs() > 1e-6 * largest;
-        }
-        assert!(differs);
+        moved.iter().zip(&expected).for_each(|(moved, expected)| assert_close(*moved, *expected, largest));
+        let differences = moved.iter().zip(&unmoved).map(|(moved, unmoved)| (moved - unmoved).abs());
+        followed += usize::from(differences.fold(0.0, f64::max) > 1e-3 * largest);
     }
+    assert!(followed > 2 * LANES, "{followed}");
 }
 
 #[test]
@@ -232,13 +233,18 @@ fn upwash_and_pitch_rate_drift_as_they_change_along_a_motion_without_acceleratio
             let q: Vec<f64> = q.iter().zip(&q_dot).map(|(q, rate)| q + rate * time).collect();
             one.flows(&motion(one.freedom), Coordinates { q: &q, q_dot: &q_dot })
         };
-        let step = 1e-4;
-        for ((now, later), earlier) in at(0.0).iter().zip(at(step)).zip(at(-step)) {
-            let rates = [later.upwash - earlier.upwash, later.pitch_rate - earlier.pitch_rate];
-            for (drift, difference) in [now.upwash_drift, now.pitch_drift].iter().zip(rates) {
-                let [drift, rate] = [drift.numbers()[0], difference.numbers()[0] / (2.0 * step)];
-                assert!((drift - rate).abs() < 1e-6, "{drift} {rate}");
-            }
+        let step = 1e-3;
+        let rate_of = |number: fn(&LocalFlow<Scalar>) -> f64, flow: usize| {
+            let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|steps| number(&at(steps * step)[flow]));
+            ((c - b) * 8.0 - (d - a)) / (12.0 * step)
+        };
+        for (place, flow) in at(0.0).iter().enumerate() {
+            let upwash_rate = rate_of(|flow| flow.upwash.numbers()[0], place);
+            let pitch_acceleration = rate_of(|flow| flow.pitch_rate.numbers()[0], place);
+            let [upwash_drift, pitch_drift] =
+                [flow.upwash_drift, flow.pitch_drift].map(|drift| drift.numbers()[0]);
+            assert!((upwash_drift - upwash_rate).abs() < 1e-7, "{upwash_drift} {upwash_rate}");
+            assert!((pitch_drift - pitch_acceleration).abs() < 1e-9, "{pitch_drift} {pitch_acceleration}");
         }
     }
 }
