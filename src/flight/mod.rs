@@ -1,20 +1,18 @@
 //! A flight in time: the thing a user steps.
 
-mod amplitudes;
+mod diagonal;
 mod error;
 mod evaluation;
 mod exponential;
 mod inputs;
 mod integrator;
 mod limits;
-mod marcher;
 mod moment;
 mod neighbours;
 mod point;
 mod settings;
 mod simulation;
 mod snapshot;
-mod spectrum;
 mod steering;
 
 pub use error::SimulationError;

@@ -130,9 +130,7 @@ impl Settings {
     /// # Errors
     /// When a setting is out of range.
     pub fn plant(&self, model: &ReducedModel) -> Result<Plant, SimulationError> {
-        let modes = self.choose_modes(model)?;
-        let reduced = model.select(&modes);
-        Ok(Plant::of_selected(&reduced, &self.configuration(&reduced), modes))
+        Ok(Plant::of_modes(model, &self.configuration(model), &self.choose_modes(model)?))
     }
 
     /// The plants of all forms of a model under these settings.
@@ -140,7 +138,7 @@ impl Settings {
     /// # Errors
     /// When a setting is out of range.
     pub fn plants(&self, model: &ReducedModel) -> Result<Plants, SimulationError> {
-        Ok(Plants::new(model, self.choose_modes(model)?, &self.configuration(model)))
+        Ok(Plants::new(model, &self.configuration(model), &self.choose_modes(model)?))
     }
 
     /// The same, with the heading along the course.
