@@ -6,7 +6,6 @@ mod evaluation;
 mod exponential;
 mod inputs;
 mod integrator;
-mod limits;
 mod moment;
 mod neighbours;
 mod point;
@@ -17,10 +16,9 @@ mod steering;
 
 pub use error::SimulationError;
 pub use inputs::Inputs;
-pub use limits::{LimitExceeded, LimitedQuantity};
 pub use moment::{LATEST, LONGEST_STEP, resolution};
 pub use neighbours::Neighbours;
-pub use settings::{InputReference, ModeSelection, Settings};
+pub use settings::{InputReference, Settings};
 pub use simulation::Simulation;
 
 #[cfg(test)]

@@ -30,7 +30,7 @@ impl Neighbours {
     /// Of a flight that has been trimmed under these settings. Computes the trim's Jacobian.
     pub fn new(flight: &Simulation, settings: &Settings) -> Self {
         let plants = flight.flying.plants().clone();
-        let condition = settings.along_course().trim_condition();
+        let condition = settings.plant.along_course().trim_condition();
         let tangents = TrimTangents::new(plants.simplest(), &condition, &flight.trimmed);
         Neighbours { model: Arc::clone(&flight.model), settings: settings.clone(), plants, tangents }
     }
@@ -41,15 +41,15 @@ impl Neighbours {
     }
 
     /// The outputs and the trims at the beginning of four flights under inputs and their rates. Airspeed, altitude, heading and
-    /// stiffness of the flights lie along one change of the settings, by [`WIDTHS`](crate::plant::WIDTHS) of it; right to first
-    /// order of the change. `None` where the trim has no tangent.
+    /// stiffness of the flights lie along one change of the settings, by −1, −½, ½ and 1 of it; right to first order of
+    /// the change. `None` where the trim has no tangent.
     pub fn outputs(
         &self,
         changed: &[Settings; 4],
         (inputs, rates): (&Inputs, &Inputs),
     ) -> Option<[(Outputs, TrimPoint); 4]> {
         let around = changed.each_ref().map(|settings| {
-            (self.varied(self.plants.simplest(), settings), settings.along_course().trim_condition())
+            (self.varied(self.plants.simplest(), settings), settings.plant.along_course().trim_condition())
         });
         let trims = self.tangents.neighbours(&around)?;
         Some(from_fn(|place| {
@@ -65,12 +65,12 @@ impl Neighbours {
         steering.set(inputs, rates, Moment::START);
         let mut controls = plants.simplest().neutral_controls();
         steering.write_at(Moment::START, &mut controls);
-        plants.outputs_at_trim(trim, &steering, &controls, Course::new(settings.heading))
+        plants.outputs_at_trim(trim, &steering, &controls, Course::new(settings.plant.heading))
     }
 
     /// A plant of the flight in the middle as it is under other settings.
     fn varied(&self, plant: &Plant, settings: &Settings) -> Plant {
-        let tunnel_flow = settings.along_course().configuration(&self.model).tunnel_flow;
-        plant.varied(tunnel_flow, settings.stiffness_scale / self.settings.stiffness_scale)
+        let tunnel_flow = settings.plant.along_course().configuration(self.model.support).tunnel_flow;
+        plant.varied(tunnel_flow, settings.plant.stiffness_scale / self.settings.plant.stiffness_scale)
     }
 }

@@ -3,15 +3,14 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::equations::Controls;
-use crate::plant::{Course, Outputs, PackagedStrip, Trim, TrimPoint};
+use crate::plant::{Course, LimitExceeded, Outputs, PackagedStrip, Trim, TrimPoint};
 use crate::structure::ReducedModel;
-use crate::symmetry::FlyingPlant;
+use crate::symmetry::{FlyingPlant, Plants};
 
 use super::error::SimulationError;
 use super::evaluation::{Wind, refresh};
 use super::inputs::Inputs;
 use super::integrator::{CellEnd, ErrorScale, Integrator, MAX_SUBSTEPS};
-use super::limits::LimitExceeded;
 use super::moment::{LATEST, LONGEST_STEP, Moment, ON_GRID, resolution};
 use super::point::{Path, Point};
 use super::settings::Settings;
@@ -77,9 +76,9 @@ impl Simulation {
     /// When a setting or the time is out of range or no trim exists.
     pub fn new(model: Arc<ReducedModel>, settings: &Settings, start: f64) -> Result<Self, SimulationError> {
         check_time(start)?;
-        settings.check_ranges(model.support)?;
-        let along_course = settings.along_course();
-        let plants = along_course.plants(&model)?;
+        settings.check(model.support)?;
+        let along_course = settings.plant.along_course();
+        let plants = Plants::under(&model, &along_course)?;
         let found = plants.trim(&along_course.trim_condition())?;
         let trimmed = found.trim().clone();
         let room = plants.most_states();
@@ -91,7 +90,7 @@ impl Simulation {
             settings_hash: settings.hash(),
             identity: OnceLock::new(),
             steering: Steering::new(trimmed.point, settings, &model),
-            course: Course::new(settings.heading),
+            course: Course::new(settings.plant.heading),
             start,
             path: Path::new(Moment::START, &trimmed.state, room),
             controls: flying.plant().neutral_controls(),

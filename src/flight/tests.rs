@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
+use crate::plant::PlantSettings;
 use crate::variables::tests::{AILERON, ELEVATOR, RUDDER, jet};
 
 use super::inputs::Inputs;
@@ -12,7 +13,12 @@ use super::settings::{InputReference, Settings};
 use super::simulation::Simulation;
 
 fn flight(settings: &Settings) -> Simulation {
-    Simulation::new(Arc::new(jet().clone()), &Settings { mode_count: 4, ..settings.clone() }, 0.0).unwrap()
+    Simulation::new(
+        Arc::new(jet().clone()),
+        &Settings::from(PlantSettings { mode_count: 4, ..settings.plant }),
+        0.0,
+    )
+    .unwrap()
 }
 
 /// What is flown depends on the time since the inputs were set, not on the time since the start: here a year.
@@ -53,7 +59,7 @@ fn wind_along_the_heading_leaves_half_the_aircraft_flying_whatever_the_heading()
     for degrees in (0..360).step_by(30) {
         let heading = f64::from(degrees).to_radians();
         let wind = wind_ahead(heading);
-        let mut flight = flight(&Settings { heading, ..Settings::of(jet()) });
+        let mut flight = flight(&Settings::from(PlantSettings { heading, ..PlantSettings::of(jet()) }));
         let at_rest = Inputs::zero(jet());
         flight.set_inputs(&Inputs { wind, ..at_rest.clone() }, &at_rest);
         flight.advance_to(0.2).unwrap();

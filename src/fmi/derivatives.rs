@@ -8,8 +8,9 @@
 
 use std::f64::consts::TAU;
 
-use crate::flight::{Neighbours, Settings};
-use crate::plant::{Outputs, TrimPoint, WIDTHS, slope};
+use crate::flight::Neighbours;
+use crate::math::{WIDTHS, slope};
+use crate::plant::{Outputs, PlantSettings, TrimPoint};
 use crate::variables::{InputSlot, OutputSlot, ParameterSlot, Slot, Value};
 
 use super::instance::{Instance, Refusal};
@@ -147,7 +148,7 @@ impl Instance {
 
     /// A change of a parameter, without end where nothing depends on it.
     fn usual_change(&self, parameter: ParameterSlot) -> f64 {
-        let Settings { airspeed, stiffness_scale, .. } = self.settings;
+        let PlantSettings { airspeed, stiffness_scale, .. } = self.settings.plant;
         match parameter {
             ParameterSlot::Airspeed => SHARE_CHANGED * airspeed.max(1.0),
             ParameterSlot::Altitude => ALTITUDE_CHANGE,

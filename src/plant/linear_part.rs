@@ -30,10 +30,10 @@ pub struct Spectrum {
 /// L, and the coordinates in which it is diagonal.
 ///
 /// ```
-/// # use flexible_aircraft::{Aircraft, ReducedModel, flight::Settings};
+/// # use flexible_aircraft::{Aircraft, ReducedModel, plant::{Plant, PlantSettings}};
 /// # let jet = ReducedModel::new(&Aircraft::read("aircraft/generic-business-jet.toml")?, 4)?;
-/// # let settings = Settings::of(&jet);
-/// let plant = settings.plant(&jet)?;
+/// # let settings = PlantSettings::of(&jet);
+/// let plant = Plant::under(&jet, &settings)?;
 /// let trim = plant.trim(&settings.trim_condition())?;
 /// let mut linear = plant.linear_part(&trim);
 /// linear.take_airspeed(&plant, jet.airspeed); // m/s

@@ -10,6 +10,7 @@ use nalgebra::Vector3;
 use crate::air::Air;
 use crate::aircraft::{Control, Support};
 use crate::equations::{Configuration, Controls, EquationsOfMotion, StateLayout, Workspace};
+use crate::kinematics::Sections;
 use crate::structure::{ReducedModel, ReducedStation};
 
 use super::course::Course;
@@ -18,11 +19,11 @@ use super::outputs::{AirData, Outputs};
 /// One aircraft under one set of equations, with the places at which it is watched.
 ///
 /// ```
-/// # use flexible_aircraft::{aircraft::Aircraft, flight::Settings, structure::ReducedModel};
+/// # use flexible_aircraft::{aircraft::Aircraft, plant::{Plant, PlantSettings}, structure::ReducedModel};
 /// # let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/generic-business-jet.toml");
 /// # let model = ReducedModel::new(&Aircraft::read(&path)?, 4)?;
-/// let settings = Settings::of(&model);
-/// let plant = settings.plant(&model)?;
+/// let settings = PlantSettings::of(&model);
+/// let plant = Plant::under(&model, &settings)?;
 /// let trim = plant.trim(&settings.trim_condition())?;
 /// let (mut rates, mut workspace) = (vec![0.0; trim.state.len()], plant.workspace());
 /// plant.rates(&trim.state, &trim.controls, &mut rates, &mut workspace);
@@ -157,10 +158,10 @@ impl Plant {
     /// y at a state under some controls, with north along the axes of the state. Allocates.
     ///
     /// ```
-    /// # use flexible_aircraft::{Aircraft, flight::Settings};
+    /// # use flexible_aircraft::{Aircraft, plant::{Plant, PlantSettings}};
     /// # let jet = Aircraft::read("aircraft/generic-business-jet.toml")?.reduce()?;
-    /// # let settings = Settings::of(&jet);
-    /// let plant = settings.plant(&jet)?;
+    /// # let settings = PlantSettings::of(&jet);
+    /// let plant = Plant::under(&jet, &settings)?;
     /// let trim = plant.trim(&settings.trim_condition())?;
     /// let mut controls = trim.controls.clone();
     /// controls.wind.z = -3.0; // m/s: the air rises
@@ -231,6 +232,11 @@ impl Plant {
     /// The flow at O.
     pub fn air_data(&self, state: &[f64], controls: &Controls) -> AirData {
         AirData::new(&self.equations.air_velocity(state, controls), &self.equations.air(state))
+    }
+
+    /// How far each strip is in a state from where it is on the undeformed aircraft, without those edge-on, m. Allocates.
+    pub fn strip_displacements(&self, state: &[f64]) -> Vec<Vector3<f64>> {
+        self.equations.sections(state).strip_displacements().collect()
     }
 
     /// The first lifting strip that met the air from behind at the last evaluation.

@@ -11,6 +11,7 @@ use nalgebra::Vector3;
 
 use crate::aircraft::{Support, TrimRole};
 use crate::equations::{Configuration, EquationsOfMotion};
+use crate::math::{are_alike, largest};
 use crate::structure::{ModeFamily, ModeShapes, ReducedEngine, ReducedModel, ReducedStrip};
 
 use super::even_controls::EvenControls;
@@ -185,12 +186,11 @@ struct Reflection {
 
 impl Reflection {
     fn of(model: &ReducedModel) -> Self {
-        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, |a, b| a.max(b.abs()));
         let shapes = model.strips.iter().map(|strip| &strip.shapes);
         Reflection {
-            size: largest(&mut model.strips.iter().map(|strip| strip.position.norm())),
+            size: largest(model.strips.iter().map(|strip| strip.position.norm())),
             shape: largest(
-                &mut shapes.flat_map(|shapes| shapes.translation.iter().chain(&shapes.rotation)).copied(),
+                shapes.flat_map(|shapes| shapes.translation.iter().chain(&shapes.rotation)).copied(),
             ),
         }
     }
@@ -268,9 +268,9 @@ impl Reflection {
                 strip.leading_edge_suction,
             ]
         };
-        let alike = numbers(strip).into_iter().zip(numbers(image)).all(|(a, b)| are_alike(a, b))
-            && are_alike(strip.zero_lift_offset, sign * image.zero_lift_offset)
-            && are_alike(strip.zero_lift_moment, sign * image.zero_lift_moment)
+        let alike = numbers(strip).into_iter().zip(numbers(image)).all(|(a, b)| are_alike(a, b, SYMMETRIC))
+            && are_alike(strip.zero_lift_offset, sign * image.zero_lift_offset, SYMMETRIC)
+            && are_alike(strip.zero_lift_moment, sign * image.zero_lift_moment, SYMMETRIC)
             && self.maps_shapes(shapes, &image.shapes);
         alike.then_some(sign)
     }
@@ -301,10 +301,6 @@ impl Reflection {
 /// Whether an axis of rotation becomes another one in the mirror [theory: symmetry.mirror].
 fn maps_axial(axis: &Vector3<f64>, image: &Vector3<f64>, size: f64) -> bool {
     (Vector3::new(-axis.x, axis.y, -axis.z) - image).amax() <= SYMMETRIC * size
-}
-
-fn are_alike(a: f64, b: f64) -> bool {
-    (a - b).abs() <= SYMMETRIC * a.abs().max(b.abs())
 }
 
 #[cfg(test)]

@@ -6,8 +6,10 @@
 use nalgebra::Vector3;
 
 use crate::equations::{Configuration, Controls, EquationsOfMotion};
+use crate::math::are_alike;
 use crate::plant::{
-    Course, Outputs, Packaged, PackagedStrip, Plant, ROUNDING, Trim, TrimCondition, TrimError,
+    Course, Outputs, Packaged, PackagedStrip, Plant, PlantSettings, ROUNDING, SettingError, Trim,
+    TrimCondition, TrimError,
 };
 use crate::structure::ReducedModel;
 
@@ -19,12 +21,13 @@ use super::unfolding::Unfolding;
 /// The plant of each form of an aircraft.
 ///
 /// ```
-/// use flexible_aircraft::flight::Settings;
+/// use flexible_aircraft::plant::PlantSettings;
+/// use flexible_aircraft::symmetry::Plants;
 /// # use flexible_aircraft::{Aircraft, ReducedModel};
 ///
 /// let jet = ReducedModel::new(&Aircraft::read("aircraft/generic-business-jet.toml")?, 4)?;
-/// let settings = Settings::of(&jet);
-/// let plants = settings.plants(&jet)?;
+/// let settings = PlantSettings::of(&jet);
+/// let plants = Plants::under(&jet, &settings)?;
 /// let half = plants.half().ok_or("the jet has a mirror plane")?;
 /// assert!(half.layout().len() < plants.whole().layout().len());
 /// // The trim is found with the half and stands for the whole.
@@ -91,6 +94,15 @@ impl Plants {
             controls: half.controls,
         });
         Plants { plants: Forms::new(whole, halved), halving }
+    }
+
+    /// Of a model under some settings.
+    ///
+    /// # Errors
+    /// When a setting is out of range.
+    pub fn under(model: &ReducedModel, settings: &PlantSettings) -> Result<Self, SettingError> {
+        let modes = settings.choose_modes(model)?;
+        Ok(Plants::new(model, &settings.configuration(model.support), &modes))
     }
 
     /// The plant of each form.
@@ -212,7 +224,6 @@ impl Trimmed {
 impl Halving {
     /// Whether everything acts alike on both sides, but for rounding, and will [theory: symmetry.unfolding].
     fn are_symmetric(&self, actions: &impl Actions) -> bool {
-        let are_alike = |a: f64, b: f64| (a - b).abs() <= ROUNDING * a.abs().max(b.abs());
         let mut engines = self.engines.iter().enumerate();
         let angles = self.controls.sums(|control| actions.angle(control)[0]);
         let rates = self.controls.sums(|control| actions.angle(control)[1]);
@@ -223,7 +234,80 @@ impl Halving {
             && actions.winds().into_iter().all(|wind| wind.y == 0.0)
             && engines.all(|(engine, &image)| {
                 let pairs = actions.thrust(engine).into_iter().zip(actions.thrust(image));
-                pairs.into_iter().all(|(thrust, other)| are_alike(thrust, other))
+                pairs.into_iter().all(|(thrust, other)| are_alike(thrust, other, ROUNDING))
             })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What acts on two controls that are to move together and two engines.
+    #[derive(Clone, Default)]
+    struct Acting {
+        angles: [[f64; 2]; 2],
+        thrusts: [[f64; 2]; 2],
+        winds: [Vector3<f64>; 3],
+    }
+
+    impl Actions for Acting {
+        fn angle(&self, control: usize) -> [f64; 2] {
+            self.angles[control]
+        }
+        fn thrust(&self, engine: usize) -> [f64; 2] {
+            self.thrusts[engine]
+        }
+        fn winds(&self) -> [Vector3<f64>; 3] {
+            self.winds
+        }
+    }
+
+    fn are_symmetric(acting: &Acting) -> bool {
+        let layout = crate::equations::StateLayout::new(0, crate::strips::InflowLayout::new(0, 0, 0));
+        let halving = Halving {
+            unfolding: Unfolding::at_rest(&layout),
+            engines: vec![1, 0],
+            controls: EvenControls::of_rows(vec![vec![1.0, -1.0]]),
+        };
+        halving.are_symmetric(acting)
+    }
+
+    /// Both a little less than the rounding that is allowed and a little more.
+    fn is_the_limit(allowed: f64, acting: impl Fn(f64) -> Acting) -> bool {
+        let allows = |share: f64| are_symmetric(&acting(share * allowed));
+        allows(0.0) && allows(0.9) && allows(-0.9) && !allows(1.1) && !allows(-1.1)
+    }
+
+    #[test]
+    fn what_differs_by_sixteen_roundings_is_alike_and_by_more_is_not() {
+        assert_eq!(ROUNDING, 16.0 * f64::EPSILON);
+        // Angles count as shares of a radian where they are small, of their magnitudes where they are large; rates only so.
+        let angles = |apart: f64| Acting { angles: [[0.25 + apart, 0.0], [0.25, 0.0]], ..Acting::default() };
+        assert!(is_the_limit(ROUNDING, angles));
+        let large = |apart: f64| Acting { angles: [[8.0 + apart, 0.0], [8.0, 0.0]], ..Acting::default() };
+        assert!(is_the_limit(16.0 * ROUNDING, large));
+        let rates = |apart: f64| Acting { angles: [[0.0, 0.25 + apart], [0.0, 0.25]], ..Acting::default() };
+        assert!(is_the_limit(0.5 * ROUNDING, rates));
+        // Thrusts and their rates count as shares of the larger one.
+        for place in [0, 1] {
+            let thrusts = |apart: f64| {
+                let mut acting = Acting::default();
+                (acting.thrusts[0][place], acting.thrusts[1][place]) = (4096.0 + apart, 4096.0);
+                acting
+            };
+            assert!(is_the_limit(4096.0 * ROUNDING, thrusts));
+        }
+    }
+
+    #[test]
+    fn wind_across_the_course_is_never_alike() {
+        for place in 0..3 {
+            let mut acting = Acting::default();
+            acting.winds[place] = Vector3::new(3.0, 0.0, -2.0);
+            assert!(are_symmetric(&acting));
+            acting.winds[place].y = f64::MIN_POSITIVE;
+            assert!(!are_symmetric(&acting));
+        }
     }
 }

@@ -10,8 +10,8 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::flight::{Inputs, ModeSelection, Settings, Simulation};
-use flexible_aircraft::plant::Outputs;
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+use flexible_aircraft::plant::{ModeSelection, Outputs, PlantSettings};
 use flexible_aircraft::structure::ReducedModel;
 
 /// The generic business jet with as many modes as its FMU has.
@@ -50,7 +50,11 @@ pub fn up(outputs: &Outputs, name: &str) -> f64 {
 
 /// Longitudinal cases use the eight lowest symmetric modes [theory: structure.mode-count].
 pub fn eight_symmetric() -> Settings {
-    Settings { mode_selection: ModeSelection::Symmetric, mode_count: 8, ..Settings::of(&jet()) }
+    Settings::from(PlantSettings {
+        mode_selection: ModeSelection::Symmetric,
+        mode_count: 8,
+        ..PlantSettings::of(&jet())
+    })
 }
 
 /// The 2-3-1-1 of [theory: thesis-runs.inputs] at a time, before its filter: 0.05 rad, unit 0.7 s, from 1 s, nose-up first.

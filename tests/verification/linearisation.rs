@@ -1,15 +1,15 @@
 //! The state matrix of a trimmed aircraft: kinematics that are known exactly, and what it leaves out.
 
 use flexible_aircraft::flight::Settings;
-use flexible_aircraft::plant::{StateMatrix, Unknown};
+use flexible_aircraft::plant::{Plant, PlantSettings, StateMatrix, Unknown};
 
 use crate::support::{eight_symmetric, jet};
 
 /// The jet with 8 symmetric modes at 127 m/s, and its pitch angle.
 fn trimmed() -> (StateMatrix, f64) {
     let settings = eight_symmetric();
-    let equations = settings.plant(&jet()).unwrap();
-    let trim = equations.trim(&settings.trim_condition()).unwrap();
+    let equations = Plant::under(&jet(), &settings.plant).unwrap();
+    let trim = equations.trim(&settings.plant.trim_condition()).unwrap();
     (equations.linearise(&trim), trim.point.pitch)
 }
 
@@ -54,9 +54,10 @@ fn longitudinal_and_lateral_motion_do_not_couple() {
 #[test]
 fn a_free_aircraft_keeps_nine_rigid_unknowns_and_a_clamped_one_none() {
     let unknowns = |model: &flexible_aircraft::structure::ReducedModel| {
-        let settings = Settings { mode_count: 4, inflow_states: 3, ..Settings::of(model) };
-        let equations = settings.plant(model).unwrap();
-        equations.linearise(&equations.trim(&settings.trim_condition()).unwrap()).unknowns
+        let settings =
+            Settings::from(PlantSettings { mode_count: 4, inflow_states: 3, ..PlantSettings::of(model) });
+        let equations = Plant::under(model, &settings.plant).unwrap();
+        equations.linearise(&equations.trim(&settings.plant.trim_condition()).unwrap()).unknowns
     };
     let strips = 3 * jet().strips.len();
     assert_eq!(unknowns(&jet()).len(), 9 + 2 * 4 + strips);

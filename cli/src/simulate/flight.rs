@@ -3,7 +3,8 @@
 use std::io::{self, Write};
 use std::sync::Arc;
 
-use flexible_aircraft::flight::{Inputs, LimitExceeded, Settings, Simulation, SimulationError};
+use flexible_aircraft::flight::{Inputs, Settings, Simulation, SimulationError};
+use flexible_aircraft::plant::LimitExceeded;
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::{OutputSlot, Slot, VariableTable};
 
@@ -100,6 +101,7 @@ mod tests {
     use std::path::Path;
 
     use flexible_aircraft::aircraft::Aircraft;
+    use flexible_aircraft::plant::PlantSettings;
 
     use super::*;
 
@@ -108,7 +110,7 @@ mod tests {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft/generic-business-jet.toml");
         let model = Arc::new(ReducedModel::new(&Aircraft::read(&path).unwrap(), 4).unwrap());
         let variables = VariableTable::new(&model);
-        let settings = Settings { mode_count: 4, ..Settings::of(&model) };
+        let settings = Settings::from(PlantSettings { mode_count: 4, ..PlantSettings::of(&model) });
         let schedule = Schedule::parse(inputs.as_bytes(), &variables).unwrap();
         let mut flight = Flight::new(model, &settings, &schedule, &variables).unwrap();
         let mut table = NumberTable::new(Vec::new(), flight.names()).unwrap();
