@@ -381,15 +381,11 @@ mod tests {
     #[test]
     fn a_time_backwards_without_end_or_beyond_a_day_is_refused() {
         let mut flight = rigid();
-        flight.advance(0.1).unwrap();
         for duration in [-1.0, -1e-300, f64::NAN, f64::INFINITY, -f64::INFINITY, 86_401.0] {
-            let message = flight.advance(duration).unwrap_err().to_string();
-            let found = format!("duration: found {duration} s, allowed is 0 to 86400 s");
-            assert!(message.starts_with(&found), "{message}");
+            let refusal = format!("duration: found {duration} s, allowed is 0 to 86400 s, a day, at once");
+            assert_eq!(flight.advance(duration).unwrap_err().to_string(), refusal);
         }
-        assert!((flight.time() - 0.1).abs() < 1e-12);
-        flight.advance(0.0).unwrap();
-        flight.advance(-0.0).unwrap();
+        assert_eq!((flight.advance(0.0), flight.time()), (Ok(()), 0.0));
     }
 
     #[test]

@@ -267,8 +267,7 @@ impl<'a> Search<'a> {
 
     /// v̇ and ω̇ of the last evaluation.
     fn rigid(&self) -> [f64; 6] {
-        let accelerations = self.workspace.accelerations();
-        std::array::from_fn(|component| accelerations[component])
+        GeneralisedVector::rigid_part(self.workspace.accelerations())
     }
 
     /// Whether nothing at the last evaluation moves a free aircraft aside, or nothing can.

@@ -2,6 +2,8 @@
 
 use flexible_aircraft::flight::Settings;
 use flexible_aircraft::plant::{Plant, PlantSettings, StateMatrix, Unknown};
+use flexible_aircraft::symmetry::Plants;
+use nalgebra::Complex;
 
 use crate::support::{eight_symmetric, jet};
 
@@ -65,4 +67,37 @@ fn a_free_aircraft_keeps_nine_rigid_unknowns_and_a_clamped_one_none() {
     held.support = flexible_aircraft::aircraft::Support::Clamped;
     let held = unknowns(&held);
     assert_eq!((held.len(), held[0]), (2 * 4 + strips, Unknown::Coordinate(0)));
+}
+
+/// The jet's half and the whole: (unknowns, eigenvalues) of each, with six modes of which some are antisymmetric.
+fn half_and_whole() -> [(Vec<Unknown>, Vec<Complex<f64>>); 2] {
+    let settings = PlantSettings { mode_count: 6, inflow_states: 2, ..PlantSettings::of(&jet()) };
+    let plants = Plants::under(&jet(), &settings).unwrap();
+    [plants.half().unwrap(), plants.whole()].map(|plant| {
+        let matrix = plant.linearise(&plant.trim(&settings.trim_condition()).unwrap());
+        let eigenvalues = matrix.eigenvalues().unwrap();
+        (matrix.unknowns, eigenvalues)
+    })
+}
+
+#[test]
+fn half_an_aircraft_has_the_eigenvalues_of_the_symmetric_motion_of_the_whole_and_no_others() {
+    let [(unknowns, half), (_, mut whole)] = half_and_whole();
+    let in_plane = [
+        Unknown::Down,
+        Unknown::Pitch,
+        Unknown::Velocity(0),
+        Unknown::Velocity(2),
+        Unknown::Rate(1),
+        Unknown::Coordinate(0),
+    ];
+    assert_eq!(unknowns[..6], in_plane);
+    // Each is one of the whole's, none of them twice: a spurious zero would find none left.
+    for eigenvalue in half {
+        let distance = |other: &Complex<f64>| (other - eigenvalue).norm();
+        let nearest =
+            (0..whole.len()).min_by(|&a, &b| distance(&whole[a]).total_cmp(&distance(&whole[b]))).unwrap();
+        let far = distance(&whole.swap_remove(nearest));
+        assert!(far < 1e-6 * (1.0 + eigenvalue.norm()), "{eigenvalue}: {far:e}");
+    }
 }
