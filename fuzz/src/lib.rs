@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use flexible_aircraft::fmi::description;
-use flexible_aircraft::plant::{PlantSettings};
+use flexible_aircraft::plant::PlantSettings;
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;

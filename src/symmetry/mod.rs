@@ -8,7 +8,7 @@ mod plants;
 mod unfolding;
 
 pub use even_controls::EvenControls;
-pub use flying::{ActivePlant, FlyingPlant, RecordedPlant};
+pub(crate) use flying::{ActivePlant, FlyingPlant};
 pub use forms::{Form, Forms};
 pub use half::{Counterpart, SymmetricHalf};
 pub use plants::{Actions, Plants, Trimmed};

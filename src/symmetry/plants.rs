@@ -135,7 +135,7 @@ impl Plants {
     }
 
     /// The most states that any form has.
-    pub fn most_states(&self) -> usize {
+    pub(crate) fn most_states(&self) -> usize {
         self.plants.iter().fold(0, |most, plant| most.max(plant.layout().len()))
     }
 
@@ -145,7 +145,7 @@ impl Plants {
     }
 
     /// The plant with the fewest states, with which trims are found.
-    pub fn simplest(&self) -> &Plant {
+    pub(crate) fn simplest(&self) -> &Plant {
         self.plants.of(self.simplest_form())
     }
 
@@ -164,7 +164,7 @@ impl Plants {
     }
 
     /// The outputs at a trim of the [simplest](Self::simplest) plant under other actions, in axes along a course. Allocates.
-    pub fn outputs_at_trim(
+    pub(crate) fn outputs_at_trim(
         &self,
         trim: &Trim,
         actions: &impl Actions,

@@ -54,7 +54,8 @@ impl<'s> Flight<'s> {
         let [mut inputs, mut rates] = [Inputs::zero(&model), Inputs::zero(&model)];
         let reduced = Arc::clone(&model);
         let mut simulation = Simulation::new(model, settings, schedule.start())?;
-        if let Some(warning) = LimitExceeded::warning(simulation.limits_exceeded(), &reduced, settings) {
+        if let Some(warning) = LimitExceeded::warning(simulation.limits_exceeded(), &reduced, &settings.plant)
+        {
             diagnostics::warn(&warning);
         }
         schedule.write(0, &mut inputs, &mut rates);
