@@ -5,7 +5,8 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::flight::{Inputs, LimitExceeded, Settings, Simulation, SimulationError};
+use crate::flight::{Inputs, LONGEST_STEP, Settings, Simulation, SimulationError};
+use crate::plant::LimitExceeded;
 use crate::structure::ReducedModel;
 use crate::variables::{Slot, Type, Value, Variable, VariableTable};
 
@@ -70,6 +71,9 @@ pub enum FlightError {
         /// For people, with the unit.
         allowed: String,
     },
+    /// A time that nobody can fly on for.
+    #[error("duration: found {0} s, allowed is 0 to {LONGEST_STEP} s, a day, at once")]
+    Duration(f64),
     /// There is no trim, or the flight cannot go on.
     #[error(transparent)]
     Simulation(#[from] SimulationError),
@@ -182,12 +186,15 @@ impl Flight {
         }
     }
 
-    /// Flies on for a time, s. Cells of 10 ms on a grid from the beginning are what is computed: how a flight is cut into
+    /// Flies on for a time, s, from 0 to a [day](crate::flight::LONGEST_STEP). Cells of 10 ms on a grid from the beginning are what is computed: how a flight is cut into
     /// steps of whole cells changes no bit.
     ///
     /// # Errors
-    /// When the flight cannot begin or leaves the model's validity; it then stands where it was.
+    /// When the flight cannot begin, leaves the model's validity, or the time is none; it then stands where it was.
     pub fn advance(&mut self, duration: f64) -> Result<(), FlightError> {
+        if !(0.0..=LONGEST_STEP).contains(&duration) {
+            return Err(FlightError::Duration(duration));
+        }
         let simulation = self.simulation()?;
         let now = simulation.time();
         simulation.step(now, duration)?;
@@ -288,6 +295,7 @@ fn value(variable: &Variable, setting: Setting) -> Option<Value> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plant::PlantSettings;
     use crate::structure::test_jet::jet;
 
     fn rigid() -> Flight {
@@ -299,7 +307,10 @@ mod tests {
     #[test]
     fn a_flight_by_names_has_the_bits_of_one_by_types() {
         let mut named = rigid();
-        let settings = Settings { fidelity: crate::equations::Fidelity::Rigid, ..Settings::of(jet()) };
+        let settings = Settings::from(PlantSettings {
+            fidelity: crate::equations::Fidelity::Rigid,
+            ..PlantSettings::of(jet())
+        });
         let mut typed = Simulation::new(Arc::new(jet().clone()), &settings, 0.0).unwrap();
         let (still, mut inputs) = (Inputs::zero(jet()), Inputs::zero(jet()));
         for step in 0..30 {
@@ -365,6 +376,16 @@ mod tests {
         assert!((flight.time() - 0.1).abs() < 1e-12);
         flight.set("wind_north", 0.0).unwrap();
         flight.advance(0.1).unwrap();
+    }
+
+    #[test]
+    fn a_time_backwards_without_end_or_beyond_a_day_is_refused() {
+        let mut flight = rigid();
+        for duration in [-1.0, -1e-300, f64::NAN, f64::INFINITY, -f64::INFINITY, 86_401.0] {
+            let refusal = format!("duration: found {duration} s, allowed is 0 to 86400 s, a day, at once");
+            assert_eq!(flight.advance(duration).unwrap_err().to_string(), refusal);
+        }
+        assert_eq!((flight.advance(0.0), flight.time()), (Ok(()), 0.0));
     }
 
     #[test]

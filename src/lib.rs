@@ -38,9 +38,9 @@
 //! | [`strips`] | sections in the air | their inflow, loads, apparent mass |
 //! | [`equations`] | `ReducedModel`, state, controls | accelerations at five fidelity levels |
 //! | [`plant`] | the equations | rates and outputs at any state under any inputs, the linear part; trims, linearised motion |
+//! | [`stability`] | `ReducedModel`, settings | flutter and divergence over a range of airspeeds |
 //! | [`symmetry`] | `ReducedModel` | its half, which flies for the whole while motion is symmetric; [`symmetry::Plants`], both |
 //! | [`flight`] | `ReducedModel`, settings | a flight in time |
-//! | [`stability`] | `ReducedModel`, settings | flutter and divergence over a range of airspeeds |
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
 //! | [`Flight`] | `ReducedModel` | a flight by the names of variables |
 //! | `fmi` | everything above | an FMU without its C: instance, life cycle, saved states, model description (feature `fmi`) |

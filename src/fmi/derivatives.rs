@@ -8,8 +8,9 @@
 
 use std::f64::consts::TAU;
 
-use crate::flight::{Neighbours, Settings};
-use crate::plant::{WIDTHS, slope};
+use crate::flight::Neighbours;
+use crate::math::{WIDTHS, slope};
+use crate::plant::{Outputs, PlantSettings, TrimPoint};
 use crate::variables::{InputSlot, OutputSlot, ParameterSlot, Slot, Value};
 
 use super::instance::{Instance, Refusal};
@@ -81,9 +82,7 @@ impl Instance {
             for (slot, component) in components {
                 *slot.of(&mut changed) += width * scale * component;
             }
-            flight.outputs_under(&changed, &rates, |present, trim| {
-                outputs.iter().map(|slot| slot.get(present, trim)).collect()
-            })
+            values(outputs, &flight.outputs_under(&changed, &rates), flight.trim())
         }))
     }
 
@@ -115,11 +114,8 @@ impl Instance {
                 Neighbours::new(self.flight()?, &settings)
             }
         };
-        let sample = self.neighbours.insert(neighbours).read(
-            &changed,
-            (&self.inputs, &self.rates),
-            |present, trim| outputs.iter().map(|slot| slot.get(present, trim)).collect(),
-        );
+        let around = self.neighbours.insert(neighbours).outputs(&changed, (&self.inputs, &self.rates));
+        let sample = around.map(|around| around.map(|(present, trim)| values(outputs, &present, &trim)));
         sample.ok_or_else(|| Refusal::error("the trim does not depend smoothly on these parameters"))
     }
 
@@ -152,7 +148,7 @@ impl Instance {
 
     /// A change of a parameter, without end where nothing depends on it.
     fn usual_change(&self, parameter: ParameterSlot) -> f64 {
-        let Settings { airspeed, stiffness_scale, .. } = self.settings;
+        let PlantSettings { airspeed, stiffness_scale, .. } = self.settings.plant;
         match parameter {
             ParameterSlot::Airspeed => SHARE_CHANGED * airspeed.max(1.0),
             ParameterSlot::Altitude => ALTITUDE_CHANGE,
@@ -177,6 +173,11 @@ fn usual_change(input: InputSlot) -> f64 {
         InputSlot::Wind(_) => WIND_CHANGE,
         InputSlot::WindRate(_) => WIND_RATE_CHANGE,
     }
+}
+
+/// The values of some outputs.
+fn values(outputs: &[OutputSlot], present: &Outputs, trim: &TrimPoint) -> Vec<f64> {
+    outputs.iter().map(|slot| slot.get(present, trim)).collect()
 }
 
 fn longest(lengths: impl Iterator<Item = f64>) -> f64 {

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::aircraft::Support;
-use crate::flight::{Inputs, LATEST, LimitExceeded, Neighbours, Settings, Simulation, resolution};
+use crate::flight::{Inputs, LATEST, Neighbours, Settings, Simulation, resolution};
+use crate::plant::LimitExceeded;
 use crate::structure::{ReducedModel, StructureError};
 use crate::variables::{Slot, VariableTable};
 
@@ -253,7 +254,7 @@ impl Instance {
     /// Ends initialisation: trims, unless an output has been read already. Warns of a trim beyond the aircraft's limits.
     pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
         let (model, settings) = (Arc::clone(&self.model), self.settings.clone());
-        let warning = LimitExceeded::warning(self.flight()?.limits_exceeded(), &model, &settings);
+        let warning = LimitExceeded::warning(self.flight()?.limits_exceeded(), &model, &settings.plant);
         self.neighbours = None;
         self.state = State::StepComplete;
         if let Some(warning) = warning {

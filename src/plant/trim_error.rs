@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::aircraft::{Control, Support};
+use crate::kinematics::GeneralisedVector;
 
 use super::trim::TrimPoint;
 
@@ -59,16 +60,6 @@ pub struct TrimError {
     pub modal: f64,
 }
 
-/// The components of v and ω by the names of their outputs, and what their accelerations do.
-const COMPONENTS: [(&str, &str); 6] = [
-    ("velocity.x", "forwards"),
-    ("velocity.y", "sideways"),
-    ("velocity.z", "downwards"),
-    ("rate.x", "roll"),
-    ("rate.y", "pitch"),
-    ("rate.z", "yaw"),
-];
-
 impl std::error::Error for TrimError {}
 
 impl fmt::Display for TrimError {
@@ -92,11 +83,12 @@ impl fmt::Display for TrimError {
             )?;
         }
         write!(f, "{steps} Newton steps ended at {}", self.point.describe(&self.controls, self.has_engines))?;
-        let [x, y, z, roll, pitch, yaw] = self.rigid;
+        let GeneralisedVector { translation: v, rotation: w, .. } = GeneralisedVector::of(&self.rigid);
         write!(
             f,
-            " with the imbalance v̇ = ({x:.2e}, {y:.2e}, {z:.2e}) m/s², ω̇ = ({roll:.2e}, {pitch:.2e}, {yaw:.2e}) rad/s², \
-             largest modal acceleration {modal:.2e}"
+            " with the imbalance v̇ = ({:.2e}, {:.2e}, {:.2e}) m/s², ω̇ = ({:.2e}, {:.2e}, {:.2e}) rad/s², \
+             largest modal acceleration {modal:.2e}",
+            v.x, v.y, v.z, w.x, w.y, w.z
         )?;
         if let Some((name, what)) = self.most_unbalanced() {
             write!(f, "; most of all {name} ({what}) stays unbalanced")?;
@@ -126,7 +118,8 @@ impl TrimError {
 
     /// The component of the rigid motion with the largest acceleration, rotations by those of a point at 1 m.
     fn most_unbalanced(&self) -> Option<(&'static str, &'static str)> {
-        let largest = (0..6).max_by(|&a, &b| self.rigid[a].abs().total_cmp(&self.rigid[b].abs()))?;
-        (self.rigid[largest] != 0.0).then_some(COMPONENTS[largest])
+        let components = self.rigid.into_iter().zip(GeneralisedVector::RIGID_COMPONENTS);
+        let (left, component) = components.max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()))?;
+        (left != 0.0).then_some(component)
     }
 }

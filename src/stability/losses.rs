@@ -5,7 +5,7 @@
 //! Of a continuous change between two airspeeds less and less is left in the half of the interval that has most of it,
 //! when it is halved again and again; a jump stays whole.
 
-use crate::flight::SimulationError;
+use crate::plant::TrimError;
 
 use super::equilibrium::Equilibrium;
 use super::points::Motions;
@@ -46,9 +46,9 @@ pub enum LossKind {
         displacement: f64,
     },
     /// Above no trim is found.
-    NoneAbove(SimulationError),
+    NoneAbove(Box<TrimError>),
     /// Below no trim is found.
-    NoneBelow(SimulationError),
+    NoneBelow(Box<TrimError>),
 }
 
 /// An airspeed, m/s, and the equilibrium there.
@@ -84,7 +84,7 @@ impl Motions<'_> {
     }
 
     /// Where between an airspeed with trim and one without the trims end.
-    pub fn end_of_trims(&self, mut with: f64, mut without: f64, reason: SimulationError) -> EquilibriumLoss {
+    pub fn end_of_trims(&self, mut with: f64, mut without: f64, reason: Box<TrimError>) -> EquilibriumLoss {
         let mut reason = reason;
         while (with - without).abs() > ACCURACY * with.max(without) {
             let middle = 0.5 * (with + without);

@@ -5,8 +5,9 @@ use std::thread;
 
 use nalgebra::Complex;
 
-use crate::flight::{LimitExceeded, Settings, SimulationError};
-use crate::plant::{EigenvaluesNotFound, Plant, StateMatrix, Trim, Unknown};
+use crate::plant::{
+    EigenvaluesNotFound, LimitExceeded, Plant, PlantSettings, StateMatrix, Trim, TrimError, Unknown,
+};
 use crate::structure::ReducedModel;
 
 use super::condensed::Condensed;
@@ -31,7 +32,7 @@ pub struct Skipped {
 pub enum SkipReason {
     /// There is no trim.
     #[error(transparent)]
-    Trim(#[from] SimulationError),
+    Trim(#[from] Box<TrimError>),
     /// The eigensolver failed.
     #[error(transparent)]
     Eigenvalues(#[from] EigenvaluesNotFound),
@@ -42,7 +43,8 @@ pub enum SkipReason {
 pub(super) struct Motions<'a> {
     /// With the modes that take part.
     pub model: &'a ReducedModel,
-    pub settings: &'a Settings,
+    /// All within their ranges; their airspeed is of no account.
+    pub settings: &'a PlantSettings,
 }
 
 /// The motion at one airspeed of the range.
@@ -57,15 +59,15 @@ pub(super) struct AnalysedSpeed {
 }
 
 impl Motions<'_> {
-    fn trimmed(&self, airspeed: f64) -> Result<(Plant, Trim), SimulationError> {
-        let settings = Settings { airspeed, ..self.settings.clone() };
-        let plant = settings.plant(self.model)?;
+    fn trimmed(&self, airspeed: f64) -> Result<(Plant, Trim), Box<TrimError>> {
+        let settings = PlantSettings { airspeed, ..*self.settings };
+        let plant = Plant::new(self.model, &settings.configuration(self.model.support));
         let trim = plant.trim(&settings.trim_condition())?;
         Ok((plant, trim))
     }
 
     /// The trim alone.
-    pub fn equilibrium(&self, airspeed: f64) -> Result<Equilibrium, SimulationError> {
+    pub fn equilibrium(&self, airspeed: f64) -> Result<Equilibrium, Box<TrimError>> {
         let (plant, trim) = self.trimmed(airspeed)?;
         Ok(Equilibrium::new(&plant, &trim))
     }

@@ -2,7 +2,7 @@
 
 use crate::aircraft::{ALTITUDES, Control, Support, TrimRole};
 use crate::flight::Settings;
-use crate::strips::PetersInflow;
+use crate::plant::PlantSettings;
 use crate::structure::ReducedModel;
 
 use super::{
@@ -93,7 +93,7 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
         count(
             "inflow_states",
             P::InflowStates,
-            PetersInflow::MAX_STATES,
+            PlantSettings::MOST_INFLOW_STATES,
             "Peters inflow states per strip; 0 is steady aerodynamics",
         ),
         real("tolerance", P::Tolerance, Unit::One, "Relative tolerance of the internal integrator")

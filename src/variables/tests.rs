@@ -3,6 +3,7 @@ use std::collections::HashSet;
 use crate::aircraft::{TAKEN, TAKEN_BY_TRIM, TrimRole};
 use crate::equations::Fidelity;
 use crate::flight::{Inputs, Settings};
+use crate::plant::PlantSettings;
 use crate::structure::test_jet::jet;
 
 use super::*;
@@ -159,7 +160,7 @@ fn airspeed_and_altitude_start_where_the_aircraft_file_says() {
 fn settings_start_from_the_aircrafts_own_flight_condition() {
     let model =
         ReducedModel { airspeed: 35.0, altitude: 1000.0, inflow_states: 3, ..jet().select(&[0, 1, 2]) };
-    let Settings { airspeed, altitude, inflow_states, mode_count, .. } = Settings::of(&model);
+    let PlantSettings { airspeed, altitude, inflow_states, mode_count, .. } = PlantSettings::of(&model);
     assert_eq!((airspeed, altitude, inflow_states, mode_count), (35.0, 1000.0, 3, 3));
 }
 
@@ -182,7 +183,7 @@ fn every_parameter_reads_back_what_was_set() {
         slot.set(&mut settings, value);
         assert_eq!(slot.get(&settings), value, "{}", variable.name);
     }
-    assert_eq!(settings.fidelity, Fidelity::Rigid);
+    assert_eq!(settings.plant.fidelity, Fidelity::Rigid);
 }
 
 #[test]

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use flexible_aircraft::aircraft::{Aircraft, Strip};
 use flexible_aircraft::flight::{Settings, Simulation};
+use flexible_aircraft::plant::PlantSettings;
 use flexible_aircraft::structure::ReducedModel;
 
 use super::{AILERON, assert_messages, edited};
@@ -65,7 +66,12 @@ fn a_wing_of_two_surfaces_bends_as_a_wing_of_one() {
     let bent = |surfaces: &str| {
         let clamped = [FIVE, (SURFACE, surfaces), ("\"free\"", "\"clamped\"")];
         let model = ReducedModel::new(&edited(&clamped).unwrap(), 8).unwrap();
-        let settings = Settings { airspeed: 60.0, altitude: 0.0, mode_count: 8, ..Settings::of(&model) };
+        let settings = Settings::from(PlantSettings {
+            airspeed: 60.0,
+            altitude: 0.0,
+            mode_count: 8,
+            ..PlantSettings::of(&model)
+        });
         let mut flight = Simulation::new(Arc::new(model), &settings, 0.0).unwrap();
         flight.outputs().deflections[0].displacement.z
     };

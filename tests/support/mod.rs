@@ -12,8 +12,8 @@ use std::sync::{Arc, OnceLock};
 
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::{Configuration, Fidelity};
-use flexible_aircraft::flight::{Inputs, ModeSelection, Settings, Simulation};
-use flexible_aircraft::plant::Outputs;
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+use flexible_aircraft::plant::{ModeSelection, Outputs, PlantSettings};
 use flexible_aircraft::structure::ReducedModel;
 use nalgebra::Vector3;
 
@@ -53,7 +53,11 @@ pub fn up(outputs: &Outputs, name: &str) -> f64 {
 
 /// Longitudinal cases use the eight lowest symmetric modes [theory: structure.mode-count].
 pub fn eight_symmetric() -> Settings {
-    Settings { mode_selection: ModeSelection::Symmetric, mode_count: 8, ..Settings::of(&jet()) }
+    Settings::from(PlantSettings {
+        mode_selection: ModeSelection::Symmetric,
+        mode_count: 8,
+        ..PlantSettings::of(&jet())
+    })
 }
 
 /// One-tenth of the stiffness, at which the jet bends by metres, in steady inflow.

@@ -13,8 +13,10 @@ use std::sync::Arc;
 
 use clap::Args;
 use flexible_aircraft::aircraft::{Aircraft, Support};
-use flexible_aircraft::flight::{Settings, SimulationError};
+use flexible_aircraft::flight::SimulationError;
+use flexible_aircraft::plant::{PlantSettings, SettingError, TrimError};
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
+use flexible_aircraft::symmetry::Plants;
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{FileError, FmuError};
 
@@ -58,6 +60,12 @@ pub enum BenchError {
     /// Its structure.
     #[error(transparent)]
     Structure(#[from] StructureError),
+    /// A plant in the library.
+    #[error(transparent)]
+    Setting(#[from] SettingError),
+    /// Its trim.
+    #[error(transparent)]
+    Trim(#[from] Box<TrimError>),
     /// The flight in the library.
     #[error(transparent)]
     Simulation(#[from] SimulationError),
@@ -118,7 +126,7 @@ pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
         return Err(BenchError::Clamped(aircraft.name));
     }
     let model = Arc::new(ReducedModel::new(&aircraft, ModeCount::Usual(ReducedModel::USUAL_MODES))?);
-    if Settings::of(&model).plants(&model)?.half().is_none() {
+    if Plants::under(&model, &PlantSettings::of(&model))?.half().is_none() {
         return Err(BenchError::NoMirrorPlane(aircraft.name));
     }
     let fmu = Fmu::open(&options.fmu)?;

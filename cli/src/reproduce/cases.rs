@@ -7,7 +7,8 @@
 //! at 177.8 m/s, 1.4 × 127.
 
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::flight::{ModeSelection, Settings};
+use flexible_aircraft::flight::Settings;
+use flexible_aircraft::plant::{ModeSelection, PlantSettings};
 use flexible_aircraft::structure::ReducedModel;
 
 use crate::manoeuvre::Manoeuvre;
@@ -146,7 +147,7 @@ impl Flight {
     /// The parameters of the simulation of an aircraft.
     pub fn settings(&self, model: &ReducedModel) -> Settings {
         let (mode_count, mode_selection) = self.case.modes();
-        Settings {
+        Settings::from(PlantSettings {
             fidelity: self.fidelity,
             airspeed: self.case.airspeed(),
             altitude: 7620.0,
@@ -154,8 +155,8 @@ impl Flight {
             mode_selection,
             mode_count,
             inflow_states: self.inflow_states,
-            ..Settings::of(model)
-        }
+            ..PlantSettings::of(model)
+        })
     }
 
     /// For file names.
