@@ -83,11 +83,12 @@ fn support(aircraft: &Aircraft) -> String {
     }
 }
 
-/// What positive angles of the controls do.
+/// What positive angles of the controls do, and what else users should know of them.
 fn controls(aircraft: &Aircraft) -> String {
     let line = |control: &Control| {
         let positive = escape(control.positive.as_str());
-        format!("<li>Positive <code>{}</code>: {positive}.</li>\n", control.name)
+        let facts = control.facts().join("; ");
+        format!("<li>Positive <code>{}</code>: {positive}. It {facts}.</li>\n", control.name)
     };
     aircraft.controls.iter().map(line).collect()
 }

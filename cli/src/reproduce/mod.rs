@@ -80,7 +80,7 @@ struct Section {
 
 /// Flies, draws and writes everything.
 pub fn run(options: &ReproduceOptions) -> Result<(), Error> {
-    let aircraft = Aircraft::read(&options.aircraft)?;
+    let aircraft = diagnostics::read_aircraft(&options.aircraft)?;
     if aircraft.support == Support::Clamped {
         return Err(Error::Clamped(aircraft.name));
     }
