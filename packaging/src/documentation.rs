@@ -255,12 +255,14 @@ mod tests {
     #[test]
     fn the_page_says_what_positive_angles_of_the_aircrafts_own_controls_do() {
         let mut aircraft = jet();
-        assert!(page_of(&aircraft).contains("<li>Positive <code>elevator</code>: nose-down.</li>"));
+        let expected = "<li>Positive <code>elevator</code>: nose-down. It acts alike on both sides; holds pitch in trim; has the usual \
+                        limits of -30 to 30 deg, which change no flight.</li>";
+        assert!(page_of(&aircraft).contains(expected));
         (aircraft.controls[0].name, aircraft.controls[0].positive) =
             ("canard".to_owned(), "up & away".to_owned());
         let page = page_of(&aircraft);
         assert!(
-            page.contains("<li>Positive <code>canard</code>: up &amp; away.</li>")
+            page.contains("<li>Positive <code>canard</code>: up &amp; away. It ")
                 && !page.contains("elevator")
         );
     }

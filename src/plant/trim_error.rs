@@ -138,7 +138,7 @@ impl TrimError {
     /// What to do where nothing holds pitch.
     fn what_lacks_for_pitch(&self) -> String {
         if let Some(control) = self.pitch_control() {
-            return format!("{} has trim = \"pitch\" and moves no flap: its gains are 0", control.name);
+            return format!("{} has trim = \"pitch\" and moves no flap", control.name);
         }
         let free = self.controls.iter().filter(|control| control.role.is_none());
         let free: Vec<&str> = free.map(|control| control.name.as_str()).collect();

@@ -33,8 +33,7 @@ fn a_control_is_what_its_table_says() {
 #[test]
 fn gains_pass_to_mirror_images_as_the_control_says() {
     for (mirror, sign) in [("same", 1.0), ("opposite", -1.0)] {
-        let edit =
-            ("mirror = \"opposite\"\ntrim = \"roll\"", format!("mirror = \"{mirror}\"\ntrim = \"roll\""));
+        let edit = ("mirror = \"opposite\"\ntrim = \"roll\"", format!("mirror = \"{mirror}\""));
         let aircraft = edited(&[(edit.0, &edit.1)]).unwrap();
         assert_eq!(gains(&aircraft, "wing_right"), [0.0, -1.0, 0.0], "{mirror}");
         assert_eq!(gains(&aircraft, "wing_left")[AILERON], -sign, "{mirror}");
@@ -162,7 +161,7 @@ fn names_that_other_variables_have_are_refused_with_their_line() {
 #[test]
 fn names_and_roles_are_given_once() {
     assert_messages(
-        &[("name = \"rudder\"", "name = \"elevator\"")],
+        &[("name = \"rudder\"", "name = \"elevator\""), (", { input = \"rudder\", gain = 1 }", "")],
         &[
             "small.toml:90:8: control.elevator.name: found the name \"elevator\" a second time; a name that no other control \
            has is allowed",

@@ -206,7 +206,7 @@ fn pairs_of_flaps_fly_half_the_aircraft_as_the_whole_one() {
 #[test]
 fn a_flap_on_one_side_alone_leaves_symmetry_when_it_moves() {
     let lonely = "    { input = \"flap_left_2\", side = \"left\", gain = 1, from = 0.32, to = 0.54 },\n";
-    let model = reduced(&edited(EIGHT_FLAPS, lonely, ""));
+    let model = reduced(&edited(EIGHT_FLAPS, lonely, &lonely.replace("gain = 1", "gain = 0")));
     assert!(SymmetricHalf::find(&model).is_some());
     assert!(moved(&model, &[("elevator", 0.01), ("flap_left_2", 0.1)]).is_symmetric());
     assert!(!moved(&model, &[("flap_right_2", 0.1)]).is_symmetric());
@@ -266,7 +266,7 @@ fn without_a_control_for_pitch_the_refusal_says_what_is_missing() {
     );
     assert_eq!(
         refused(&edited(ELEVONS, "{ input = \"elevator\", gain = 1", "{ input = \"elevator\", gain = 0")),
-        "no steady level flight: elevator has trim = \"pitch\" and moves no flap: its gains are 0"
+        "no steady level flight: elevator has trim = \"pitch\" and moves no flap"
     );
     let start = ELEVONS.find("[[control]]").unwrap();
     let (end, moves) = (ELEVONS.find("[[component]]").unwrap(), ELEVONS.find("control = [").unwrap());
