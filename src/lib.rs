@@ -6,6 +6,13 @@
 //! thesis' equations and sections. SI units and radians everywhere; body frame x forward, y right, z down; inertial
 //! frame north-east-down [theory: frames.conventions, frames.axes].
 //!
+//! In `Cargo.toml`, beside a checkout of the repository; without `fmi` it is the physics alone:
+//!
+//! ```toml
+//! [dependencies]
+//! flexible-aircraft = { path = "../flexible-aircraft", default-features = false }
+//! ```
+//!
 //! From a file to a flight, by the [names of variables](Flight::variables) that the FMU has too:
 //!
 //! ```

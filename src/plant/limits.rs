@@ -91,6 +91,10 @@ impl LimitedQuantity {
         match self {
             LimitedQuantity::Mach => format!("{value:.3}"),
             LimitedQuantity::Thrust => format!("{value:.0} N"),
+            // As many digits as a small angle needs.
+            _ if value.abs() < 1e-3 && value != 0.0 => {
+                format!("{value:.2e} rad ({:.2e}°)", value.to_degrees())
+            }
             _ => format!("{value:.4} rad ({:.1}°)", value.to_degrees()),
         }
     }

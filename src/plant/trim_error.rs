@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::aircraft::{Control, Support};
+use crate::aircraft::{Control, Support, TrimRole};
 use crate::kinematics::GeneralisedVector;
 
 use super::trim::TrimPoint;
@@ -20,6 +20,8 @@ pub enum TrimFailure {
     },
     /// The unknowns do not move the forces independently.
     NoAuthority,
+    /// Nothing is to hold pitch: no control has the role, or the one that has it moves nothing.
+    NoPitchControl,
     /// The plane of symmetry is in balance, the rest is not, and nothing steers it.
     NoLateralControl {
         /// To the right, N.
@@ -66,6 +68,9 @@ impl fmt::Display for TrimError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let TrimError { airspeed, altitude, density, steps, modal, .. } = self;
         let failure = self.failure_text();
+        if self.failure == TrimFailure::NoPitchControl {
+            return write!(f, "{failure}");
+        }
         if self.support == Support::Clamped {
             return write!(
                 f,
@@ -104,16 +109,37 @@ impl TrimError {
         match self.failure {
             TrimFailure::NotFound | TrimFailure::TooSlow { .. } => format!("no steady {flight} found"),
             TrimFailure::NoAuthority => format!(
-                "no steady {flight}: what should balance the aircraft does not act independently (is there a wing, a \
-                 control with trim = \"pitch\"{engine}, for one that is not symmetric a fin or a control with trim = \"yaw\"?)"
+                "no steady {flight}: what should balance the aircraft does not act independently (is there a wing{engine}, does \
+                 {} pitch the aircraft, for one that is not symmetric is there a fin or a control with trim = \"yaw\"?)",
+                self.pitch_control().map_or("a control", |control| control.name.as_str())
             ),
+            TrimFailure::NoPitchControl => format!("no steady {flight}: {}", self.what_lacks_for_pitch()),
             TrimFailure::NoLateralControl { side_force, rolling, yawing } => format!(
-                "no steady {flight}: the aircraft is not symmetric and has no control with trim = \"roll\" or \"yaw\"; a side force of \
+                "no steady {flight}: the aircraft is not symmetric, and no control with trim = \"roll\" or \"yaw\" moves anything; a side force of \
                  {side_force:.1} N, a rolling moment of {rolling:.1} N m and a yawing moment of {yawing:.1} N m about O \
                  stay unbalanced"
             ),
             TrimFailure::NoRest => "no deformation at rest found in the wind tunnel".to_owned(),
         }
+    }
+
+    fn pitch_control(&self) -> Option<&Control> {
+        self.controls.iter().find(|control| control.role == Some(TrimRole::Pitch))
+    }
+
+    /// What to do where nothing holds pitch.
+    fn what_lacks_for_pitch(&self) -> String {
+        if let Some(control) = self.pitch_control() {
+            return format!("{} has trim = \"pitch\" and moves no flap", control.name);
+        }
+        let free = self.controls.iter().filter(|control| control.role.is_none());
+        let free: Vec<&str> = free.map(|control| control.name.as_str()).collect();
+        let remedy = match (free.as_slice(), self.controls.as_slice()) {
+            ([], []) => "there are no controls: add a [[control]] for it".to_owned(),
+            ([], _) => "all controls have other roles: add a [[control]] for it".to_owned(),
+            (free, _) => format!("give it to one of: {}", free.join(", ")),
+        };
+        format!("no control has trim = \"pitch\"; {remedy}")
     }
 
     /// The component of the rigid motion with the largest acceleration, rotations by those of a point at 1 m.

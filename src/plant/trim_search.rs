@@ -76,6 +76,9 @@ impl<'a> Search<'a> {
     /// Searches in the plane of symmetry first; where the aircraft leaves it, all around.
     pub fn find(plant: &'a Plant, condition: TrimCondition) -> Result<Self, Box<TrimError>> {
         let mut search = Search::new(plant, condition);
+        if plant.support() == Support::Free && !moves_anything(plant, TrimRole::Pitch) {
+            return Err(Box::new(search.without_pitch_control()));
+        }
         let in_plane = search.run();
         if search.is_straight() {
             return in_plane.map(|()| search);
@@ -316,6 +319,12 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// What nothing holds in pitch.
+    fn without_pitch_control(&mut self) -> TrimError {
+        self.evaluate();
+        TrimError { failure: TrimFailure::NoPitchControl, ..self.error(SearchEnd::Steps(0), 0.0) }
+    }
+
     /// What an aircraft whose plane of symmetry is in balance lacks, if it has no control for roll or yaw.
     fn without_lateral_controls(&self, error: TrimError) -> TrimError {
         let goes_aside = ASIDE.iter().any(|&row| self.rigid()[row].abs() >= BALANCED);
@@ -357,11 +366,14 @@ impl Plant {
 
 /// Whether there are controls for roll and for yaw that move anything.
 fn lateral_controls(plant: &Plant) -> [bool; 2] {
-    [TrimRole::Roll, TrimRole::Yaw].map(|role| {
-        let has_role = plant.controls().iter().map(|control| control.role == Some(role));
-        let angles: Vec<f64> = has_role.map(|has_role| if has_role { 1.0 } else { 0.0 }).collect();
-        plant.equations.flap_factors().iter().any(|factor| factor.value(&angles) != 0.0)
-    })
+    [TrimRole::Roll, TrimRole::Yaw].map(|role| moves_anything(plant, role))
+}
+
+/// Whether there is a control with a role that moves anything.
+fn moves_anything(plant: &Plant, role: TrimRole) -> bool {
+    let has_role = plant.controls().iter().map(|control| control.role == Some(role));
+    let angles: Vec<f64> = has_role.map(|has_role| if has_role { 1.0 } else { 0.0 }).collect();
+    plant.equations.flap_factors().iter().any(|factor| factor.value(&angles) != 0.0)
 }
 
 /// Largest step relative to its unknown.

@@ -25,8 +25,9 @@ pub(super) fn rows(model: &ReducedModel) -> Vec<Variable> {
 
 fn inputs(model: &ReducedModel) -> Vec<Variable> {
     let mut rows = Vec::new();
-    for (i, Control { name, description, positive, .. }) in model.controls.iter().enumerate() {
-        let text = format!("{description}, positive {positive}");
+    for (i, control) in model.controls.iter().enumerate() {
+        let Control { name, description, positive, .. } = control;
+        let text = format!("{description}, positive {positive}; {}", control.facts().join("; "));
         rows.push(input(name, Unit::Radian, InputSlot::Control(i), &text));
     }
     for (i, engine) in model.engines.iter().enumerate() {
@@ -231,7 +232,10 @@ fn modal_coordinates(model: &ReducedModel) -> Vec<Variable> {
 fn controls_and_trim(model: &ReducedModel) -> Vec<Variable> {
     let mut rows = Vec::new();
     for (i, Control { name, description, .. }) in model.controls.iter().enumerate() {
-        let text = format!("Acting {}, trim included", within_a_sentence(description));
+        let description = within_a_sentence(description);
+        let text = format!(
+            "Acting {description}, trim included; a flap turns by the sum of gain times angle over the controls that move it"
+        );
         rows.push(output(format!("surface.{name}"), Unit::Radian, OutputSlot::Control(i), text));
     }
     for (i, engine) in model.engines.iter().enumerate() {

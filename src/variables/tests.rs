@@ -76,10 +76,24 @@ fn controls_bring_variables_by_their_names_and_only_those_with_roles_stand_in_th
     let table = VariableTable::new(&model);
     let described =
         |name: &str| table.reference(name).map(|reference| table.get(reference).unwrap().description.clone());
-    assert_eq!(described("canard").as_deref(), Some("V-tail angle, positive nose-up"));
-    assert_eq!(described("surface.canard").as_deref(), Some("Acting V-tail angle, trim included"));
+    assert_eq!(
+        described("canard").as_deref(),
+        Some(
+            "V-tail angle, positive nose-up; acts with opposite signs on the two sides; holds pitch in trim; has the usual limits of \
+         -30 to 30 deg, which change no flight"
+        )
+    );
+    assert_eq!(
+        described("surface.canard").unwrap().split(';').next(),
+        Some("Acting V-tail angle, trim included")
+    );
     assert_eq!(described("trim.canard").as_deref(), Some("V-tail angle of the trim found at initialisation"));
-    assert_eq!(described("surface.elevator").as_deref(), Some("Acting elevator deflection, trim included"));
+    assert_eq!(
+        described("surface.elevator").as_deref(),
+        Some(
+            "Acting elevator deflection, trim included; a flap turns by the sum of gain times angle over the controls that move it"
+        )
+    );
     for gone in ["aileron", "surface.aileron", "trim.elevator", "trim.aileron", "trim.rudder"] {
         assert_eq!(described(gone), None, "{gone}");
     }

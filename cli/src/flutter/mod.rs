@@ -188,7 +188,7 @@ pub fn run(options: &FlutterOptions) -> Result<(), Error> {
 }
 
 fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
-    let aircraft = Aircraft::read(&options.aircraft)?;
+    let aircraft = diagnostics::read_aircraft(&options.aircraft)?;
     let airspeeds = airspeeds(options, aircraft.support)?;
     if let (Some(altitude), Some(_)) = (options.altitude, &aircraft.tunnel_air) {
         return Err(Error::TunnelAltitude { altitude, aircraft: options.aircraft.display().to_string() });

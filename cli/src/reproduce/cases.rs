@@ -6,6 +6,7 @@
 //! and start are ours. What it captions 203 m/s has V_x ≈ 178 m/s on its axes and was flown
 //! at 177.8 m/s, 1.4 × 127.
 
+use flexible_aircraft::aircraft::TrimRole;
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::Settings;
 use flexible_aircraft::plant::{ModeSelection, PlantSettings};
@@ -58,6 +59,14 @@ pub struct Flight {
 }
 
 impl Surface {
+    /// What the control that moves it holds in trim.
+    pub fn role(self) -> TrimRole {
+        match self {
+            Surface::Elevator => TrimRole::Pitch,
+            Surface::Rudder => TrimRole::Yaw,
+        }
+    }
+
     /// Its angle about the trim as a function of time, rad and s.
     pub fn manoeuvre(self) -> Manoeuvre {
         match self {

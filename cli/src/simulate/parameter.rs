@@ -3,8 +3,9 @@
 use flexible_aircraft::flight::Settings;
 use flexible_aircraft::plant::ModeSelection;
 use flexible_aircraft::structure::{ModeFamily, ReducedModel};
-use flexible_aircraft::variables::{ParameterSlot, Slot, Type, Value, Variable, VariableTable};
-use flexible_aircraft_packaging::probably_meant;
+use flexible_aircraft::variables::{
+    ParameterSlot, Slot, Type, Value, Variable, VariableTable, probably_meant,
+};
 
 /// What is wrong with an assignment.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
