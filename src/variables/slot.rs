@@ -252,7 +252,7 @@ impl ParameterSlot {
                 settings.plant.fidelity = level.copied().unwrap_or(settings.plant.fidelity);
             }
             (ParameterSlot::ModeFamily, Value::Integer(1)) => {
-                settings.plant.mode_selection = ModeSelection::All
+                settings.plant.mode_selection = ModeSelection::All;
             }
             (ParameterSlot::ModeFamily, Value::Integer(2)) => {
                 settings.plant.mode_selection = ModeSelection::Symmetric;
