@@ -20,8 +20,12 @@ use inertia::SuperposedInertia;
 use superposition::Instant;
 pub use superposition::Superposition;
 
+/// Nothing: whatever superposition needs is constant.
+#[derive(Clone, Debug)]
+pub struct NoMemory;
+
 impl Kinematics for Superposition {
-    type Memory = ();
+    type Memory = NoMemory;
     type Instant<'a> = Instant<'a>;
     type Inertia = SuperposedInertia;
 
@@ -29,17 +33,19 @@ impl Kinematics for Superposition {
         Superposition::of(model, edge_on)
     }
 
-    fn memory(&self) {}
+    fn memory(&self) -> NoMemory {
+        NoMemory
+    }
 
     fn inertia(&self, integrals: &ModalIntegrals, freedom: RigidFreedom) -> SuperposedInertia {
         SuperposedInertia::undeformed(integrals, freedom)
     }
 
     #[inline(always)]
-    fn evaluate<S: Arithmetic>(&self, _: S, _: Coordinates, (): &mut ()) {}
+    fn evaluate<S: Arithmetic>(&self, _: S, _: Coordinates, _: &mut NoMemory) {}
 
     #[inline(always)]
-    fn sections<'a>(&'a self, at: Coordinates<'a>, (): &'a ()) -> Instant<'a> {
+    fn sections<'a>(&'a self, at: Coordinates<'a>, _: &'a NoMemory) -> Instant<'a> {
         self.at(at)
     }
 
