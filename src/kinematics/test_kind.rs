@@ -19,7 +19,7 @@ use super::sections::{Bias, Section, SectionMotion, Sections, SectionsInPlane, S
 use masses::Masses;
 
 /// c.
-const TURN: f64 = 0.004;
+const TURN: f64 = 2e-4;
 
 /// The places of an aircraft's sections.
 #[derive(Clone, Debug)]

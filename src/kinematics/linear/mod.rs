@@ -20,12 +20,12 @@ use inertia::SuperposedInertia;
 use superposition::Instant;
 pub use superposition::Superposition;
 
-/// What is written at an instant: nothing.
+/// Nothing: whatever superposition needs is constant.
 #[derive(Clone, Debug)]
-pub struct Nothing;
+pub struct NoMemory;
 
 impl Kinematics for Superposition {
-    type Memory = Nothing;
+    type Memory = NoMemory;
     type Instant<'a> = Instant<'a>;
     type Inertia = SuperposedInertia;
 
@@ -33,8 +33,8 @@ impl Kinematics for Superposition {
         Superposition::of(model, edge_on)
     }
 
-    fn memory(&self) -> Nothing {
-        Nothing
+    fn memory(&self) -> NoMemory {
+        NoMemory
     }
 
     fn inertia(&self, integrals: &ModalIntegrals, freedom: RigidFreedom) -> SuperposedInertia {
@@ -42,10 +42,10 @@ impl Kinematics for Superposition {
     }
 
     #[inline(always)]
-    fn evaluate<S: Arithmetic>(&self, _: S, _: Coordinates, _: &mut Nothing) {}
+    fn evaluate<S: Arithmetic>(&self, _: S, _: Coordinates, _: &mut NoMemory) {}
 
     #[inline(always)]
-    fn sections<'a>(&'a self, at: Coordinates<'a>, _: &'a Nothing) -> Instant<'a> {
+    fn sections<'a>(&'a self, at: Coordinates<'a>, _: &'a NoMemory) -> Instant<'a> {
         self.at(at)
     }
 
