@@ -258,9 +258,9 @@ mod tests {
         let expected = "<li>Positive <code>elevator</code>: nose-down. It acts alike on both sides; holds pitch in trim; has the usual \
                          limits of -30 to 30 deg, which change no flight.</li>";
         assert!(page_of(&aircraft).contains(expected));
-        let pitch = &mut aircraft.controls[0];
-        (pitch.name, pitch.description) = ("canard".to_owned(), "Canard deflection".to_owned());
-        pitch.positive = "up & away".to_owned();
+        let canard = &mut aircraft.controls[0];
+        (canard.name, canard.description) = ("canard".to_owned(), "Canard angle".to_owned());
+        canard.positive = "up & away".to_owned();
         let page = page_of(&aircraft);
         assert!(
             page.contains("<li>Positive <code>canard</code>: up &amp; away. It ")
