@@ -23,24 +23,9 @@ pub fn probably_meant<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) ->
         .map(|(_, name)| name)
 }
 
-/// How many letters have to be put in, left out, changed, or change places with their neighbours, after F. Damerau; the
-/// case does not matter.
+/// How many letters have to be put in, left out, changed, or change places; the case does not matter.
 fn distance(a: &str, b: &str) -> usize {
-    let [a, b] = [a, b].map(|name| name.to_lowercase().chars().collect::<Vec<char>>());
-    // Rows of the table of distances between beginnings of both: the last but one, the last, the present.
-    let (mut before, mut last) = (vec![0; b.len() + 1], (0..=b.len()).collect::<Vec<usize>>());
-    for i in 1..=a.len() {
-        let mut row = vec![i; b.len() + 1];
-        for j in 1..=b.len() {
-            let changed = last[j - 1] + usize::from(a[i - 1] != b[j - 1]);
-            row[j] = changed.min(last[j] + 1).min(row[j - 1] + 1);
-            if i > 1 && j > 1 && (a[i - 1], a[i - 2]) == (b[j - 2], b[j - 1]) {
-                row[j] = row[j].min(before[j - 2] + 1);
-            }
-        }
-        (before, last) = (last, row);
-    }
-    last[b.len()]
+    strsim::damerau_levenshtein(&a.to_lowercase(), &b.to_lowercase())
 }
 
 #[cfg(test)]
