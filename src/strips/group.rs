@@ -17,7 +17,7 @@ use super::flap::FlapEffect;
 use super::flap_factor::FlapFactor;
 
 use super::strip_loads::{Displacement, StripFlapLoads, StripLoads, StripSizes};
-use super::sums::Row;
+use super::sums::{Row, add_to};
 
 /// Eight strips.
 #[derive(Clone, Debug)]
@@ -166,14 +166,14 @@ impl Group {
     ) {
         row.add::<S, EQUAL_ROWS>(window, index, &loads.on(displacement));
         if let Some(flaps) = flaps {
-            let effect = flaps.on(displacement);
+            let (effects, effect) = (row.effects(), flaps.on(displacement));
             for (factor, gain) in &self.gains {
-                row.add_effect(window, *factor, effect * window.load(gain));
+                add_to(window, &mut effects[*factor], effect * window.load(gain));
             }
             if !self.squared_gains.is_empty() {
                 let drag = flaps.drag_on(displacement);
                 for (factor, gain) in &self.squared_gains {
-                    row.add_effect(window, *factor, drag * window.load(gain));
+                    add_to(window, &mut effects[*factor], drag * window.load(gain));
                 }
             }
         }

@@ -114,9 +114,9 @@ impl StripSums {
         for (&component, row) in rows() {
             passive[component] += row.force.sum();
         }
-        for (factor, effect) in effects.chunks_exact_mut(passive.len()).enumerate() {
-            for (&component, row) in rows() {
-                effect[component] += row.effects[factor].sum();
+        for (&component, row) in rows() {
+            for (effect, lanes) in effects.chunks_exact_mut(passive.len()).zip(&row.effects) {
+                effect[component] += lanes.sum();
             }
         }
         let size = self.moving.len();
@@ -231,14 +231,15 @@ impl Row {
         add_to(window, &mut self.force, force);
     }
 
-    /// Adds the generalised force per unit of a factor of the flaps' loads.
+    /// The generalised force per unit of each factor of the flaps' loads, to be [added to](add_to).
     #[inline(always)]
-    pub fn add_effect<S: Arithmetic>(&mut self, window: Window<S>, factor: usize, effect: Lanes<S>) {
-        add_to(window, &mut self.effects[factor], effect);
+    pub fn effects(&mut self) -> &mut [Eight] {
+        &mut self.effects
     }
 }
 
+/// Adds to one of the sums, per lane.
 #[inline(always)]
-fn add_to<S: Arithmetic>(window: Window<S>, sum: &mut Eight, lanes: Lanes<S>) {
+pub fn add_to<S: Arithmetic>(window: Window<S>, sum: &mut Eight, lanes: Lanes<S>) {
     window.store(sum, window.load(sum) + lanes);
 }
