@@ -12,6 +12,7 @@
 //! | `control`, `limits` | | what controls are, what trims should stay within |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
+//! | `flap` | | what a flap does to its section |
 //! | `branches` | the tree of beams | what is the mirror image of what |
 //! | `control_check` | the fields | names, roles and uses of controls |
 //! | `check` | the whole | names, support, symmetry, mass |
@@ -29,6 +30,7 @@ mod control_tables;
 mod document;
 mod error;
 mod expand;
+mod flap;
 mod geometry;
 mod law;
 mod limit_tables;
@@ -52,6 +54,7 @@ pub use control::{Control, TrimRole};
 #[cfg(test)]
 pub(crate) use control_check::{TAKEN, TAKEN_BY_TRIM};
 pub use error::{AircraftFileError, Diagnostic, Problem};
+pub use flap::FlapEffect;
 pub use limits::{Bound, Bounds, Limits};
 pub use model::{
     AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Engine, Flap, MOST_INFLOW_STATES, MassBay, ModeBasis,

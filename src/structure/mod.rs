@@ -7,6 +7,7 @@ mod assembly;
 mod beam;
 mod elastic_forces;
 mod error;
+mod load_modes;
 mod mirror;
 mod modal_integrals;
 mod mode;
@@ -15,6 +16,7 @@ mod modes;
 mod pairs;
 mod particles;
 mod reduced;
+mod static_loads;
 mod strain_energy;
 
 pub use assembly::Structure;

@@ -15,6 +15,7 @@ mod frequencies;
 mod gliding;
 mod inflow;
 mod limits;
+mod load_modes;
 mod linearisation;
 mod modal_integrals;
 mod record;

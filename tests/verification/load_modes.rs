@@ -1,0 +1,88 @@
+//! Load modes: a few shapes of static loads beside natural modes [theory: load-modes.loads, load-modes.shapes].
+
+use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::structure::{
+    ModalBasis, ModeCount, ModeFamily, ModeKind, ReducedModel, Structure, StructureError,
+};
+
+use super::record::Record;
+use crate::support::AILERON_SYMMETRIC;
+
+/// The jet with load modes and without the ailerons' deflection together, which the reference does not have.
+fn jet() -> Aircraft {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/generic-business-jet.toml");
+    let mut jet = Aircraft::read(path).unwrap();
+    jet.load_modes = true;
+    jet.controls.remove(AILERON_SYMMETRIC);
+    for flap in jet.strips.iter_mut().filter_map(|strip| strip.flap.as_mut()) {
+        flap.gains.remove(AILERON_SYMMETRIC);
+    }
+    jet
+}
+
+/// Nominal frequencies of the load modes of one family, Hz.
+fn frequencies(count: usize, kind: ModeKind, family: ModeFamily) -> Result<Vec<f64>, StructureError> {
+    let model = ReducedModel::with(&jet(), ModeCount::Asked(count), kind)?;
+    let of_family = model.modes.iter().filter(|mode| mode.of_loads && mode.family == family);
+    Ok(of_family.map(|mode| mode.angular_frequency / std::f64::consts::TAU).collect())
+}
+
+#[test]
+fn load_modes_of_the_jet_have_the_frequencies_of_an_independent_computation() {
+    let mut record = Record::new(
+        "load-modes",
+        "Load modes of the jet without `aileron_symmetric`: nominal frequencies, Hz",
+        "an independent implementation of [theory: load-modes.shapes]; half a unit of its last digit",
+    );
+    let rows = [
+        (4, ModeKind::Symmetric, ModeFamily::Symmetric, [8.86, 9.94, 15.03, 29.52]),
+        (8, ModeKind::Symmetric, ModeFamily::Symmetric, [15.95, 17.72, 28.18, 33.14]),
+        (12, ModeKind::All, ModeFamily::Antisymmetric, [14.10, 15.77, 21.31, 25.07]),
+    ];
+    for (count, kind, family, expected) in rows {
+        let found = frequencies(count, kind, family).unwrap();
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        for (place, (expected, found)) in expected.into_iter().zip(found).enumerate() {
+            let name = format!("beside {count} {kind}, {family:?} {}", place + 1);
+            record.absolute(&name, expected, 5e-3, found);
+        }
+    }
+    record.finish();
+}
+
+#[test]
+fn natural_and_load_modes_are_orthonormal_in_mass_and_orthogonal_in_stiffness() {
+    let jet = jet();
+    let structure = Structure::new(&jet).unwrap();
+    let basis = ModalBasis::new(&structure, 12).unwrap();
+    let product = |matrix: nalgebra::DMatrix<f64>| basis.shapes.transpose() * matrix * &basis.shapes;
+    let (mass, stiffness) = (product(structure.mass()), product(structure.stiffness(true)));
+    let (mut off_mass, mut off_stiffness) = (0.0_f64, 0.0_f64);
+    for (i, one) in basis.modes.iter().enumerate() {
+        for (j, other) in basis.modes.iter().enumerate() {
+            let (one, other) = (one.angular_frequency, other.angular_frequency);
+            let own = f64::from(u8::from(i == j));
+            off_mass = off_mass.max((mass[(i, j)] - own).abs());
+            off_stiffness = off_stiffness.max((stiffness[(i, j)] / (one * other) - own).abs());
+        }
+    }
+    println!("{off_mass:e} {off_stiffness:e}");
+    assert!(off_mass < 1e-11 && off_stiffness < 1e-11, "{off_mass:e} {off_stiffness:e}");
+}
+
+#[test]
+fn load_modes_change_no_natural_mode_and_lie_above_those_in_use() {
+    let mut without = jet();
+    without.load_modes = false;
+    let natural = ReducedModel::new(&without, 12).unwrap();
+    let both = ReducedModel::new(&jet(), 12).unwrap();
+    assert_eq!(both.modes[..12], natural.modes);
+    for family in [ModeFamily::Symmetric, ModeFamily::Antisymmetric] {
+        let frequencies = |of_loads| {
+            let of = both.modes.iter().filter(move |mode| mode.family == family && mode.of_loads == of_loads);
+            of.map(|mode| mode.angular_frequency).collect::<Vec<_>>()
+        };
+        assert!(frequencies(false).last() < frequencies(true).first());
+        assert!(frequencies(true).is_sorted());
+    }
+}
