@@ -9,6 +9,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
+use flexible_aircraft::symmetry::Plants;
 
 fn jet() -> Arc<ReducedModel> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/generic-business-jet.toml");
@@ -18,14 +19,14 @@ fn jet() -> Arc<ReducedModel> {
 
 fn right_hand_side(criterion: &mut Criterion) {
     let settings = Settings::of(&jet());
-    let plants = settings.plants(&jet()).expect("the default settings");
+    let plants = Plants::under(&jet(), &settings.plant).expect("the default settings");
     let (whole, half) = (plants.whole().clone(), plants.half().expect("a mirror plane").clone());
     for (name, plant) in [
         ("half the aircraft", half),
         ("the whole aircraft", whole.clone()),
         ("the whole aircraft, one strip at a time", whole.one_strip_at_a_time()),
     ] {
-        let trim = plant.trim(&settings.trim_condition()).expect("the jet flies");
+        let trim = plant.trim(&settings.plant.trim_condition()).expect("the jet flies");
         let (mut rates, mut workspace) = (vec![0.0; trim.state.len()], plant.workspace());
         criterion.bench_function(&format!("right-hand side of {name}"), |bencher| {
             bencher.iter(|| plant.rates(black_box(&trim.state), &trim.controls, &mut rates, &mut workspace));

@@ -18,7 +18,7 @@ static const char *after(const char *mark)
 {
     const char *found = strstr(xml, mark);
     if (!found) {
-        fprintf(stderr, "no %s in modelDescription.xml\n", mark);
+        fprintf(stderr, "modelDescription.xml lacks %s: this flight is one of the generic business jet\n", mark);
         exit(1);
     }
     return found + strlen(mark);

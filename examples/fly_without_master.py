@@ -11,12 +11,16 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 PLATFORMS = {"linux": ("linux64", ".so"), "win32": ("win64", ".dll"), "darwin": ("darwin64", ".dylib")}
+WATCHED = "attitude.pitch", "load_factor.z", "deflection.wing_tip_right.up"
 CO_SIMULATION, WARNING, STEP = 1, 1, 0.01  # of fmi2Type, of fmi2Status; s
 
 
 def fly(folder):
     description = ElementTree.parse(folder / "modelDescription.xml").getroot()
     variables = {variable.get("name"): variable for variable in description.iter("ScalarVariable")}
+    for name in ("elevator", *WATCHED):
+        if name not in variables:
+            sys.exit(f"{sys.argv[1]} has no variable {name}: this flight is one of the generic business jet")
     platform, suffix = PLATFORMS[sys.platform]
     library = CDLL(str(folder / "binaries" / platform / f"FlexibleAircraft{suffix}"))
     library.fmi2Instantiate.restype = c_void_p
@@ -43,14 +47,15 @@ def fly(folder):
         real("fmi2SetReal", "elevator", -0.02 if step < 150 else 0.0)  # rad about the trim, nose-up
         call("fmi2DoStep", c_double(STEP * step), c_double(STEP), 1)
         if step % 50 == 49:
-            names = ("attitude.pitch", "load_factor.z", "deflection.wing_tip_right.up")
-            pitch, load_factor, wing_tip = (real("fmi2GetReal", name) for name in names)
+            pitch, load_factor, wing_tip = (real("fmi2GetReal", name) for name in WATCHED)
             print(f"{STEP * (step + 1):.1f} s  pitch {pitch:+.6f} rad  load factor {load_factor:.6f}  "
                   f"wing tip {wing_tip:.6f} m up")
     library.fmi2FreeInstance(c_void_p(jet))
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 2 or not zipfile.is_zipfile(sys.argv[1]):
+        sys.exit("usage: fly_without_master.py FMU, the jet's as flexair package writes it")
     # Windows cannot delete a library that is in use.
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as unpacked:
         zipfile.ZipFile(sys.argv[1]).extractall(unpacked)

@@ -6,6 +6,13 @@
 //! thesis' equations and sections. SI units and radians everywhere; body frame x forward, y right, z down; inertial
 //! frame north-east-down [theory: frames.conventions, frames.axes].
 //!
+//! In `Cargo.toml`, beside a checkout of the repository; without `fmi` it is the physics alone:
+//!
+//! ```toml
+//! [dependencies]
+//! flexible-aircraft = { path = "../flexible-aircraft", default-features = false }
+//! ```
+//!
 //! From a file to a flight, by the [names of variables](Flight::variables) that the FMU has too:
 //!
 //! ```
@@ -37,14 +44,21 @@
 //! | [`kinematics`] | q, q̇, the motion of the body axes | where sections are and how they move |
 //! | [`strips`] | sections in the air | their inflow, loads, apparent mass |
 //! | [`equations`] | `ReducedModel`, state, controls | accelerations at five fidelity levels |
-//! | [`plant`] | the equations | trims, linear motion, sensors |
-//! | [`symmetry`] | `ReducedModel` | its half, which flies for the whole while motion is symmetric |
-//! | [`flight`] | `ReducedModel`, settings | a flight in time |
+//! | [`plant`] | the equations | rates and outputs at any state under any inputs, the linear part; trims, linearised motion |
 //! | [`stability`] | `ReducedModel`, settings | flutter and divergence over a range of airspeeds |
+//! | [`symmetry`] | `ReducedModel` | its half, which flies for the whole while motion is symmetric; [`symmetry::Plants`], both |
+//! | [`flight`] | `ReducedModel`, settings | a flight in time |
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
 //! | [`Flight`] | `ReducedModel` | a flight by the names of variables |
 //! | `fmi` | everything above | an FMU without its C: instance, life cycle, saved states, model description (feature `fmi`) |
 //! | `fmi2` | `fmi` | the C ABI of FMI 2.0 (feature `fmi`) |
+//!
+//! [`math`], [`air`], [`kinematics`], [`strips`], [`equations`] and [`symmetry`] are the inside: open to those who compare or time
+//! parts of the method; a flight, a trim or a linear model needs none of their functions.
+//!
+//! What the model leaves out [theory: limits-of-validity.aerodynamics, limits-of-validity.structure], how far it holds
+//! [theory: limits-of-validity.large-deflections, limits-of-validity.cubic-energy, limits-of-validity.basis],
+//! and of the jet in particular [theory: limits-of-validity.suction].
 
 pub mod air;
 pub mod aircraft;

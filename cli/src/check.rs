@@ -182,7 +182,7 @@ fn with_role(controls: &[Control], role: TrimRole) -> Option<&str> {
 /// The input that moves the aircraft, and how.
 fn excitation(support: Support, controls: &[Control]) -> (&str, Manoeuvre) {
     match (support, with_role(controls, TrimRole::Pitch)) {
-        // Of an elevator that is nose-up first.
+        // Of an elevator that is positive nose-down, nose-up first.
         (Support::Free, Some(control)) => (control, Manoeuvre::two_three_one_one(-0.05, 0.7, 1.0, LAG)),
         _ => ("wind_down", Manoeuvre::doublet(-1.0, 2.0, 1.0, LAG)),
     }
@@ -228,7 +228,7 @@ impl fmt::Display for CheckFlight {
         match self.support {
             Support::Free => {
                 write!(f, "Trimmed:\n{}", self.trim)?;
-                writeln!(f, "{} 2-3-1-1 of 0.05 rad, {duration} s:", self.input)?;
+                writeln!(f, "2-3-1-1 of 0.05 rad of {}, {duration} s:", self.input)?;
             }
             Support::Clamped => {
                 writeln!(

@@ -4,8 +4,7 @@ use std::io::IsTerminal;
 use std::path::Path;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
-use flexible_aircraft::aircraft::AircraftFileError;
-use flexible_aircraft_packaging::looked_for;
+use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 
 use crate::terminal;
 
@@ -15,6 +14,19 @@ pub fn render(error: &AircraftFileError) -> String {
     render_with(error, &if coloured { Renderer::styled() } else { Renderer::plain() })
 }
 
+/// Reads an aircraft file, and warns of what makes its trims odd.
+pub fn read_aircraft(path: &Path) -> Result<Aircraft, AircraftFileError> {
+    let aircraft = Aircraft::read(path)?;
+    if let Some(control) = aircraft.lopsided_pitch_control() {
+        warn(&format!(
+            "{} has trim = \"pitch\" and does not act alike on both sides: trims go aside, with bank angle, sideslip, or angles of \
+             the controls for roll and yaw",
+            control.name
+        ));
+    }
+    Ok(aircraft)
+}
+
 /// Warns on standard error.
 pub fn warn(text: &str) {
     terminal::note(&format!("warning: {text}"));
@@ -22,15 +34,15 @@ pub fn warn(text: &str) {
 
 fn render_with(error: &AircraftFileError, renderer: &Renderer) -> String {
     match error {
-        AircraftFileError::Unreadable { file_name, source } => {
-            format!("error: {error}{}", looked_for(Path::new(file_name), source))
-        }
         AircraftFileError::Rejected { file_name, text, diagnostics } => {
             let blocks = diagnostics.iter().map(|diagnostic| {
                 let title = format!("{}: {}", diagnostic.field, diagnostic.found);
-                let place = AnnotationKind::Primary.span(diagnostic.span.clone()).label(&diagnostic.allowed);
+                // Lines to paste stand by themselves below.
+                let (label, lines) = diagnostic.allowed.split_once('\n').unwrap_or((&diagnostic.allowed, ""));
+                let place = AnnotationKind::Primary.span(diagnostic.span.clone()).label(label);
                 let snippet = Snippet::source(text.as_str()).path(file_name.as_str()).annotation(place);
-                renderer.render(&[Level::ERROR.primary_title(title).element(snippet)])
+                let report = renderer.render(&[Level::ERROR.primary_title(title).element(snippet)]);
+                if lines.is_empty() { report } else { format!("{report}\n{}", lines.trim_end()) }
             });
             blocks.collect::<Vec<_>>().join("\n\n")
         }
@@ -40,8 +52,6 @@ fn render_with(error: &AircraftFileError, renderer: &Renderer) -> String {
 
 #[cfg(test)]
 mod tests {
-    use flexible_aircraft::aircraft::Aircraft;
-
     use super::*;
 
     #[test]

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
+use flexible_aircraft::aircraft::AircraftFileError;
 use flexible_aircraft::structure::{ModeCount, ReducedModel};
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{FileError, FmuError, Package, PackageError, Platform};
@@ -48,7 +48,7 @@ pub fn run(options: PackageOptions) -> Result<(), Error> {
     let PackageOptions { aircraft: aircraft_file, output, .. } = options;
     let libraries = options.binary.iter().map(|(_, library)| library.as_path());
     refuse_overwriting(&[&output], libraries.chain([aircraft_file.as_path()]))?;
-    let aircraft = Aircraft::read(&aircraft_file)?;
+    let aircraft = diagnostics::read_aircraft(&aircraft_file)?;
 
     let mut binaries = options.binary;
     let host = Platform::host();

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use flexible_aircraft::fmi::description;
+use flexible_aircraft::plant::PlantSettings;
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
@@ -28,7 +29,7 @@ pub fn seed(target: &str, bytes: &[u8]) {
 pub fn fly(model: ReducedModel) {
     let description = description::write(&model);
     assert!(description.contains(&description::guid(&model)));
-    let settings = Settings { mode_count: model.modes.len(), ..Settings::of(&model) };
+    let settings = Settings::from(PlantSettings { mode_count: model.modes.len(), ..PlantSettings::of(&model) });
     let zero = Inputs::zero(&model);
     let mut inputs = zero.clone();
     inputs.controls.fill(0.01);

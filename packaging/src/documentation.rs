@@ -83,11 +83,12 @@ fn support(aircraft: &Aircraft) -> String {
     }
 }
 
-/// What positive angles of the controls do.
+/// What positive angles of the controls do, and what else users should know of them.
 fn controls(aircraft: &Aircraft) -> String {
     let line = |control: &Control| {
         let positive = escape(control.positive.as_str());
-        format!("<li>Positive <code>{}</code>: {positive}.</li>\n", control.name)
+        let facts = control.facts().join("; ");
+        format!("<li>Positive <code>{}</code>: {positive}. It {facts}.</li>\n", control.name)
     };
     aircraft.controls.iter().map(line).collect()
 }
@@ -254,13 +255,15 @@ mod tests {
     #[test]
     fn the_page_says_what_positive_angles_of_the_aircrafts_own_controls_do() {
         let mut aircraft = jet();
-        assert!(page_of(&aircraft).contains("<li>Positive <code>elevator</code>: nose-down.</li>"));
-        let pitch = &mut aircraft.controls[0];
-        (pitch.name, pitch.description) = ("canard".to_owned(), "Canard deflection".to_owned());
-        pitch.positive = "up & away".to_owned();
+        let expected = "<li>Positive <code>elevator</code>: nose-down. It acts alike on both sides; holds pitch in trim; has the usual \
+                         limits of -30 to 30 deg, which change no flight.</li>";
+        assert!(page_of(&aircraft).contains(expected));
+        let canard = &mut aircraft.controls[0];
+        (canard.name, canard.description) = ("canard".to_owned(), "Canard angle".to_owned());
+        canard.positive = "up & away".to_owned();
         let page = page_of(&aircraft);
         assert!(
-            page.contains("<li>Positive <code>canard</code>: up &amp; away.</li>")
+            page.contains("<li>Positive <code>canard</code>: up &amp; away. It ")
                 && !page.contains("elevator")
         );
     }

@@ -2,9 +2,9 @@
 
 use std::ffi::NulError;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use flexible_aircraft::aircraft::AircraftFileError;
+use flexible_aircraft::aircraft::{AircraftFileError, looked_for};
 use flexible_aircraft::structure::StructureError;
 
 use crate::{LibraryFault, Platform};
@@ -19,16 +19,6 @@ pub struct FileError {
     pub path: PathBuf,
     /// What the operating system says.
     pub source: io::Error,
-}
-
-/// Where a file that is not found was looked for, to be put behind a message; empty where the path says it.
-pub fn looked_for(path: &Path, error: &io::Error) -> String {
-    match std::path::absolute(path) {
-        Ok(absolute) if error.kind() == io::ErrorKind::NotFound && absolute != path => {
-            format!("; looked for {}", absolute.display())
-        }
-        _ => String::new(),
-    }
 }
 
 /// Why an FMU could not be written.

@@ -21,20 +21,16 @@ mod library;
 mod licences;
 mod merge;
 mod model_description;
-mod nearest;
 mod plan_view;
 mod platform;
-mod surface_angle;
 pub mod system;
 mod temporary;
 
 pub use draft::{Draft, is_stream, open_stream, replaced_by};
-pub use error::{FileError, FmuError, PackageError, looked_for};
+pub use error::{FileError, FmuError, PackageError};
 pub use library::{BuildMark, LibraryFault};
 pub use merge::{MergeError, merge};
-pub use nearest::probably_meant;
 pub use platform::{Platform, UnknownPlatform};
-pub use surface_angle::instead_of_degrees;
 pub use temporary::remove_all as remove_temporary_files;
 
 use archive::Entry;

@@ -71,72 +71,91 @@ struct DeclaredType {
     items: Vec<(String, String)>,
 }
 
+/// What has been read so far.
+#[derive(Default)]
+struct Found {
+    guid: Option<String>,
+    version: String,
+    description: String,
+    model_identifier: Option<String>,
+    units: Vec<(String, Option<BaseUnit>)>,
+    types: Vec<DeclaredType>,
+    variables: Vec<Variable>,
+}
+
+impl Found {
+    /// Takes what the next element says.
+    fn take(&mut self, element: &BytesStart<'_>) -> Result<(), String> {
+        match element.local_name().as_ref() {
+            "fmiModelDescription" => self.take_root(element)?,
+            "CoSimulation" => self.model_identifier = Some(required(element, "modelIdentifier")?),
+            "Unit" => self.units.push((required(element, "name")?, None)),
+            "BaseUnit" => {
+                if let Some((_, base)) = self.units.last_mut() {
+                    *base = Some(base_unit(element)?);
+                }
+            }
+            "SimpleType" => {
+                self.types.push(DeclaredType { name: required(element, "name")?, ..DeclaredType::default() });
+            }
+            "Item" => {
+                let item = (required(element, "name")?, required(element, "value")?);
+                self.types.last_mut().ok_or("an Item outside of a type")?.items.push(item);
+            }
+            "ScalarVariable" => self.variables.push(scalar_variable(element)?),
+            name => {
+                if let Some(kind) = VariableType::of_element(name) {
+                    self.take_values(kind, element)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn take_root(&mut self, element: &BytesStart<'_>) -> Result<(), String> {
+        let standard = optional(element, "fmiVersion")?.unwrap_or_else(|| "2.0".into());
+        if standard != "2.0" {
+            return Err(format!("found FMI version {standard}, allowed is 2.0"));
+        }
+        self.guid = Some(required(element, "guid")?);
+        self.version = optional(element, "version")?.unwrap_or_default();
+        self.description = optional(element, "description")?.unwrap_or_default();
+        Ok(())
+    }
+
+    /// An element that says which values are allowed: before the first variable it defines a type.
+    fn take_values(&mut self, kind: VariableType, element: &BytesStart<'_>) -> Result<(), String> {
+        if let Some(variable) = self.variables.last_mut() {
+            return complete(variable, kind, element, &self.types);
+        }
+        if let Some(declared) = self.types.last_mut() {
+            declared.unit = optional(element, "unit")?.unwrap_or_default();
+            declared.min = optional(element, "min")?.unwrap_or_default();
+            declared.max = optional(element, "max")?.unwrap_or_default();
+        }
+        Ok(())
+    }
+}
+
 impl ModelDescription {
     /// Reads the text of a `modelDescription.xml`; the error says what is wrong with it.
     pub fn parse(xml: &str) -> Result<Self, String> {
         let mut reader = Reader::from_str(xml);
-        let (mut guid, mut version, mut description) = (None, String::new(), String::new());
-        let mut model_identifier = None;
-        let mut units: Vec<(String, Option<BaseUnit>)> = Vec::new();
-        let mut types: Vec<DeclaredType> = Vec::new();
-        let mut variables: Vec<Variable> = Vec::new();
+        let mut found = Found::default();
         loop {
             match reader.read_event().map_err(|error| error.to_string())? {
-                Event::Start(element) | Event::Empty(element) => match element.local_name().as_ref() {
-                    "fmiModelDescription" => {
-                        let standard = optional(&element, "fmiVersion")?.unwrap_or_else(|| "2.0".into());
-                        if standard != "2.0" {
-                            return Err(format!("found FMI version {standard}, allowed is 2.0"));
-                        }
-                        guid = Some(required(&element, "guid")?);
-                        version = optional(&element, "version")?.unwrap_or_default();
-                        description = optional(&element, "description")?.unwrap_or_default();
-                    }
-                    "CoSimulation" => model_identifier = Some(required(&element, "modelIdentifier")?),
-                    "Unit" => units.push((required(&element, "name")?, None)),
-                    "BaseUnit" => {
-                        if let Some((_, base)) = units.last_mut() {
-                            *base = Some(base_unit(&element)?);
-                        }
-                    }
-                    "SimpleType" => {
-                        types.push(DeclaredType {
-                            name: required(&element, "name")?,
-                            ..DeclaredType::default()
-                        });
-                    }
-                    "Item" => {
-                        let item = (required(&element, "name")?, required(&element, "value")?);
-                        types.last_mut().ok_or("an Item outside of a type")?.items.push(item);
-                    }
-                    "ScalarVariable" => variables.push(scalar_variable(&element)?),
-                    name => {
-                        if let Some(kind) = VariableType::of_element(name) {
-                            // Before the first variable these elements define types.
-                            match variables.last_mut() {
-                                Some(variable) => complete(variable, kind, &element, &types)?,
-                                None => {
-                                    if let Some(declared) = types.last_mut() {
-                                        declared.unit = optional(&element, "unit")?.unwrap_or_default();
-                                        declared.min = optional(&element, "min")?.unwrap_or_default();
-                                        declared.max = optional(&element, "max")?.unwrap_or_default();
-                                    }
-                                }
-                            }
-                        }
-                    }
-                },
+                Event::Start(element) | Event::Empty(element) => found.take(&element)?,
                 Event::Eof => break,
                 _ => {}
             }
         }
         Ok(ModelDescription {
-            guid: guid.ok_or("no element fmiModelDescription")?,
-            version,
-            description,
-            model_identifier: model_identifier.ok_or("no element CoSimulation")?,
-            units,
-            variables,
+            guid: found.guid.ok_or("no element fmiModelDescription")?,
+            version: found.version,
+            description: found.description,
+            model_identifier: found.model_identifier.ok_or("no element CoSimulation")?,
+            units: found.units,
+            variables: found.variables,
         })
     }
 

@@ -114,11 +114,17 @@ impl<'r, 't> Value<'r, 't> {
         }
     }
 
+    /// A text that becomes part of a sentence: not empty, and without a full stop.
+    pub(super) fn phrase(&self) -> Option<String> {
+        let text = self.text()?;
+        let phrase = text.trim().trim_end_matches('.').trim_end();
+        if phrase.is_empty() { self.wrong("a text that is not empty") } else { Some(phrase.to_owned()) }
+    }
+
     /// A name that can be part of an FMI variable name: letters, digits and underscores.
     pub(super) fn name(&self) -> Option<String> {
         let name = self.text()?;
-        let starts_well = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
-        if starts_well && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
+        if is_name(&name) {
             return Some(name);
         }
         self.wrong("a name of letters, digits and underscores that does not begin with a digit")
@@ -187,11 +193,29 @@ impl<'r, 't> Value<'r, 't> {
         None
     }
 
+    /// The entries of a table of any fields.
+    pub(super) fn entries(&self) -> Option<Vec<(String, Value<'r, 't>)>> {
+        let DeValue::Table(table) = self.value else { return self.wrong("a table") };
+        let entry = |(key, value): (&'r Spanned<_>, &'r Spanned<DeValue<'t>>)| {
+            let name = ToString::to_string(key.get_ref());
+            let mut value = Value::new(value, join(&self.place.field, &name), self.report);
+            value.place.span = key.span();
+            (name, value)
+        };
+        Some(table.iter().map(entry).collect())
+    }
+
     /// A table of the given fields.
     pub(super) fn table(&self, fields: &'static [&'static str]) -> Option<Table<'r, 't>> {
         let DeValue::Table(table) = self.value else { return self.wrong("a table") };
         Some(Table::new(table, self.place.clone(), fields, self.report))
     }
+}
+
+/// Whether a text has only letters, digits and underscores and does not begin with a digit.
+fn is_name(text: &str) -> bool {
+    let starts_well = text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
+    starts_well && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
 /// Control characters, and the two that neither they are nor XML allows.
@@ -264,13 +288,14 @@ impl<'r, 't> Table<'r, 't> {
         None
     }
 
-    /// The tables of an array of tables, none when the field is absent. Those with a name are called by it.
+    /// The tables of an array of tables, none when the field is absent. Those with a proper name are called by it.
     pub(super) fn tables(&self, field: &str, fields: &'static [&'static str]) -> Vec<Table<'r, 't>> {
         let Some(value) = self.optional(field) else { return Vec::new() };
         let list = value.list(&format!("a list of tables ([[{}]])", value.place.field)).unwrap_or_default();
         let named = |mut entry: Value<'r, 't>| {
             if let DeValue::Table(table) = entry.value
                 && let Some(DeValue::String(name)) = table.get("name").map(Spanned::get_ref)
+                && is_name(name)
             {
                 entry.place.field = format!("{}.{name}", value.place.field);
             }

@@ -6,6 +6,7 @@
 use std::cell::RefCell;
 use std::fmt;
 use std::ops::Range;
+use std::path::Path;
 
 use thiserror::Error;
 
@@ -39,6 +40,8 @@ pub enum Problem {
     OffTheBeam,
     /// Two surfaces on one stretch of a component.
     Overlap,
+    /// Something that nothing uses.
+    Unused,
     /// A name used twice.
     DuplicateName,
     /// A reference to a name that does not exist.
@@ -64,7 +67,7 @@ pub struct Diagnostic {
     pub field: String,
     /// What the file says.
     pub found: String,
-    /// What it may say.
+    /// What it may say. At times lines to paste follow it.
     pub allowed: String,
 }
 
@@ -79,14 +82,18 @@ impl fmt::Display for Diagnostic {
 #[non_exhaustive]
 pub enum AircraftFileError {
     /// The file could not be read at all.
-    #[error("{file_name}: cannot read the aircraft file: {source}")]
+    #[error(
+        "{file_name}: cannot read the aircraft file: {source}{}",
+        looked_for(Path::new(file_name), source)
+    )]
     Unreadable {
         /// As the caller named it.
         file_name: String,
         /// The operating system's reason.
         source: std::io::Error,
     },
-    /// The text has mistakes. Displayed as one line `file:line:column: field: found; allowed` for each.
+    /// The text has mistakes. Displayed as one line `file:line:column: field: found; allowed` for each, at times with lines
+    /// to paste below it.
     #[error("{}", lines(.file_name, .diagnostics))]
     Rejected {
         /// As the caller named it.
@@ -105,6 +112,16 @@ impl AircraftFileError {
             AircraftFileError::Unreadable { .. } => &[],
             AircraftFileError::Rejected { diagnostics, .. } => diagnostics,
         }
+    }
+}
+
+/// Where a file that is not found was looked for, to be put behind a message; empty where the path says it.
+pub fn looked_for(path: &Path, error: &std::io::Error) -> String {
+    match std::path::absolute(path) {
+        Ok(absolute) if error.kind() == std::io::ErrorKind::NotFound && absolute != path => {
+            format!("; looked for {}", absolute.display())
+        }
+        _ => String::new(),
     }
 }
 
@@ -161,6 +178,11 @@ impl<'t> Report<'t> {
             found: found.into(),
             allowed: allowed.into(),
         });
+    }
+
+    /// Whether nothing has been complained about.
+    pub(super) fn is_empty(&self) -> bool {
+        self.diagnostics.borrow().is_empty()
     }
 
     /// Ends a stage of reading: its result, or an error when anything has been complained about so far.

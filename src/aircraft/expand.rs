@@ -3,6 +3,7 @@
 
 use nalgebra::Vector3;
 
+use super::control::Mirroring;
 use super::document::Located;
 use super::error::{Place, Problem, Report};
 use super::geometry::{Line, Side};
@@ -10,8 +11,7 @@ use super::law::Laws;
 use super::masses::{self, LocatedBay};
 use super::model::{Aircraft, Attachment, Beam, Engine, Flap, MassBay, Station, Strip};
 use super::schema::{
-    Along, ComponentSpec, ControlSpec, EngineSpec, FileSpec, Hand, Mirroring, MoveSpec, ParentSpec,
-    StationSpec,
+    Along, ComponentSpec, ControlSpec, EngineSpec, FileSpec, Hand, MoveSpec, ParentSpec, StationSpec,
 };
 use super::surfaces::{self, PartStrip};
 
@@ -257,7 +257,11 @@ fn gains_on((side, hand): (Side, Hand), moves: &[&MoveSpec], controls: &[Control
         let here = moves.filter(|used| used.hand.as_ref().is_none_or(|other| other.value == hand));
         let gain = here.fold(0.0, |sum, used| sum + used.gain);
         // Positive is towards +n on both sides.
-        if (side, spec.mirroring) == (Side::Mirrored, Mirroring::Opposite) { 0.0 - gain } else { gain }
+        if (side, spec.control.mirroring) == (Side::Mirrored, Mirroring::Opposite) {
+            0.0 - gain
+        } else {
+            gain
+        }
     };
     controls.iter().map(gain).collect()
 }

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::document::Located;
 use super::error::{Place, Problem, Report};
-use super::law::Point;
+use super::law::AxisPoint;
 use super::model::Attachment;
 use super::schema::{Along, ComponentSpec};
 use super::stretch::{Piece, Stretch};
@@ -105,7 +105,7 @@ impl Line {
     }
 
     /// The point of each element at a fraction of its length.
-    pub(super) fn points_at(&self, fraction: f64) -> Vec<Point> {
+    pub(super) fn points_at(&self, fraction: f64) -> Vec<AxisPoint> {
         (0..self.elements()).map(|element| self.point(Attachment { beam: element, fraction })).collect()
     }
 
@@ -134,9 +134,9 @@ impl Line {
     }
 
     /// A place along the axis as a point.
-    pub(super) fn point(&self, place: Attachment) -> Point {
+    pub(super) fn point(&self, place: Attachment) -> AxisPoint {
         let [start, end] = [self.distances[place.beam], self.distances[place.beam + 1]];
-        Point { s: (start + place.fraction * (end - start)) / self.length(), element: place.beam }
+        AxisPoint { s: (start + place.fraction * (end - start)) / self.length(), element: place.beam }
     }
 
     /// The node at a fraction of the length, if one is there.

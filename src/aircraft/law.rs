@@ -6,13 +6,13 @@ use super::error::{Place, Problem, Report};
 
 /// A point of a component: the fraction s of its length and the element in which it lies.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Point {
+pub(super) struct AxisPoint {
     pub(super) s: f64,
     pub(super) element: usize,
 }
 
 #[derive(Clone, Debug)]
-enum Form {
+enum LawForm {
     Constant(f64),
     PerElement(Vec<f64>),
     /// Linear between the pairs, constant beyond the first and the last.
@@ -37,7 +37,7 @@ enum Form {
 /// A law of the file, with what its values may be.
 #[derive(Clone)]
 pub(super) struct Law {
-    form: Form,
+    form: LawForm,
     pub(super) place: Place,
     allowed: &'static Allowed,
 }
@@ -59,32 +59,32 @@ impl Law {
     pub(super) fn read(value: &Value, allowed: &'static Allowed) -> Option<Law> {
         let place = value.place.clone();
         if value.is_number() {
-            return Some(Law { form: Form::Constant(value.number(allowed)?), place, allowed });
+            return Some(Law { form: LawForm::Constant(value.number(allowed)?), place, allowed });
         }
         let Some(fields) = FORMS.into_iter().find(|fields| value.has_field(fields[0])) else {
             return value.wrong(FORMS_TEXT);
         };
         let table = value.table(fields)?;
         let form = match fields[0] {
-            "per_element" => Form::PerElement(table.required("per_element")?.numbers(allowed)?),
+            "per_element" => LawForm::PerElement(table.required("per_element")?.numbers(allowed)?),
             "at" => read_piecewise(&table, allowed)?,
-            "polynomial" => Form::Polynomial(table.required("polynomial")?.numbers(&ANY)?),
+            "polynomial" => LawForm::Polynomial(table.required("polynomial")?.numbers(&ANY)?),
             "root" => {
                 let root = table.required("root").and_then(|v| v.number(allowed));
                 let power = table.required("chord_power").and_then(|v| v.number(&ANY));
-                Form::ChordPower { root: root?, power: power? }
+                LawForm::ChordPower { root: root?, power: power? }
             }
             _ => {
                 let of = table.required("multiple_of").and_then(|v| v.text());
                 let factor = table.required("factor").and_then(|v| v.number(&ANY));
-                Form::Multiple { of: of?, factor: factor? }
+                LawForm::Multiple { of: of?, factor: factor? }
             }
         };
         Some(Law { form, place, allowed })
     }
 }
 
-fn read_piecewise(table: &Table, allowed: &Allowed) -> Option<Form> {
+fn read_piecewise(table: &Table, allowed: &Allowed) -> Option<LawForm> {
     let at = table.required("at").and_then(|v| v.numbers(&FRACTION));
     let values = table.required("values").and_then(|v| v.numbers(allowed));
     let (at, values) = (at?, values?);
@@ -103,7 +103,7 @@ fn read_piecewise(table: &Table, allowed: &Allowed) -> Option<Form> {
         );
         return None;
     }
-    Some(Form::Piecewise { at, values })
+    Some(LawForm::Piecewise { at, values })
 }
 
 fn piecewise(at: &[f64], values: &[f64], s: f64) -> f64 {
@@ -130,7 +130,7 @@ pub(super) struct Laws<'a> {
 
 impl Laws<'_> {
     /// The values of a law at some points, or a complaint at the first that is not allowed.
-    pub(super) fn values(&self, law: &Law, points: &[Point]) -> Option<Vec<f64>> {
+    pub(super) fn values(&self, law: &Law, points: &[AxisPoint]) -> Option<Vec<f64>> {
         let values = self.unchecked(law, points)?;
         for (value, point) in values.iter().zip(points) {
             let place = law.place.within(&format!("element[{}]", point.element + 1));
@@ -142,19 +142,19 @@ impl Laws<'_> {
     }
 
     /// The values of a law that a field may leave out: 0 everywhere then.
-    pub(super) fn values_or_zero(&self, law: Option<&Law>, points: &[Point]) -> Option<Vec<f64>> {
+    pub(super) fn values_or_zero(&self, law: Option<&Law>, points: &[AxisPoint]) -> Option<Vec<f64>> {
         law.map_or_else(|| Some(vec![0.0; points.len()]), |law| self.values(law, points))
     }
 
     /// The chord at some points; complains at the `place` that needs it when the component has none.
-    pub(super) fn chords(&self, points: &[Point], place: &Place) -> Option<Vec<f64>> {
+    pub(super) fn chords(&self, points: &[AxisPoint], place: &Place) -> Option<Vec<f64>> {
         let Some(chord) = self.chord else {
             let found = "found a quantity in terms of the chord, and no chord_m";
             let allowed = "it is allowed in a component that has a law chord_m";
             self.report.add(Problem::MissingField, place, found, allowed);
             return None;
         };
-        if let Form::ChordPower { .. } | Form::Multiple { .. } = chord.form {
+        if let LawForm::ChordPower { .. } | LawForm::Multiple { .. } = chord.form {
             let found = "found a chord in terms of another law";
             let allowed = "a number or a table { per_element }, { at, values } or { polynomial } is allowed";
             self.report.add(Problem::Contradiction, &chord.place, found, allowed);
@@ -163,25 +163,27 @@ impl Laws<'_> {
         self.values(chord, points)
     }
 
-    fn unchecked(&self, law: &Law, points: &[Point]) -> Option<Vec<f64>> {
-        let each = |value: &dyn Fn(&Point) -> f64| Some(points.iter().map(value).collect());
+    fn unchecked(&self, law: &Law, points: &[AxisPoint]) -> Option<Vec<f64>> {
+        let each = |value: &dyn Fn(&AxisPoint) -> f64| Some(points.iter().map(value).collect());
         match &law.form {
-            Form::Constant(value) => each(&|_| *value),
-            Form::PerElement(values) if values.len() == self.elements => each(&|p| values[p.element]),
-            Form::PerElement(values) => {
+            LawForm::Constant(value) => each(&|_| *value),
+            LawForm::PerElement(values) if values.len() == self.elements => each(&|p| values[p.element]),
+            LawForm::PerElement(values) => {
                 let found = format!("found {} values", values.len());
                 let allowed = format!("one for each of the {} elements is allowed", self.elements);
                 self.report.add(Problem::WrongType, &law.place.within("per_element"), found, allowed);
                 None
             }
-            Form::Piecewise { at, values } => each(&|p| piecewise(at, values, p.s)),
-            Form::Polynomial(terms) => each(&|p| terms.iter().rev().fold(0.0, |sum, term| sum * p.s + term)),
-            Form::ChordPower { root, power } => {
-                let root_chord = self.chords(&[Point { s: 0.0, element: 0 }], &law.place)?[0];
+            LawForm::Piecewise { at, values } => each(&|p| piecewise(at, values, p.s)),
+            LawForm::Polynomial(terms) => {
+                each(&|p| terms.iter().rev().fold(0.0, |sum, term| sum * p.s + term))
+            }
+            LawForm::ChordPower { root, power } => {
+                let root_chord = self.chords(&[AxisPoint { s: 0.0, element: 0 }], &law.place)?[0];
                 let chords = self.chords(points, &law.place)?;
                 Some(chords.iter().map(|chord| root * libm::pow(chord / root_chord, *power)).collect())
             }
-            Form::Multiple { of, factor } => {
+            LawForm::Multiple { of, factor } => {
                 let base = self.base(law, of)?;
                 Some(self.unchecked(base, points)?.iter().map(|value| factor * value).collect())
             }
@@ -192,7 +194,7 @@ impl Laws<'_> {
     fn base(&self, law: &Law, of: &str) -> Option<&Law> {
         let base = self.named.iter().find(|(name, _)| *name == of).map(|(_, base)| base);
         match base {
-            Some(base) if !matches!(base.form, Form::Multiple { .. }) => return Some(base),
+            Some(base) if !matches!(base.form, LawForm::Multiple { .. }) => return Some(base),
             Some(_) => {
                 let found = format!("found a multiple of \"{of}\", which is itself a multiple");
                 let allowed = "a multiple of a law that stands for itself is allowed";

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use super::document::Located;
 use super::error::{Place, Problem, Report};
 use super::geometry::{Line, SAME_PLACE};
-use super::law::{Law, Laws, Point};
+use super::law::{AxisPoint, Law, Laws};
 use super::model::{Attachment, MassBay};
 use super::schema::{DistributedMassSpec, InertiaSpec, MassPartSpec, PointMassesSpec};
 use super::stretch::Piece;
@@ -17,7 +17,7 @@ pub(super) type LocatedBay = (MassBay, Place);
 /// the mass begins or ends within.
 pub(super) fn distributed(spec: &DistributedMassSpec, line: &Line, laws: &Laws) -> Option<Vec<LocatedBay>> {
     let pieces = line.pieces(spec.parts.iter().map(|part| &part.stretch));
-    let middles: Vec<Point> = pieces.iter().map(|piece| line.point(piece.at(0.5))).collect();
+    let middles: Vec<AxisPoint> = pieces.iter().map(|piece| line.point(piece.at(0.5))).collect();
     let mut masses = vec![0.0; pieces.len()];
     for part in &spec.parts {
         for (mass, share) in masses.iter_mut().zip(shares(part, line, &pieces, &middles, laws)?) {
@@ -62,7 +62,7 @@ fn shares(
     part: &MassPartSpec,
     line: &Line,
     pieces: &[Piece],
-    middles: &[Point],
+    middles: &[AxisPoint],
     laws: &Laws,
 ) -> Option<Vec<f64>> {
     let chords = match part.chord_power {

@@ -14,7 +14,8 @@
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
 //! | `flap` | | what a flap does to its section |
 //! | `branches` | the tree of beams | what is the mirror image of what |
-//! | `control_check` | the fields | names, roles and uses of controls |
+//! | `control_check`, `former` | the fields | names, roles and uses of controls |
+//! | `roles` | [`Aircraft`] | whether controls can do what their roles ask |
 //! | `check` | the whole | names, support, symmetry, mass |
 //!
 //! The rest of this page is the description of the format for those who write such files.
@@ -31,6 +32,7 @@ mod document;
 mod error;
 mod expand;
 mod flap;
+mod former;
 mod geometry;
 mod law;
 mod limit_tables;
@@ -38,6 +40,7 @@ mod limits;
 mod masses;
 mod model;
 mod read;
+mod roles;
 mod schema;
 mod stretch;
 mod surfaces;
@@ -50,10 +53,10 @@ use toml::de::DeTable;
 use error::{Place, Report};
 
 pub(crate) use branches::Branches;
-pub use control::{Control, TrimRole};
+pub use control::{Control, Mirroring, TrimRole};
 #[cfg(test)]
 pub(crate) use control_check::{TAKEN, TAKEN_BY_TRIM};
-pub use error::{AircraftFileError, Diagnostic, Problem};
+pub use error::{AircraftFileError, Diagnostic, Problem, looked_for};
 pub use flap::FlapEffect;
 pub use limits::{Bound, Bounds, Limits};
 pub use model::{
@@ -94,11 +97,13 @@ impl Aircraft {
         if let Some(file) = &file {
             check::names(file, &report);
             control_check::controls(file, &report);
+            former::controls(file, &report);
             check::support(file, &report);
         }
         let file = report.conclude(file, file_name)?;
         let assembly = report.conclude(expand::expand(&file, &report), file_name)?;
         check::mass(&assembly.aircraft, &report);
+        control_check::roles(&assembly.aircraft, &file, &report);
         if file.symmetric {
             check::symmetry(&assembly, &file, &report);
         }

@@ -93,7 +93,7 @@ const MOVE: &[&str] = &["input", "gain", "from", "to", "side"];
 const ENGINE: &[&str] = &["name", "component", "at_m", "at", "offset_m", "direction"];
 const STATION: &[&str] = &["name", "component", "at_m", "at"];
 
-/// Reads the whole document; what could not be read is `None` and complained about.
+/// Reads the whole document; what could not be read is complained about, and left out: the rest may have mistakes too.
 pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec> {
     let table = Table::new(document, Place { span: 0..0, field: String::new() }, FILE, report);
     let supports = [("free", Support::Free), ("clamped", Support::Clamped)];
@@ -103,7 +103,8 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     let tunnel_air = tunnel::read_air(&table);
     let support = table.required("support").and_then(|v| v.located(|v| v.one_of(&supports)));
     let mode_basis = table.required("mode_basis").and_then(|v| v.one_of(&bases));
-    let controls = read_controls(&table);
+    let (controls, has_all_controls) = read_controls(&table);
+    let (limits, former_limits) = read_limits(&table);
     table.required("component");
     let components = table.tables("component", COMPONENT);
     let components: Vec<_> = components.iter().map(read_component).collect();
@@ -124,14 +125,16 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         mount: table.optional("mount_attitude_deg").and_then(|v| v.located(tunnel::read_mount)),
         load_modes: read_load_modes(&table),
         symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
-        limits: read_limits(&table),
+        limits,
+        former_limits,
         name: name?,
         support: support?,
         mode_basis: mode_basis?,
-        controls: controls.into_iter().collect::<Option<_>>()?,
-        components: components.into_iter().collect::<Option<_>>()?,
-        engines: engines.into_iter().collect::<Option<_>>()?,
-        stations: stations.into_iter().collect::<Option<_>>()?,
+        controls,
+        has_all_controls,
+        components: components.into_iter().flatten().collect(),
+        engines: engines.into_iter().flatten().collect(),
+        stations: stations.into_iter().flatten().collect(),
     })
 }
 
@@ -190,7 +193,7 @@ fn read_component(table: &Table) -> Option<ComponentSpec> {
         chord,
         distributed_masses: distributed.into_iter().collect::<Option<_>>()?,
         point_masses: points.into_iter().collect::<Option<_>>()?,
-        surfaces: surfaces.into_iter().collect::<Option<_>>()?,
+        surfaces: surfaces.into_iter().flatten().collect(),
     })
 }
 
@@ -344,7 +347,7 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
         zero_lift_moment: law("zero_lift_moment", &MOMENT),
         leading_edge_suction: law("leading_edge_suction", &FRACTION),
         flap: flap.and_then(|v| read_flap(&v)),
-        moves: moves.into_iter().collect::<Option<_>>()?,
+        moves: moves.into_iter().flatten().collect(),
         elastic_axis: elastic_axis?,
         lift_slope: lift_slope?,
         profile_drag: drag?,
@@ -363,8 +366,12 @@ fn read_move(table: &Table) -> Option<MoveSpec> {
     let gain = table.required("gain").and_then(|v| v.number(&GAIN));
     let stretch = read_stretch(table);
     let hands = [("right", Hand::Right), ("left", Hand::Left)];
-    let hand = table.optional("side").and_then(|v| v.located(|v| v.one_of(&hands)));
-    Some(MoveSpec { place: table.place.clone(), control: control?, gain: gain?, stretch, hand })
+    let side = table.optional("side");
+    let hand = side.as_ref().and_then(|v| v.located(|v| v.one_of(&hands)));
+    // Nothing more is said of a side that could not be read.
+    let is_readable = hand.is_some() == side.is_some();
+    let control = control.filter(|_| is_readable)?;
+    Some(MoveSpec { place: table.place.clone(), control, gain: gain?, stretch, hand })
 }
 
 fn read_engine(table: &Table) -> Option<EngineSpec> {

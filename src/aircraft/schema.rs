@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::control::Control;
+use super::control::{Control, Mirroring};
 use super::document::Located;
 use super::error::Place;
 use super::law::Law;
@@ -27,7 +27,11 @@ pub(super) struct FileSpec {
     /// Whether the structure must be its own mirror image.
     pub(super) symmetric: bool,
     pub(super) limits: Limits,
+    /// Limits of controls where they stood before controls had tables of their own.
+    pub(super) former_limits: Vec<FormerLimits>,
     pub(super) controls: Vec<ControlSpec>,
+    /// Whether the names of all controls could be read.
+    pub(super) has_all_controls: bool,
     pub(super) components: Vec<ComponentSpec>,
     pub(super) engines: Vec<EngineSpec>,
     pub(super) stations: Vec<StationSpec>,
@@ -125,18 +129,18 @@ pub(super) struct ControlSpec {
     /// That of the control, with its place.
     pub(super) name: Located<String>,
     pub(super) control: Control,
-    pub(super) mirroring: Mirroring,
+    /// That of the control, unless the file's makes no sense.
+    pub(super) mirroring: Option<Mirroring>,
     /// Where its role stands, if it has one.
     pub(super) role_place: Option<Place>,
 }
 
-/// How the gains of a control pass to the mirror image of a component.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Mirroring {
-    Same,
-    Opposite,
-    /// Each side has gains of its own.
-    None,
+/// What `[limits.surface.<name>]` says.
+pub(super) struct FormerLimits {
+    /// Of the control.
+    pub(super) name: String,
+    /// As lines of a `[[control]]`.
+    pub(super) lines: Vec<String>,
 }
 
 /// A control that moves the flap of a surface.

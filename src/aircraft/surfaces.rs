@@ -4,7 +4,7 @@ use nalgebra::{Unit, UnitQuaternion, Vector3};
 
 use super::error::{Place, Problem, Report};
 use super::geometry::{Line, SAME_PLACE};
-use super::law::{Law, Laws, Point};
+use super::law::{AxisPoint, Law, Laws};
 use super::model::{Flap, Strip};
 use super::schema::{MoveSpec, SurfaceSpec};
 use super::stretch::{Piece, Stretch};
@@ -27,7 +27,7 @@ pub(super) fn strips<'s>(spec: &'s SurfaceSpec, line: &Line, laws: &Laws) -> Opt
         nothing_between(&spec.stretch, &spec.place, laws.report);
         return None;
     }
-    let points: Vec<Point> = pieces.iter().map(|piece| line.point(piece.at(spec.position))).collect();
+    let points: Vec<AxisPoint> = pieces.iter().map(|piece| line.point(piece.at(spec.position))).collect();
     let chords = match &spec.chord {
         Some(law) => laws.values(law, &points),
         None => laws.chords(&points, &spec.place.within("chord_m")),

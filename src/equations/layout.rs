@@ -39,6 +39,11 @@ impl StateLayout {
         velocities(self.modes)
     }
 
+    /// ν of a state. Allocates.
+    pub fn velocities_of(&self, state: &[f64]) -> Vec<f64> {
+        [self.velocity(), self.rate(), self.coordinate_rates()].map(|part| &state[part]).concat()
+    }
+
     /// ρ: of O, north-east-down, m.
     pub fn position(&self) -> Range<usize> {
         let start = self.inflow().end;

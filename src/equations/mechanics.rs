@@ -5,11 +5,10 @@
 use nalgebra::Vector3;
 use pulp::Scalar;
 
-use crate::kinematics::{GeneralisedVector, RigidFreedom};
+use crate::kinematics::{GeneralisedVector, Inertia, Kinematics, RigidFreedom};
 use crate::math::{Attitude, SquareMatrix};
 
 use super::of_motion::EquationsOfMotion;
-use super::superposed_inertia::SuperposedInertia;
 
 /// Energy and momentum at one state, with exact inertia whatever the fidelity level.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,17 +27,16 @@ impl Mechanics {
     /// At a state of the given equations. Allocates.
     pub fn new(equations: &EquationsOfMotion, state: &[f64]) -> Self {
         let layout = equations.layout();
-        let q = &state[layout.coordinates()];
-        let mut inertia = SuperposedInertia::undeformed(equations.integrals(), RigidFreedom::All);
-        inertia.deform(Scalar::new(), equations.integrals(), q);
+        let (kinematics, at) = (&equations.kinematics, equations.coordinates(state));
+        let memory = equations.evaluate_kinematics(state);
+        let sections = kinematics.sections(at, &memory);
+        let mut inertia = kinematics.inertia(equations.integrals(), RigidFreedom::All);
+        inertia.deform(Scalar::new(), &sections);
         let size = layout.velocities();
         let mut mass = SquareMatrix::new(size);
-        inertia.write_mass_matrix(true, &mut mass);
+        inertia.write_mass_matrix(&sections, true, &mut mass);
 
-        let velocities: Vec<f64> = [layout.velocity(), layout.rate(), layout.coordinate_rates()]
-            .into_iter()
-            .flat_map(|range| state[range].iter().copied())
-            .collect();
+        let velocities = layout.velocities_of(state);
         let along =
             |row: &[f64]| row.iter().zip(&velocities).map(|(mass, velocity)| mass * velocity).sum::<f64>();
         let momenta: Vec<f64> = (0..size).map(|row| along(mass.row(row))).collect();
@@ -49,7 +47,7 @@ impl Mechanics {
         let position = Vector3::from_column_slice(&state[layout.position()]);
         Mechanics {
             kinetic_energy: 0.5 * momenta.iter().zip(&velocities).map(|(p, v)| p * v).sum::<f64>(),
-            strain_energy: equations.strain_energy(q),
+            strain_energy: equations.strain_energy(at.q),
             linear_momentum,
             angular_momentum: about_origin + position.cross(&linear_momentum),
         }

@@ -27,7 +27,9 @@
 
 mod acting;
 mod around;
+mod assembly;
 mod controls;
+mod deformation;
 #[cfg(test)]
 pub(crate) mod evaluations;
 mod fidelity;
@@ -37,8 +39,6 @@ mod mechanics;
 mod of_motion;
 mod propulsion;
 mod rates;
-mod structural_forces;
-mod superposed_inertia;
 mod workspace;
 
 pub use controls::Controls;
@@ -49,4 +49,4 @@ pub use of_motion::{Configuration, EquationsOfMotion};
 pub use workspace::Workspace;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -5,18 +5,16 @@ use pulp::Arch;
 
 use crate::air::Air;
 use crate::aircraft::{Control, Support};
-use crate::kinematics::{RigidFreedom, RigidMotion, Sections, Superposition};
-use crate::math::{Attitude, LinearSystem};
+use crate::kinematics::{Kind, KindInertia, Kinematics, RigidFreedom, RigidMotion};
+use crate::math::LinearSystem;
 use crate::strips::{FlapFactor, InflowLayout, PetersInflow, StripSums, Strips};
 use crate::structure::{
     ElasticForces, ElasticScratch, ModalIntegrals, ReducedModel, ReducedStrip, StrainEnergy,
 };
 
-use super::controls::Controls;
 use super::fidelity::{Fidelity, Terms};
 use super::layout::StateLayout;
 use super::propulsion::Engines;
-use super::superposed_inertia::SuperposedInertia;
 
 /// What distinguishes one set of equations of the same reduced model from another.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,7 +47,7 @@ pub struct EquationsOfMotion {
     /// 2ζω_k.
     pub(crate) damping: Vec<f64>,
     /// Where all that hangs on the structure is.
-    pub(super) kinematics: Superposition,
+    pub(super) kinematics: Kind,
     pub(crate) strips: Strips,
     pub(super) controls: Vec<Control>,
     pub(super) engines: Engines,
@@ -118,7 +116,7 @@ impl EquationsOfMotion {
             damping: model.modes.iter().map(|mode| damping(mode.angular_frequency)).collect(),
             self_adjoint: strips.zero_lift_lines_are_chords()
                 && configuration.fidelity != Fidelity::RuthlesslyLinearised,
-            kinematics: Superposition::new(model, edge_on),
+            kinematics: Kind::new(model, edge_on),
             strips,
             controls: model.controls.clone(),
             engines: Engines::new(model),
@@ -181,22 +179,6 @@ impl EquationsOfMotion {
         self.strips.count()
     }
 
-    /// A coordinate that moves or turns some strip by about 1 m or 1 rad.
-    pub(crate) fn coordinate_magnitude(&self) -> f64 {
-        let shape = self.kinematics.largest_shape();
-        if shape > 0.0 { 1.0 / shape } else { 1.0 }
-    }
-
-    /// Sets the inflow states to a wake long at rest in the present flow.
-    pub fn settle_inflow(&self, state: &mut [f64], controls: &Controls) {
-        let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
-        let (q, q_dot) =
-            (state[self.layout.coordinates()].to_vec(), state[self.layout.coordinate_rates()].to_vec());
-        let sections = self.kinematics.at(&q, &q_dot);
-        let around = self.surroundings(state, &attitude, controls);
-        self.strips.settle_inflow(&sections, &around, self.layout.inflow_layout(), state);
-    }
-
     /// Writes the linear part of the inflow's rates at a constant airspeed (m/s) into a vector of the state's
     /// layout, 1/s; of complex states its real and imaginary part.
     pub fn inflow_linear_part(&self, airspeed: f64, linear: &mut [f64]) {
@@ -226,11 +208,6 @@ impl EquationsOfMotion {
         }
     }
 
-    /// The sections in a state.
-    pub(crate) fn sections<'a>(&'a self, state: &'a [f64]) -> impl Sections + 'a {
-        self.kinematics.at(&state[self.layout.coordinates()], &state[self.layout.coordinate_rates()])
-    }
-
     /// Places in ν of all that moves.
     pub(crate) fn moving(&self) -> Vec<usize> {
         self.freedom.moving(self.layout.modes())
@@ -247,8 +224,8 @@ impl EquationsOfMotion {
     }
 
     /// The inertia without deformation.
-    pub(crate) fn undeformed_inertia(&self) -> SuperposedInertia {
-        SuperposedInertia::undeformed(&self.integrals, self.freedom)
+    pub(crate) fn undeformed_inertia(&self) -> KindInertia {
+        self.kinematics.inertia(&self.integrals, self.freedom)
     }
 
     /// Room for the loads of the strips of these equations.

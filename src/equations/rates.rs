@@ -8,15 +8,14 @@
 
 use std::cell::Cell;
 
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::DMatrix;
 
-use crate::kinematics::{GeneralisedVector, GeneralisedVectorMut};
+use crate::kinematics::GeneralisedVector;
 use crate::math::{Attitude, Counting, Machine, quaternion_rate};
-use crate::strips::SumLoads;
 
+use super::assembly::{Assembly, Situation};
 use super::controls::Controls;
 use super::of_motion::EquationsOfMotion;
-use super::structural_forces::StructuralForces;
 use super::workspace::Workspace;
 
 impl EquationsOfMotion {
@@ -48,7 +47,7 @@ impl EquationsOfMotion {
         super::evaluations::count();
         let layout = &self.layout;
         let attitude = Attitude::from_quaternion(&state[layout.attitude()]);
-        self.assemble(machine, (state, &attitude), controls, rates, workspace);
+        self.assemble(machine, Situation { state, attitude: &attitude, controls }, rates, workspace);
         workspace.collect_forces(controls);
         workspace.regular = workspace.system.solve(machine, &mut workspace.solution);
         self.write_accelerations(rates, workspace);
@@ -61,7 +60,7 @@ impl EquationsOfMotion {
         rates[layout.coordinates()].copy_from_slice(&state[layout.coordinate_rates()]);
     }
 
-    /// Writes the accelerations under given surface angles and thrusts at the state and in the wind of the last
+    /// Writes the accelerations under given angles of controls and thrusts at the state and in the wind of the last
     /// evaluation into its rates: the same bits as a new evaluation, for next to nothing.
     pub fn steer(&self, controls: &Controls, rates: &mut [f64], workspace: &mut Workspace) {
         workspace.collect_forces(controls);
@@ -92,7 +91,8 @@ impl EquationsOfMotion {
         workspace: &mut Workspace,
     ) -> Option<DMatrix<f64>> {
         let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
-        self.assemble(self.arch, (state, &attitude), controls, &mut vec![0.0; state.len()], workspace);
+        let situation = Situation { state, attitude: &attitude, controls };
+        self.assemble(self.arch, situation, &mut vec![0.0; state.len()], workspace);
         let (rigid, size) = (self.freedom.components().len(), self.moving().len());
         let matrix = &workspace.system.matrix;
         let mut mass = DMatrix::from_fn(size, size, |row, column| matrix[(row, column)]);
@@ -109,41 +109,23 @@ impl EquationsOfMotion {
     fn assemble(
         &self,
         machine: impl Machine,
-        (state, attitude): (&[f64], &Attitude),
-        controls: &Controls,
+        situation: Situation,
         rates: &mut [f64],
         workspace: &mut Workspace,
     ) {
-        let q = &state[self.layout.coordinates()];
-        let q_dot = &state[self.layout.coordinate_rates()];
-        let motion = self.motion(state);
-        workspace.forces.clear();
-        machine.run(StructuralForces { equations: self, motion: &motion, q, q_dot, workspace });
-        let Workspace { inertia, forces, elastic_force, system, strip_sums, .. } = workspace;
-        let force = GeneralisedVectorMut::of(forces.passive_mut());
-        for (mode, force) in force.modal.iter_mut().enumerate() {
-            *force -= elastic_force[mode] + self.damping[mode] * q_dot[mode];
-        }
-        let gravity = attitude.body_from_inertial * Vector3::new(0.0, 0.0, self.gravity);
-        inertia.add_gravity(&self.integrals, &gravity, forces.passive_mut());
-        let sections = self.kinematics.at(q, q_dot);
-        self.engines.write_effects(&sections, self.terms.deformed_forcing, forces.of_thrust_mut());
-
-        let around = self.surroundings(state, attitude, controls);
-        let (strips, layout) = (&self.strips, self.layout.inflow_layout());
-        let mass = &mut system.matrix;
-        let (passive, effects) = forces.of_air_mut();
-        machine.run(SumLoads {
-            strips,
-            sections,
-            around: &around,
-            layout,
-            state,
-            rates,
-            sums: strip_sums,
-            passive,
-            effects,
-            mass,
-        });
+        let Workspace { memory, inertia, forces, elastic_force, elastic_scratch, system, strip_sums, .. } =
+            workspace;
+        let assembly = Assembly {
+            equations: self,
+            kinematics: &self.kinematics,
+            memory,
+            inertia,
+            forces,
+            elastic_force,
+            elastic_scratch,
+            mass: &mut system.matrix,
+            strip_sums,
+        };
+        assembly.write(machine, situation, rates);
     }
 }

@@ -1,5 +1,6 @@
 //! Scratch memory of the equations of motion, allocated once.
 
+use crate::kinematics::{KindInertia, Kinematics, Memory};
 use crate::math::LinearSystem;
 use crate::strips::StripSums;
 use crate::structure::ElasticScratch;
@@ -7,13 +8,14 @@ use crate::structure::ElasticScratch;
 use super::controls::Controls;
 use super::forces::GeneralisedForces;
 use super::of_motion::EquationsOfMotion;
-use super::superposed_inertia::SuperposedInertia;
 
 /// Everything that evaluating the equations of motion overwrites.
 #[derive(Clone, Debug)]
 pub struct Workspace {
-    /// Integrals at the present q.
-    pub(crate) inertia: SuperposedInertia,
+    /// What kinematics wrote at the last evaluation.
+    pub(crate) memory: Memory,
+    /// Of the aircraft as it was deformed then.
+    pub(crate) inertia: KindInertia,
     /// On ν.
     pub(crate) forces: GeneralisedForces,
     /// ∂U/∂q.
@@ -38,6 +40,7 @@ impl Workspace {
         let (components, moving) = (equations.layout().velocities(), equations.moving().len());
         let engines = equations.engine_count();
         Workspace {
+            memory: equations.kinematics.memory(),
             inertia: equations.undeformed_inertia(),
             forces: GeneralisedForces::new(components, equations.flap_factors(), engines),
             elastic_force: vec![0.0; equations.layout().modes()],
@@ -66,6 +69,11 @@ impl Workspace {
     /// Generalised forces on ν of the last evaluation; those of the air on components that cannot move are left out.
     pub fn forces(&self) -> &[f64] {
         self.forces.total()
+    }
+
+    /// What kinematics wrote at the last evaluation, for [`EquationsOfMotion::sections`].
+    pub(crate) fn kinematics(&self) -> &Memory {
+        &self.memory
     }
 
     /// The first lifting strip that met the air backwards at the last evaluation.

@@ -1,21 +1,14 @@
 //! Why a flight cannot start or go on.
 
-use crate::plant::TrimError;
+use crate::plant::{SettingError, TrimError};
 
 /// Why a flight cannot start or go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimulationError {
     /// A setting is outside its range.
-    #[error("{setting}: found {found}, allowed is {allowed}")]
-    Setting {
-        /// Name of the FMI parameter.
-        setting: &'static str,
-        /// What was given.
-        found: String,
-        /// What is allowed.
-        allowed: String,
-    },
+    #[error(transparent)]
+    Setting(#[from] SettingError),
     /// A time is not finite or beyond the time grid.
     #[error("time: found {found:e} s, allowed is -{most:e} to {most:e} s", most = super::LATEST)]
     Time {

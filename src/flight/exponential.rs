@@ -11,8 +11,7 @@ use std::ops::{Add, Div, Mul, Range, Sub};
 use nalgebra::Complex;
 
 use crate::math::zeros;
-
-use super::spectrum::{Diagonal, Spectrum};
+use crate::plant::{Diagonal, Spectrum};
 
 /// The series of the φ are used up to this |z|; beyond, the closed form loses less.
 const SERIES_RADIUS: f64 = 1.0;

@@ -2,19 +2,18 @@
 //!
 //! [theory: integration.stages, integration.error, integration.grid]
 //!
-//! The inflow decays hundreds of times a second and the structure's free modes swing tens of times; both linear
-//! parts are integrated exactly, so that the step is bound by what couples and bends them. All other states see the
-//! classical Runge–Kutta method. A cell of time is flown in 1, 2, 4 … equal sub-steps. The estimate, the last weight
+//! What decays or swings fast is the plant's linear part L and integrated exactly, so that the step is bound by what couples
+//! and bends it; where L is zero this is the classical Runge–Kutta method. A cell of time is flown in 1, 2, 4 … equal sub-steps. The estimate, the last weight
 //! times the difference of f(y₁) and the fourth slope, costs nothing, since f(y₁) begins the next sub-step.
 
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::equations::StateLayout;
 use crate::math::{AlignedNumbers, zeros};
+use crate::plant::{LinearPart, Plant};
 
-use super::amplitudes::Amplitudes;
+use super::diagonal::{Combine, TakeOff};
 use super::exponential::ExponentialWeights;
-use super::spectrum::{Combine, Diagonal, Spectrum, TakeOff};
 
 /// Most sub-steps of a cell.
 pub const MAX_SUBSTEPS: u32 = 4096;
@@ -44,18 +43,16 @@ pub struct Integrator {
     layout: StateLayout,
     scale: ErrorScale,
     arch: Arch,
-    spectrum: Spectrum,
-    amplitudes: Amplitudes,
-    linear: Diagonal,
+    linear: LinearPart,
     weights: Vec<ExponentialWeights>,
     /// Which weights are overwritten next.
     oldest: usize,
-    /// At the stages and at the end, in amplitudes; the linear part of what happened since the beginning of the step is
-    /// taken off.
+    /// At the stages and at the end, in the coordinates of L; L times what happened since the beginning of the step is taken
+    /// off.
     slopes: [AlignedNumbers; 5],
-    /// The state at the beginning of the step and at the present stage, in amplitudes.
+    /// The state at the beginning of the step and at the present stage, in the coordinates of L.
     stages: [AlignedNumbers; 2],
-    /// The amplitudes of a stage while it stands in coordinates.
+    /// What differs in a stage while it stands in the state's coordinates.
     kept: Vec<f64>,
 }
 
@@ -75,24 +72,20 @@ pub enum CellEnd {
 }
 
 impl Integrator {
-    /// For states of the given layout, the linear part of the inflow still to be set.
-    pub fn new(layout: &StateLayout, scale: ErrorScale, amplitudes: Amplitudes) -> Self {
+    /// For states of the given layout, of whose rates this is the linear part.
+    pub fn new(layout: &StateLayout, scale: ErrorScale, linear: LinearPart) -> Self {
         let zeros = || zeros(layout.len());
-        let mut integrator = Integrator {
+        Integrator {
             layout: *layout,
             scale,
             arch: Arch::new(),
-            spectrum: Spectrum::new(layout),
-            amplitudes,
-            linear: zeros(),
             weights: vec![ExponentialWeights::empty(layout.len()); KEPT_WEIGHTS],
             oldest: 0,
             slopes: [zeros(), zeros(), zeros(), zeros(), zeros()],
             stages: [zeros(), zeros()],
-            kept: vec![0.0; 2 * layout.modes()],
-        };
-        integrator.set_inflow_linear_part(|_| {});
-        integrator
+            kept: vec![0.0; linear.changed().len()],
+            linear,
+        }
     }
 
     /// The relative tolerance.
@@ -100,12 +93,17 @@ impl Integrator {
         self.scale.tolerance
     }
 
-    /// Has `write` write the linear part of the inflow (1/s) into a vector of the state's layout.
-    pub fn set_inflow_linear_part(&mut self, write: impl FnOnce(&mut [f64])) {
-        write(&mut self.linear);
-        self.amplitudes.write_linear_part(&mut self.linear);
-        for weights in &mut self.weights {
-            weights.width = 0.0;
+    /// The airspeed at which the linear part was taken, m/s.
+    pub fn reference_airspeed(&self) -> f64 {
+        self.linear.airspeed()
+    }
+
+    /// Takes the linear part of a plant at an airspeed, m/s.
+    pub fn take_reference_airspeed(&mut self, plant: &Plant, airspeed: f64) {
+        if self.linear.take_airspeed(plant, airspeed) {
+            for weights in &mut self.weights {
+                weights.width = 0.0;
+            }
         }
     }
 
@@ -148,11 +146,11 @@ impl Integrator {
 
     /// Takes state and slope where a step begins.
     fn begin_step(&mut self, (state, slope): (&[f64], &[f64])) {
-        let Integrator { amplitudes, slopes: [k1, ..], stages: [y, _], .. } = self;
+        let Integrator { linear, slopes: [k1, ..], stages: [y, _], .. } = self;
         y.copy_from_slice(state);
         k1.copy_from_slice(slope);
-        amplitudes.enter(y);
-        amplitudes.enter(k1);
+        linear.enter(y);
+        linear.enter(k1);
     }
 
     /// Finds or computes the weights of a step width; returns their place.
@@ -163,7 +161,7 @@ impl Integrator {
         }
         let place = self.oldest;
         self.oldest = (place + 1) % KEPT_WEIGHTS;
-        self.weights[place].compute(&self.spectrum, &self.linear, step);
+        self.weights[place].compute(self.linear.spectrum(), self.linear.diagonal(), step);
         place
     }
 
@@ -177,36 +175,41 @@ impl Integrator {
         (state, slope): (&mut [f64], &mut [f64]),
         rates: &mut impl FnMut(f64, &[f64], &mut [f64]),
     ) -> f64 {
-        let Integrator { arch, spectrum, amplitudes, linear, slopes, stages, kept, .. } = self;
+        let Integrator { arch, linear, slopes, stages, kept, .. } = self;
         let ([k1, k2, k3, k4, k5], [y, stage]) = (slopes, stages);
         let w = &self.weights[weights];
         let middle = 0.5 * (time + next);
-        let modes = amplitudes.range();
-        let mut evaluate = |time: f64, stage: &mut [f64], k: &mut [f64]| {
-            kept.copy_from_slice(&stage[modes.clone()]);
-            amplitudes.leave(stage);
+        let changed = linear.changed();
+        let mut evaluate = |linear: &mut LinearPart, time: f64, stage: &mut [f64], k: &mut [f64]| {
+            kept.copy_from_slice(&stage[changed.clone()]);
+            linear.leave(stage);
             rates(time, stage, k);
-            amplitudes.enter(k);
-            stage[modes.clone()].copy_from_slice(kept);
-            arch.dispatch(TakeOff { spectrum, linear, to: stage, from: y, slope: k });
+            linear.enter(k);
+            stage[changed.clone()].copy_from_slice(kept);
+            arch.dispatch(TakeOff::new(linear, stage, y, k));
         };
-        arch.dispatch(Combine { spectrum, target: stage, base: y, terms: [(&w.half, k1)] });
-        evaluate(middle, stage, k2);
+        arch.dispatch(Combine {
+            spectrum: linear.spectrum(),
+            target: stage,
+            base: y,
+            terms: [(&w.half, k1)],
+        });
+        evaluate(linear, middle, stage, k2);
         let terms: [Term; 2] = [(&w.third_first, k1), (&w.third_second, k2)];
-        arch.dispatch(Combine { spectrum, target: stage, base: y, terms });
-        evaluate(middle, stage, k3);
+        arch.dispatch(Combine { spectrum: linear.spectrum(), target: stage, base: y, terms });
+        evaluate(linear, middle, stage, k3);
         let terms: [Term; 2] = [(&w.fourth_first, k1), (&w.fourth_third, k3)];
-        arch.dispatch(Combine { spectrum, target: stage, base: y, terms });
-        evaluate(next, stage, k4);
+        arch.dispatch(Combine { spectrum: linear.spectrum(), target: stage, base: y, terms });
+        evaluate(linear, next, stage, k4);
         let terms: [Term; 4] = [(&w.first, k1), (&w.middle, k2), (&w.middle, k3), (&w.last, k4)];
-        arch.dispatch(Combine { spectrum, target: stage, base: y, terms });
+        arch.dispatch(Combine { spectrum: linear.spectrum(), target: stage, base: y, terms });
         state.copy_from_slice(stage);
-        amplitudes.leave(state);
+        linear.leave(state);
         normalise(&mut state[self.layout.attitude()]);
         rates(next, state, slope);
         k5.copy_from_slice(slope);
-        amplitudes.enter(k5);
-        arch.dispatch(TakeOff { spectrum, linear, to: stage, from: y, slope: k5 });
+        linear.enter(k5);
+        arch.dispatch(TakeOff::new(linear, stage, y, k5));
         self.error(weights, state)
     }
 
@@ -214,12 +217,13 @@ impl Integrator {
     ///
     /// [theory: integration.error]
     fn error(&mut self, weights: usize, state: &[f64]) -> f64 {
-        let Integrator { arch, spectrum, amplitudes, slopes: [_, _, _, k4, k5], stages, .. } = self;
+        let Integrator { arch, linear, slopes: [_, _, _, k4, k5], stages, .. } = self;
         let [_, difference] = stages;
         let last = &self.weights[weights].last;
         difference.fill(0.0);
+        let spectrum = linear.spectrum();
         arch.dispatch(TakeOff { spectrum, linear: last, to: k5, from: k4, slope: difference });
-        amplitudes.leave(difference);
+        linear.leave(difference);
         let mut worst = 0.0;
         for (group, floor) in self.layout.groups().into_iter().zip(self.scale.floors) {
             let [size, error] = arch.dispatch(Largest {
@@ -276,9 +280,10 @@ mod tests {
     fn fly(frequency: f64, tolerance: f64, width: f64, cells: usize) -> ([f64; 2], u32) {
         let layout = StateLayout::new(0, InflowLayout::new(1, 1, 0));
         let scale = ErrorScale { tolerance, floors: [1.0; 7] };
-        let mut integrator = Integrator::new(&layout, scale, Amplitudes::new(&layout, None));
         let decay = -800.0;
-        integrator.set_inflow_linear_part(|linear| linear[layout.inflow_layout().real()].fill(decay));
+        let linear = LinearPart::new(&layout, None)
+            .with_diagonal(|linear| linear[layout.inflow_layout().real()].fill(decay));
+        let mut integrator = Integrator::new(&layout, scale, linear);
         let (lag, x, w) =
             (layout.inflow_layout().real().start, layout.position().start, layout.attitude().start);
         let rates = |time: f64, state: &[f64], rates: &mut [f64]| {
@@ -336,7 +341,7 @@ mod tests {
     fn a_state_that_explodes_is_reported() {
         let layout = StateLayout::new(0, InflowLayout::new(0, 0, 0));
         let scale = ErrorScale { tolerance: 1e-6, floors: [1.0; 7] };
-        let mut integrator = Integrator::new(&layout, scale, Amplitudes::new(&layout, None));
+        let mut integrator = Integrator::new(&layout, scale, LinearPart::new(&layout, None));
         let (state, slope) = (vec![1.0; layout.len()], vec![f64::NAN; layout.len()]);
         let (mut to, mut to_slope) = (state.clone(), slope.clone());
         let end = integrator.fly_cell(1e-3, 1, (&state, &slope), (&mut to, &mut to_slope), |_, _, f| {

@@ -1,28 +1,24 @@
 //! A flight in time: the thing a user steps.
 
-mod amplitudes;
+mod diagonal;
 mod error;
 mod evaluation;
 mod exponential;
 mod inputs;
 mod integrator;
-mod limits;
-mod marcher;
 mod moment;
 mod neighbours;
 mod point;
 mod settings;
 mod simulation;
 mod snapshot;
-mod spectrum;
 mod steering;
 
 pub use error::SimulationError;
 pub use inputs::Inputs;
-pub use limits::{LimitExceeded, LimitedQuantity};
 pub use moment::{LATEST, LONGEST_STEP, resolution};
 pub use neighbours::Neighbours;
-pub use settings::{InputReference, ModeSelection, Settings};
+pub use settings::{InputReference, Settings};
 pub use simulation::Simulation;
 
 #[cfg(test)]

@@ -40,11 +40,16 @@ impl Point {
         self.slope_is_fresh = false;
     }
 
+    /// The slope is no longer known, nor need the state be as long as it was.
+    pub fn forget_slope(&mut self) {
+        self.slope.resize(self.state.len(), 0.0);
+        self.slope_is_fresh = false;
+    }
+
     /// Takes a state of another length.
     pub fn resize(&mut self, length: usize) {
         self.state.resize(length, 0.0);
-        self.slope.resize(length, 0.0);
-        self.slope_is_fresh = false;
+        self.forget_slope();
     }
 }
 

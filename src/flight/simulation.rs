@@ -3,23 +3,21 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::equations::Controls;
-use crate::plant::{Course, Outputs, Trim, TrimPoint};
+use crate::plant::{Course, LimitExceeded, Outputs, PackagedStrip, Trim, TrimPoint};
 use crate::structure::ReducedModel;
-use crate::symmetry::{Form, Forms, Plants, Trimmed};
+use crate::symmetry::{FlyingPlant, Plants};
 
 use super::error::SimulationError;
-use super::evaluation::{View, Wind, refresh};
+use super::evaluation::{Wind, refresh};
 use super::inputs::Inputs;
-use super::integrator::{CellEnd, MAX_SUBSTEPS};
-use super::limits::LimitExceeded;
-use super::marcher::Marcher;
+use super::integrator::{CellEnd, ErrorScale, Integrator, MAX_SUBSTEPS};
 use super::moment::{LATEST, LONGEST_STEP, Moment, ON_GRID, resolution};
 use super::point::{Path, Point};
 use super::settings::Settings;
 use super::steering::Steering;
 
-/// The inflow's linear part is taken at a reference airspeed, which follows the flight when the two differ by more than
-/// this share; the rest of the decay, 160/s for the jet, a step bears well [theory: integration.linear-part].
+/// The rates' linear part is taken at a reference airspeed, which follows the flight when the two differ by more than
+/// this share; the rest, 160/s for the jet's wake, a step bears well [theory: integration.linear-part].
 const AIRSPEED_DRIFT: f64 = 0.1;
 
 /// A flight of one aircraft: state, time and everything needed to go on.
@@ -50,10 +48,8 @@ pub struct Simulation {
     pub(super) settings_hash: u128,
     /// Tells apart models and settings, once a snapshot has been asked for.
     pub(super) identity: OnceLock<u128>,
-    pub(super) plants: Plants,
-    /// Of all states on the path.
-    pub(super) form: Form,
-    pub(super) marchers: Forms<Marcher>,
+    /// In which all states on the path are.
+    pub(super) flying: FlyingPlant<Integrator>,
     /// How the flight began.
     pub(super) trimmed: Trim,
     pub(super) course: Course,
@@ -66,9 +62,7 @@ pub struct Simulation {
     pub(super) controls: Controls,
     /// The wind of the last evaluation, if that was at the present state.
     evaluated_in: Option<Wind>,
-    /// For reading the outputs before the flight goes on in another form.
-    pub(super) view: View,
-    pub(super) outputs: Outputs,
+    outputs: Outputs,
     /// Whether they are those of the present under the present inputs.
     outputs_are_fresh: bool,
     /// Of the trim.
@@ -82,31 +76,29 @@ impl Simulation {
     /// When a setting or the time is out of range or no trim exists.
     pub fn new(model: Arc<ReducedModel>, settings: &Settings, start: f64) -> Result<Self, SimulationError> {
         check_time(start)?;
-        settings.check_ranges(model.support)?;
-        let along_course = settings.along_course();
-        let plants = along_course.plants(&model)?;
-        let Trimmed { form, trims } = plants.trim(&along_course.trim_condition())?;
-        let marchers = plants.forms().zip(&trims);
-        let marchers = marchers.map(|(plant, trim)| Marcher::new(plant, trim, settings.tolerance));
-        let trimmed = trims.of(form).clone();
-        let limits_exceeded = LimitExceeded::find(&model.limits, plants.forms().of(form), &trimmed);
+        settings.check(model.support)?;
+        let along_course = settings.plant.along_course();
+        let plants = Plants::under(&model, &along_course)?;
+        let found = plants.trim(&along_course.trim_condition())?;
+        let trimmed = found.trim().clone();
         let room = plants.most_states();
+        let flying = FlyingPlant::new(plants, &found, |plant, trim| {
+            let scale = ErrorScale { tolerance: settings.tolerance, floors: plant.magnitudes() };
+            Integrator::new(plant.layout(), scale, plant.linear_part(trim))
+        });
         Ok(Simulation {
             settings_hash: settings.hash(),
             identity: OnceLock::new(),
             steering: Steering::new(trimmed.point, settings, &model),
-            course: Course::new(settings.heading),
+            course: Course::new(settings.plant.heading),
             start,
             path: Path::new(Moment::START, &trimmed.state, room),
-            controls: plants.whole().neutral_controls(),
+            controls: flying.plant().neutral_controls(),
             evaluated_in: None,
-            view: View { state: Vec::with_capacity(room), slope: vec![0.0; room], is_fresh: false },
-            outputs: Outputs::new(&model),
+            outputs: flying.plant().room_for_outputs(),
             outputs_are_fresh: false,
-            limits_exceeded,
-            plants,
-            form,
-            marchers,
+            limits_exceeded: LimitExceeded::find(&model.limits, flying.plant(), &trimmed),
+            flying,
             trimmed,
             model,
         })
@@ -154,7 +146,6 @@ impl Simulation {
     /// Has the present evaluated anew under the inputs that act now.
     fn take_inputs(&mut self) {
         self.path.present.slope_is_fresh = false;
-        self.view.is_fresh = false;
         self.outputs_are_fresh = false;
     }
 
@@ -193,17 +184,17 @@ impl Simulation {
 
     /// Flies to a time, or is as before.
     fn fly_or_stay(&mut self, end: Moment) -> Result<(), SimulationError> {
-        let (form, reference_airspeed) = (self.form, self.marchers.of(self.form).reference_airspeed);
+        let reference_airspeed = self.flying.marcher().reference_airspeed();
         // What stands now stays until a second cell is flown.
         let turns_back = self.path.begins_here()
-            && self.next_form() == self.form
+            && self.flying.stays_under(&self.steering)
             && end.since(self.path.present.time.cell_end()) < ON_GRID;
         if !turns_back {
             self.path.keep();
         }
+        self.flying.keep();
         self.outputs_are_fresh = false;
-        self.view.is_fresh = false;
-        self.take_form(self.next_form());
+        self.take_actions(reference_airspeed);
         let flown = self.fly(end);
         if flown.is_err() {
             if turns_back {
@@ -211,11 +202,20 @@ impl Simulation {
             } else {
                 self.path.restore_kept();
             }
+            self.flying.restore_kept();
             self.forget_evaluation();
-            self.form = form;
             self.take_reference_airspeed(reference_airspeed);
         }
         flown
+    }
+
+    /// Has that plant fly on that can under what acts now.
+    fn take_actions(&mut self, reference_airspeed: f64) {
+        let states = self.path.points_mut().map(|point| &mut point.state);
+        if self.flying.take_actions(&self.steering, states) {
+            self.forget_evaluation();
+            self.take_reference_airspeed(reference_airspeed);
+        }
     }
 
     /// The outputs at the present time under the present inputs, without allocating.
@@ -227,78 +227,59 @@ impl Simulation {
         &self.outputs
     }
 
-    /// Reads the outputs as they would be at the present time and state under other inputs, and leaves the flight as it was.
-    pub fn outputs_under<T>(
-        &mut self,
-        inputs: &Inputs,
-        rates: &Inputs,
-        read: impl FnOnce(&Outputs, &TrimPoint) -> T,
-    ) -> T {
-        let acting = self.steering.clone();
-        self.steering.set(inputs, rates, self.path.present.time);
-        self.take_inputs();
-        self.outputs();
-        let read = read(&self.outputs, &acting.trim);
-        self.steering = acting;
-        self.take_inputs();
-        read
+    /// The outputs as they would be at the present time and state under other inputs. Allocates.
+    ///
+    /// ```
+    /// # use std::sync::Arc;
+    /// # use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+    /// # let jet = Arc::new(flexible_aircraft::Aircraft::read("aircraft/generic-business-jet.toml")?.reduce()?);
+    /// let flight = Simulation::new(Arc::clone(&jet), &Settings::of(&jet), 0.0)?;
+    /// let still = Inputs::zero(&jet);
+    /// let mut gust = still.clone();
+    /// gust.wind.z = -3.0; // m/s: the air rises
+    /// let [now, then] = [&still, &gust].map(|inputs| flight.outputs_under(inputs, &still));
+    /// assert!(then.load_factor.z > now.load_factor.z);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn outputs_under(&self, inputs: &Inputs, rates: &Inputs) -> Outputs {
+        let Simulation { flying, course, path, .. } = self;
+        let (mut steering, mut controls) = (self.steering.clone(), self.controls.clone());
+        steering.set(inputs, rates, path.present.time);
+        steering.write_at(path.present.time, &mut controls);
+        flying.outputs_under(&steering, &path.present.state, &controls, *course)
     }
 
     /// Whether the motion has been symmetric and is computed so.
     pub fn is_symmetric(&self) -> bool {
-        self.form.is_symmetric()
+        self.flying.is_symmetric()
     }
 
-    /// The form that the inputs ask for.
-    fn next_form(&self) -> Form {
-        self.plants.form_under(self.form, &self.steering)
-    }
-
-    /// Goes on in a form.
-    fn take_form(&mut self, form: Form) {
-        if form == self.form {
-            return;
-        }
-        for point in self.path.points_mut() {
-            self.plants.convert(&point.state, &mut self.view.state);
-            point.resize(self.view.state.len());
-            point.state.copy_from_slice(&self.view.state);
-        }
-        let reference_airspeed = self.marchers.of(self.form).reference_airspeed;
-        self.form = form;
-        self.take_reference_airspeed(reference_airspeed);
-        self.forget_evaluation();
-    }
-
-    /// Takes the linear part of the wake at an airspeed, m/s.
-    fn take_reference_airspeed(&mut self, airspeed: f64) {
-        let plant = self.plants.forms().of(self.form);
-        self.marchers.of_mut(self.form).take_reference_airspeed(plant, airspeed);
+    /// Takes the linear part of the rates at an airspeed, m/s.
+    pub(super) fn take_reference_airspeed(&mut self, airspeed: f64) {
+        let (plant, integrator) = self.flying.plant_and_marcher();
+        integrator.take_reference_airspeed(plant, airspeed);
     }
 
     /// Has the equations evaluated anew when they are next asked.
     pub(super) fn forget_evaluation(&mut self) {
         self.evaluated_in = None;
-        self.view.is_fresh = false;
         self.outputs_are_fresh = false;
         for point in self.path.points_mut() {
-            point.slope_is_fresh = false;
+            point.forget_slope();
         }
     }
 
-    /// Writes the outputs at the present under the present inputs, in the form that they ask for.
+    /// Writes the outputs at the present under the present inputs.
     fn write_outputs(&mut self) {
-        let form = self.next_form();
-        let Simulation { plants, marchers, path, view, steering, controls, evaluated_in, .. } = self;
-        let (plant, workspace) = (plants.forms().of(form), &mut marchers.of_mut(form).workspace);
-        let state = if form == self.form {
-            refresh(&mut path.present, plant, workspace, steering, controls, evaluated_in);
-            &path.present.state
+        let Simulation { flying, path, steering, controls, evaluated_in, course, outputs, .. } = self;
+        if flying.stays_under(steering) {
+            let (mut plant, _) = flying.active();
+            refresh(&mut path.present, &mut plant, steering, controls, evaluated_in);
+            plant.write_outputs(&path.present.state, controls, *course, outputs);
         } else {
-            view.refresh(&path.present, plants, form, workspace, steering, controls);
-            &view.state
-        };
-        plant.write_outputs(state, controls, workspace, self.course, &mut self.outputs);
+            steering.write_at(path.present.time, controls);
+            flying.write_outputs_under(steering, &path.present.state, controls, *course, outputs);
+        }
     }
 
     /// Flies full cells from the anchor as far as `end` allows, then the rest of the way.
@@ -321,11 +302,10 @@ impl Simulation {
 
     /// Flies from the anchor over one cell or part of one.
     fn fly_cell(&mut self, begin: Moment, end: Moment) -> Result<(), SimulationError> {
-        let Simulation { path, plants, marchers, form, steering, controls, evaluated_in, .. } = self;
-        let plant = plants.forms().of(*form);
-        let Marcher { workspace, integrator, .. } = marchers.of_mut(*form);
+        let Simulation { path, flying, steering, controls, evaluated_in, .. } = self;
+        let (mut plant, integrator) = flying.active();
         let (anchor, present) = path.set_off();
-        refresh(anchor, plant, workspace, steering, controls, evaluated_in);
+        refresh(anchor, &mut plant, steering, controls, evaluated_in);
         *evaluated_in = None;
         let (width, set_before, set_before_end) =
             (end.since(begin), begin.since(steering.since), end.since(steering.since));
@@ -333,55 +313,50 @@ impl Simulation {
             // At the end as whoever evaluates there again counts the time, to the bit.
             let elapsed = if time == width { set_before_end } else { set_before + time };
             steering.write_after(elapsed, controls);
-            plant.rates(state, controls, rates, workspace);
+            plant.rates(state, controls, rates);
         };
         let (from, to) =
             ((&anchor.state[..], &anchor.slope[..]), (&mut present.state[..], &mut present.slope[..]));
         let cell_end = integrator.fly_cell(width, anchor.substeps, from, to, &mut rates);
-        let reversed = plant.reversed_strip(&present.state, controls, workspace);
+        let reversed = plant.reversed_strip(&present.state, controls).cloned();
         match cell_end {
             CellEnd::Accepted { next } => {
                 (present.time, present.substeps, present.slope_is_fresh) = (end, next, true);
                 *evaluated_in = Some((controls.wind, controls.wind_rate));
-                reversed.map_or(Ok(()), |strip| Err(self.reverse_flow(self.time_of(end), strip)))
+                reversed.map_or(Ok(()), |strip| Err(reverse_flow(self.time_of(end), strip)))
             }
             CellEnd::Failed => Err(self.failure(begin, end, reversed)),
         }
     }
 
-    /// Keeps the inflow's linear part near that of the flight.
+    /// Keeps the linear part near that of the flight.
     fn follow_airspeed(&mut self) {
         let anchor = self.path.anchor();
         self.steering.write_at(anchor.time, &mut self.controls);
-        let airspeed = self.plants.forms().of(self.form).airspeed(&anchor.state, &self.controls);
-        let reference = self.marchers.of(self.form).reference_airspeed;
+        let airspeed = self.flying.plant().airspeed(&anchor.state, &self.controls);
+        let reference = self.flying.marcher().reference_airspeed();
         if (airspeed - reference).abs() > AIRSPEED_DRIFT * reference {
             self.take_reference_airspeed(airspeed);
         }
     }
 
     /// Why a cell could not be flown, not even in the smallest sub-steps.
-    fn failure(&self, begin: Moment, end: Moment, reversed: Option<usize>) -> SimulationError {
+    fn failure(&self, begin: Moment, end: Moment, reversed: Option<PackagedStrip>) -> SimulationError {
         let Point { state, slope, .. } = &self.path.present;
         let time = self.time_of(begin);
         if let Some(strip) = reversed {
-            return self.reverse_flow(time, strip);
+            return reverse_flow(time, strip);
         }
         if state.iter().chain(slope).any(|x| !x.is_finite()) {
             return SimulationError::NotFinite { time };
         }
         let step = end.since(begin) / f64::from(MAX_SUBSTEPS);
-        SimulationError::Tolerance {
-            time,
-            step,
-            tolerance: self.marchers.of(self.form).integrator.tolerance(),
-        }
+        SimulationError::Tolerance { time, step, tolerance: self.flying.marcher().tolerance() }
     }
+}
 
-    fn reverse_flow(&self, time: f64, strip: usize) -> SimulationError {
-        let component = self.model.strips[strip].component.clone();
-        SimulationError::ReverseFlow { time, strip, component }
-    }
+fn reverse_flow(time: f64, strip: PackagedStrip) -> SimulationError {
+    SimulationError::ReverseFlow { time, strip: strip.number, component: strip.component }
 }
 
 fn check_time(time: f64) -> Result<(), SimulationError> {

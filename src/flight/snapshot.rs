@@ -8,7 +8,6 @@
 use std::iter::from_fn;
 
 use crate::sealed::{self, BrokenSeal, CHECKSUM, HEADER, Mark, Reader, Writer};
-use crate::symmetry::Form;
 
 use super::error::SimulationError;
 use super::integrator::MAX_SUBSTEPS;
@@ -61,13 +60,13 @@ impl Simulation {
     /// Writes the complete state.
     pub(crate) fn write_state(&self, writer: &mut Writer) {
         // Room for the largest, the whole aircraft inside a cell, so that it never has to grow.
-        writer.reserve(self.content_size(2 * self.plants.most_states()));
+        writer.reserve(self.content_size(2 * self.flying.plants().most_states()));
         let (anchor, present) = (self.path.anchor(), &self.path.present);
-        writer.flag(self.form.is_symmetric());
+        writer.flag(self.flying.is_symmetric());
         writer.flag(self.path.begins_here());
         writer.count(anchor.substeps);
         writer.count(present.substeps);
-        let reference_airspeed = self.marchers.of(self.form).reference_airspeed;
+        let reference_airspeed = self.flying.marcher().reference_airspeed();
         let times = [present.time, anchor.time, self.steering.since].into_iter().flat_map(Moment::numbers);
         writer.reals(times.chain([self.start, reference_airspeed]));
         writer.reals(self.steering.inputs.values().chain(self.steering.rates.values()));
@@ -98,15 +97,15 @@ impl Simulation {
         let (Some(is_symmetric), Some(begins_here)) = (state.flag(), state.flag()) else {
             return refuse("it does not say which equations fly");
         };
-        let form = Form::of_symmetric(is_symmetric);
-        let places = self.plants.forms().get(form).map_or(0, |plant| plant.layout().len());
+        let recorded = self.flying.recorded(is_symmetric);
         let points = if begins_here { 1 } else { 2 };
         let (Some(anchor_substeps), Some(substeps)) = (state.count(), state.count()) else {
             return refuse("it ends too early");
         };
-        if places == 0 || length != self.content_size(points * places) {
+        let recorded = recorded.filter(|plant| length == self.content_size(points * plant.states()));
+        let Some(recorded) = recorded else {
             return refuse("its length is not that of this model and these settings");
-        }
+        };
         if [anchor_substeps, substeps].iter().any(|count| !(1..=MAX_SUBSTEPS).contains(count)) {
             return refuse("its number of sub-steps is out of range");
         }
@@ -133,7 +132,7 @@ impl Simulation {
         }
         let [present_point, anchor_point] = self.path.points_mut();
         for point in [&mut *present_point, &mut *anchor_point] {
-            point.resize(places);
+            point.resize(recorded.states());
         }
         present_point.state.fill_with(&mut next);
         if !begins_here {
@@ -141,8 +140,8 @@ impl Simulation {
         }
         self.path.stand([(anchor, anchor_substeps), (present, substeps)]);
         self.forget_evaluation();
-        self.form = form;
-        self.marchers.of_mut(form).take_reference_airspeed(self.plants.forms().of(form), reference_airspeed);
+        self.flying.take_recorded(recorded);
+        self.take_reference_airspeed(reference_airspeed);
         Ok(())
     }
 }

@@ -42,7 +42,7 @@ impl Steering {
     /// Hands off, from the start on.
     pub fn new(trim: TrimPoint, settings: &Settings, model: &ReducedModel) -> Self {
         let (inputs, rates) = (Inputs::zero(model), Inputs::zero(model));
-        let course = Course::new(settings.heading);
+        let course = Course::new(settings.plant.heading);
         let point = match settings.input_reference {
             InputReference::Trim => trim,
             InputReference::Absolute => TrimPoint::default(),

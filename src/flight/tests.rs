@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use crate::variables::tests::{AILERON, ELEVATOR, RUDDER, jet};
+use crate::plant::PlantSettings;
+use crate::structure::test_jet::{AILERON, ELEVATOR, RUDDER, jet};
 
 use super::inputs::Inputs;
 use super::moment::Moment;
@@ -12,7 +13,12 @@ use super::settings::{InputReference, Settings};
 use super::simulation::Simulation;
 
 fn flight(settings: &Settings) -> Simulation {
-    Simulation::new(Arc::new(jet().clone()), &Settings { mode_count: 4, ..settings.clone() }, 0.0).unwrap()
+    Simulation::new(
+        Arc::new(jet().clone()),
+        &Settings::from(PlantSettings { mode_count: 4, ..settings.plant }),
+        0.0,
+    )
+    .unwrap()
 }
 
 /// What is flown depends on the time since the inputs were set, not on the time since the start: here a year.
@@ -53,7 +59,7 @@ fn wind_along_the_heading_leaves_half_the_aircraft_flying_whatever_the_heading()
     for degrees in (0..360).step_by(30) {
         let heading = f64::from(degrees).to_radians();
         let wind = wind_ahead(heading);
-        let mut flight = flight(&Settings { heading, ..Settings::of(jet()) });
+        let mut flight = flight(&Settings::from(PlantSettings { heading, ..PlantSettings::of(jet()) }));
         let at_rest = Inputs::zero(jet());
         flight.set_inputs(&Inputs { wind, ..at_rest.clone() }, &at_rest);
         flight.advance_to(0.2).unwrap();
@@ -75,7 +81,7 @@ fn wind_along_the_heading_leaves_half_the_aircraft_flying_whatever_the_heading()
 
 /// A law that holds the heading or shares a thrust out leaves such traces.
 #[test]
-fn thrusts_and_surfaces_that_differ_by_rounding_leave_half_the_aircraft_flying() {
+fn thrusts_and_controls_that_differ_by_rounding_leave_half_the_aircraft_flying() {
     for input_reference in [InputReference::Trim, InputReference::Absolute] {
         let settings = Settings { input_reference, ..Settings::of(jet()) };
         let mut flight = flight(&settings);
@@ -107,4 +113,44 @@ fn thrusts_and_surfaces_that_differ_by_rounding_leave_half_the_aircraft_flying()
         ));
         assert!(!set_and_fly(|inputs, _| inputs.controls[RUDDER] = 1e-12, 0.5));
     }
+}
+
+/// Under inputs for which the half flies on, and under some that ask for the whole.
+#[test]
+fn a_plant_asked_at_the_state_of_a_flight_gives_its_outputs_bit_for_bit() {
+    for (rudder, is_symmetric) in [(0.0, true), (0.02, false)] {
+        let mut flight = flight(&Settings::of(jet()));
+        let (mut inputs, rates) = (Inputs::zero(jet()), Inputs::zero(jet()));
+        inputs.controls[ELEVATOR] = -0.02;
+        inputs.controls[RUDDER] = rudder;
+        inputs.wind = Vector3::new(2.0, 0.0, -1.0);
+        flight.set_inputs(&inputs, &rates);
+        flight.advance_to(0.3).unwrap();
+        assert_eq!(flight.is_symmetric(), is_symmetric);
+        let expected = flight.outputs().clone();
+        let (plant, state) = (flight.flying.plant(), &flight.path.present.state);
+        let (mut workspace, mut controls) = (plant.workspace(), plant.neutral_controls());
+        // What another instant has left in the workspace does not matter.
+        let mut elsewhere = state.clone();
+        elsewhere[plant.layout().velocity()][0] *= 0.5;
+        assert_ne!(plant.outputs_at(&elsewhere, &controls, &mut workspace), expected);
+        flight.steering.write_at(flight.path.present.time, &mut controls);
+        assert_eq!(plant.outputs_at(state, &controls, &mut workspace), expected);
+        let (mut slope, mut outputs) = (vec![0.0; state.len()], plant.room_for_outputs());
+        plant.rates_and_outputs(state, &controls, &mut slope, &mut outputs, &mut workspace);
+        assert_eq!(outputs, expected);
+        assert_eq!(flight.outputs_under(&inputs, &rates), expected);
+    }
+}
+
+#[test]
+fn asking_for_the_outputs_under_one_sided_inputs_leaves_the_half_flying() {
+    let mut flight = flight(&Settings::of(jet()));
+    let still = Inputs::zero(jet());
+    let mut turned = still.clone();
+    turned.controls[RUDDER] = 0.1;
+    let asked = flight.outputs_under(&turned, &still);
+    assert!(flight.is_symmetric() && asked.acceleration.y != 0.0);
+    flight.set_inputs(&turned, &still);
+    assert_eq!(*flight.outputs(), asked);
 }

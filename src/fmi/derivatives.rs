@@ -8,13 +8,14 @@
 
 use std::f64::consts::TAU;
 
-use crate::flight::{Neighbours, Settings};
-use crate::plant::{WIDTHS, slope};
+use crate::flight::Neighbours;
+use crate::math::{WIDTHS, slope};
+use crate::plant::{Outputs, PlantSettings, TrimPoint};
 use crate::variables::{InputSlot, OutputSlot, ParameterSlot, Slot, Value};
 
 use super::instance::{Instance, Refusal};
 use super::life_cycle::State;
-use super::values::{Family, ValueReference};
+use super::values::{Numbers, ValueReference};
 
 /// Changes over which the outputs bend little, yet far beyond rounding: rad, N, m/s, m/s², m, rad, parts of the parameter.
 const CONTROL_CHANGE: f64 = 0.01;
@@ -81,9 +82,7 @@ impl Instance {
             for (slot, component) in components {
                 *slot.of(&mut changed) += width * scale * component;
             }
-            flight.outputs_under(&changed, &rates, |present, trim| {
-                outputs.iter().map(|slot| slot.get(present, trim)).collect()
-            })
+            values(outputs, &flight.outputs_under(&changed, &rates), flight.trim())
         }))
     }
 
@@ -115,16 +114,13 @@ impl Instance {
                 Neighbours::new(self.flight()?, &settings)
             }
         };
-        let sample = self.neighbours.insert(neighbours).read(
-            &changed,
-            (&self.inputs, &self.rates),
-            |present, trim| outputs.iter().map(|slot| slot.get(present, trim)).collect(),
-        );
+        let around = self.neighbours.insert(neighbours).outputs(&changed, (&self.inputs, &self.rates));
+        let sample = around.map(|around| around.map(|(present, trim)| values(outputs, &present, &trim)));
         sample.ok_or_else(|| Refusal::error("the trim does not depend smoothly on these parameters"))
     }
 
     fn output(&self, reference: ValueReference) -> Result<OutputSlot, Refusal> {
-        let variable = self.variable(reference, Family::Real)?;
+        let variable = self.variable(reference, Numbers::Real)?;
         match variable.slot {
             Slot::Output(slot) => Ok(slot),
             _ => Err(Refusal::error(format!("`{}` is not an output: it has no derivatives", variable.name))),
@@ -133,7 +129,7 @@ impl Instance {
 
     /// The place of a variable by which there are derivatives now.
     fn known(&self, reference: ValueReference, component: f64) -> Result<Slot, Refusal> {
-        let variable = self.variable(reference, Family::Real)?;
+        let variable = self.variable(reference, Numbers::Real)?;
         let reason = match variable.slot {
             Slot::Output(_) => {
                 "is neither an input nor a parameter: there are no derivatives by it".to_owned()
@@ -152,7 +148,7 @@ impl Instance {
 
     /// A change of a parameter, without end where nothing depends on it.
     fn usual_change(&self, parameter: ParameterSlot) -> f64 {
-        let Settings { airspeed, stiffness_scale, .. } = self.settings;
+        let PlantSettings { airspeed, stiffness_scale, .. } = self.settings.plant;
         match parameter {
             ParameterSlot::Airspeed => SHARE_CHANGED * airspeed.max(1.0),
             ParameterSlot::Altitude => ALTITUDE_CHANGE,
@@ -177,6 +173,11 @@ fn usual_change(input: InputSlot) -> f64 {
         InputSlot::Wind(_) => WIND_CHANGE,
         InputSlot::WindRate(_) => WIND_RATE_CHANGE,
     }
+}
+
+/// The values of some outputs.
+fn values(outputs: &[OutputSlot], present: &Outputs, trim: &TrimPoint) -> Vec<f64> {
+    outputs.iter().map(|slot| slot.get(present, trim)).collect()
 }
 
 fn longest(lengths: impl Iterator<Item = f64>) -> f64 {

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::aircraft::Support;
-use crate::flight::{Inputs, LATEST, LimitExceeded, Neighbours, Settings, Simulation, resolution};
+use crate::flight::{Inputs, LATEST, Neighbours, Settings, Simulation, resolution};
+use crate::plant::LimitExceeded;
 use crate::structure::{ReducedModel, StructureError};
 use crate::variables::{Slot, VariableTable};
 
@@ -191,7 +192,7 @@ impl Instance {
         body: impl FnOnce(&mut Self) -> Result<(), Refusal>,
     ) -> Status {
         if let Some(objection) = operation.objection(self.state) {
-            self.log.write(Status::Error, &objection);
+            self.log.refuse(operation, objection);
             return Status::Error;
         }
         // The instance is not used again after a panic, so a state broken halfway does no harm.
@@ -199,18 +200,18 @@ impl Instance {
             Ok(Ok(())) if self.warnings.is_empty() => Status::Ok,
             Ok(Ok(())) => {
                 for warning in std::mem::take(&mut self.warnings) {
-                    self.log.write(Status::Warning, &format!("{}: {warning}", operation.name()));
+                    self.log.write_of(operation, Status::Warning, &warning);
                 }
                 Status::Warning
             }
             Ok(Err(refusal)) => {
                 self.warnings.clear();
-                self.log.write(refusal.status, &format!("{}: {}", operation.name(), refusal.reason));
+                self.log.write_of(operation, refusal.status, &refusal.reason);
                 refusal.status
             }
             Err(panic) => {
                 self.state = State::Fatal;
-                self.log.write(Status::Fatal, &format!("{}: {}", operation.name(), panic_text(&*panic)));
+                self.log.write_of(operation, Status::Fatal, &panic_text(&*panic));
                 Status::Fatal
             }
         }
@@ -253,7 +254,7 @@ impl Instance {
     /// Ends initialisation: trims, unless an output has been read already. Warns of a trim beyond the aircraft's limits.
     pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
         let (model, settings) = (Arc::clone(&self.model), self.settings.clone());
-        let warning = LimitExceeded::warning(self.flight()?.limits_exceeded(), &model, &settings);
+        let warning = LimitExceeded::warning(self.flight()?.limits_exceeded(), &model, &settings.plant);
         self.neighbours = None;
         self.state = State::StepComplete;
         if let Some(warning) = warning {

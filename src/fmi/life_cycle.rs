@@ -1,6 +1,6 @@
 //! The life cycle of an instance: what may be asked of it in which state.
 //!
-//! The table is that of the FMI 2.0 standard's co-simulation state machine (FMI 2.0.4, 4.2.4), for a slave
+//! The table is that of the standard's state machine of co-simulation (FMI 2.0.4, 4.2.4), for a slave
 //! that computes while it is called and undoes a call that fails: it never is in the standard's states
 //! stepInProgress, stepFailed, stepCanceled or error, so those have no name here.
 
@@ -86,8 +86,8 @@ pub enum Operation {
     GetNominalsOfContinuousStates,
 }
 
-/// The table: operation, its function in FMI 2.0, the states in which it may be asked for.
-const TABLE: [(Operation, &str, &[State]); 40] = {
+/// The table: the states in which each operation may be asked for.
+const TABLE: [(Operation, &[State]); 40] = {
     use Operation as O;
     use State::{InitializationMode, Instantiated, StepComplete, Terminated};
     const ALIVE: &[State] = &[Instantiated, InitializationMode, StepComplete, Terminated];
@@ -96,74 +96,98 @@ const TABLE: [(Operation, &str, &[State]); 40] = {
     const STEPPED: &[State] = &[StepComplete, Terminated];
     const MODEL_EXCHANGE: &[State] = &[];
     [
-        (O::SetDebugLogging, "fmi2SetDebugLogging", ALIVE),
-        (O::SetupExperiment, "fmi2SetupExperiment", &[Instantiated]),
-        (O::EnterInitializationMode, "fmi2EnterInitializationMode", &[Instantiated]),
-        (O::ExitInitializationMode, "fmi2ExitInitializationMode", &[InitializationMode]),
-        (O::Terminate, "fmi2Terminate", &[StepComplete]),
-        (O::Reset, "fmi2Reset", ALIVE),
-        (O::GetReal, "fmi2GetReal", READABLE),
-        (O::GetInteger, "fmi2GetInteger", READABLE),
-        (O::GetBoolean, "fmi2GetBoolean", READABLE),
-        (O::GetString, "fmi2GetString", READABLE),
-        (O::SetReal, "fmi2SetReal", SETTABLE),
-        (O::SetInteger, "fmi2SetInteger", SETTABLE),
-        (O::SetBoolean, "fmi2SetBoolean", SETTABLE),
-        (O::SetString, "fmi2SetString", SETTABLE),
-        (O::GetFMUstate, "fmi2GetFMUstate", ALIVE),
-        (O::SetFMUstate, "fmi2SetFMUstate", ALIVE),
-        (O::FreeFMUstate, "fmi2FreeFMUstate", ALIVE),
-        (O::SerializedFMUstateSize, "fmi2SerializedFMUstateSize", ALIVE),
-        (O::SerializeFMUstate, "fmi2SerializeFMUstate", ALIVE),
-        (O::DeSerializeFMUstate, "fmi2DeSerializeFMUstate", ALIVE),
-        (O::GetDirectionalDerivative, "fmi2GetDirectionalDerivative", READABLE),
-        (O::SetRealInputDerivatives, "fmi2SetRealInputDerivatives", SETTABLE),
-        (O::GetRealOutputDerivatives, "fmi2GetRealOutputDerivatives", STEPPED),
-        (O::DoStep, "fmi2DoStep", &[StepComplete]),
-        (O::CancelStep, "fmi2CancelStep", &[]),
-        (O::GetStatus, "fmi2GetStatus", STEPPED),
-        (O::GetRealStatus, "fmi2GetRealStatus", STEPPED),
-        (O::GetIntegerStatus, "fmi2GetIntegerStatus", STEPPED),
-        (O::GetBooleanStatus, "fmi2GetBooleanStatus", STEPPED),
-        (O::GetStringStatus, "fmi2GetStringStatus", STEPPED),
-        (O::EnterEventMode, "fmi2EnterEventMode", MODEL_EXCHANGE),
-        (O::NewDiscreteStates, "fmi2NewDiscreteStates", MODEL_EXCHANGE),
-        (O::EnterContinuousTimeMode, "fmi2EnterContinuousTimeMode", MODEL_EXCHANGE),
-        (O::CompletedIntegratorStep, "fmi2CompletedIntegratorStep", MODEL_EXCHANGE),
-        (O::SetTime, "fmi2SetTime", MODEL_EXCHANGE),
-        (O::SetContinuousStates, "fmi2SetContinuousStates", MODEL_EXCHANGE),
-        (O::GetDerivatives, "fmi2GetDerivatives", MODEL_EXCHANGE),
-        (O::GetEventIndicators, "fmi2GetEventIndicators", MODEL_EXCHANGE),
-        (O::GetContinuousStates, "fmi2GetContinuousStates", MODEL_EXCHANGE),
-        (O::GetNominalsOfContinuousStates, "fmi2GetNominalsOfContinuousStates", MODEL_EXCHANGE),
+        (O::SetDebugLogging, ALIVE),
+        (O::SetupExperiment, &[Instantiated]),
+        (O::EnterInitializationMode, &[Instantiated]),
+        (O::ExitInitializationMode, &[InitializationMode]),
+        (O::Terminate, &[StepComplete]),
+        (O::Reset, ALIVE),
+        (O::GetReal, READABLE),
+        (O::GetInteger, READABLE),
+        (O::GetBoolean, READABLE),
+        (O::GetString, READABLE),
+        (O::SetReal, SETTABLE),
+        (O::SetInteger, SETTABLE),
+        (O::SetBoolean, SETTABLE),
+        (O::SetString, SETTABLE),
+        (O::GetFMUstate, ALIVE),
+        (O::SetFMUstate, ALIVE),
+        (O::FreeFMUstate, ALIVE),
+        (O::SerializedFMUstateSize, ALIVE),
+        (O::SerializeFMUstate, ALIVE),
+        (O::DeSerializeFMUstate, ALIVE),
+        (O::GetDirectionalDerivative, READABLE),
+        (O::SetRealInputDerivatives, SETTABLE),
+        (O::GetRealOutputDerivatives, STEPPED),
+        (O::DoStep, &[StepComplete]),
+        (O::CancelStep, &[]),
+        (O::GetStatus, STEPPED),
+        (O::GetRealStatus, STEPPED),
+        (O::GetIntegerStatus, STEPPED),
+        (O::GetBooleanStatus, STEPPED),
+        (O::GetStringStatus, STEPPED),
+        (O::EnterEventMode, MODEL_EXCHANGE),
+        (O::NewDiscreteStates, MODEL_EXCHANGE),
+        (O::EnterContinuousTimeMode, MODEL_EXCHANGE),
+        (O::CompletedIntegratorStep, MODEL_EXCHANGE),
+        (O::SetTime, MODEL_EXCHANGE),
+        (O::SetContinuousStates, MODEL_EXCHANGE),
+        (O::GetDerivatives, MODEL_EXCHANGE),
+        (O::GetEventIndicators, MODEL_EXCHANGE),
+        (O::GetContinuousStates, MODEL_EXCHANGE),
+        (O::GetNominalsOfContinuousStates, MODEL_EXCHANGE),
     ]
 };
 
 impl Operation {
     /// All operations.
     pub fn all() -> impl Iterator<Item = Operation> {
-        TABLE.into_iter().map(|(operation, _, _)| operation)
-    }
-
-    /// Its function in C.
-    pub fn name(self) -> &'static str {
-        TABLE[self as usize].1
+        TABLE.into_iter().map(|(operation, _)| operation)
     }
 
     /// Why it may not be asked for in a state, or `None` when it may.
-    pub fn objection(self, state: State) -> Option<String> {
-        let (_, name, allowed) = TABLE[self as usize];
-        if allowed.contains(&state) {
-            return None;
+    pub fn objection(self, found: State) -> Option<Objection> {
+        let (_, allowed) = TABLE[self as usize];
+        match (self, allowed) {
+            (_, allowed) if allowed.contains(&found) => None,
+            (Operation::CancelStep, _) => Some(Objection::NoStepInProgress),
+            (_, []) => Some(Objection::ModelExchange),
+            (_, allowed) => Some(Objection::State { found, allowed }),
         }
-        Some(if self == Operation::CancelStep {
-            format!("{name}: no step is in progress, for every fmi2DoStep finishes before it returns")
-        } else if allowed.is_empty() {
-            format!("{name}: belongs to model exchange, and this is a co-simulation FMU")
-        } else {
-            let allowed: Vec<_> = allowed.iter().map(|state| state.name()).collect();
-            format!("{name}: not allowed in state {}, allowed in {}", state.name(), allowed.join(", "))
-        })
+    }
+}
+
+/// Why an operation may not be asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Objection {
+    /// There is never a step to be canceled.
+    NoStepInProgress,
+    /// It is of the other kind of FMU.
+    ModelExchange,
+    /// Not now.
+    State {
+        /// In which the instance is.
+        found: State,
+        /// In which it would have to be.
+        allowed: &'static [State],
+    },
+}
+
+impl Objection {
+    /// In words; `step` is what the importer's version of FMI calls the function that steps.
+    pub fn text(&self, step: &str) -> String {
+        match self {
+            Objection::NoStepInProgress => {
+                format!("no step is in progress, for every {step} finishes before it returns")
+            }
+            Objection::ModelExchange => {
+                "belongs to model exchange, and this is a co-simulation FMU".to_owned()
+            }
+            Objection::State { found, allowed } => {
+                let allowed: Vec<_> = allowed.iter().map(|state| state.name()).collect();
+                format!("not allowed in state {}, allowed in {}", found.name(), allowed.join(", "))
+            }
+        }
     }
 }
 
@@ -173,16 +197,15 @@ mod tests {
 
     #[test]
     fn every_operation_finds_its_own_row() {
-        for (index, (operation, name, _)) in TABLE.iter().enumerate() {
-            assert_eq!(*operation as usize, index, "{name}");
-            assert_eq!(*name, format!("fmi2{operation:?}"));
+        for (index, (operation, _)) in TABLE.iter().enumerate() {
+            assert_eq!(*operation as usize, index, "{operation:?}");
         }
     }
 
     #[test]
     fn nothing_is_allowed_after_a_fatal_error() {
-        for (operation, name, _) in TABLE {
-            assert!(operation.objection(State::Fatal).is_some(), "{name}");
+        for operation in Operation::all() {
+            assert!(operation.objection(State::Fatal).is_some(), "{operation:?}");
         }
     }
 
@@ -194,10 +217,11 @@ mod tests {
     }
 
     #[test]
-    fn an_objection_names_the_function_the_state_and_what_is_allowed() {
-        let objection = Operation::SetupExperiment.objection(State::Terminated).unwrap();
-        for part in ["fmi2SetupExperiment", "terminated", "instantiated"] {
-            assert!(objection.contains(part), "{objection}");
-        }
+    fn an_objection_names_the_state_and_what_is_allowed() {
+        let text = |operation: Operation| operation.objection(State::Terminated).unwrap().text("goOn");
+        let found = text(Operation::SetupExperiment);
+        assert_eq!(found, "not allowed in state terminated, allowed in instantiated");
+        assert!(text(Operation::CancelStep).contains("every goOn finishes"));
+        assert!(text(Operation::SetTime).contains("belongs to model exchange"));
     }
 }

@@ -2,6 +2,7 @@
 
 use std::fmt::Debug;
 
+use super::life_cycle::{Objection, Operation};
 use super::status::Status;
 
 /// A log category of the model description.
@@ -35,17 +36,6 @@ impl Category {
         }
     }
 
-    /// What falls into it.
-    pub fn description(self) -> &'static str {
-        match self {
-            Category::Events => "Instantiation, initialisation, trim, reset and termination",
-            Category::StatusWarning => "Reasons of fmi2Warning and fmi2Discard",
-            Category::StatusError => "Reasons of fmi2Error",
-            Category::StatusFatal => "Reasons of fmi2Fatal",
-            Category::All => "All messages",
-        }
-    }
-
     fn of(status: Status) -> Self {
         match status {
             Status::Ok => Category::Events,
@@ -60,6 +50,9 @@ impl Category {
 pub trait Messenger: Debug {
     /// Passes a message on.
     fn pass_on(&self, status: Status, category: Category, text: &str);
+
+    /// What its version of FMI calls an operation.
+    fn function(&self, operation: Operation) -> &'static str;
 }
 
 /// The importer's log with the categories that it wants.
@@ -98,8 +91,26 @@ impl Log {
 
     /// Has a message passed on if its category is wanted. The status determines the category.
     pub fn write(&self, status: Status, text: &str) {
-        if let Some(messenger) = self.messenger.as_ref().filter(|_| self.wants(status)) {
+        if let Some(messenger) = self.messenger_for(status) {
             messenger.pass_on(status, Category::of(status), text);
         }
+    }
+
+    /// The same of an operation, whose function the message names.
+    pub fn write_of(&self, operation: Operation, status: Status, text: &str) {
+        if let Some(messenger) = self.messenger_for(status) {
+            self.write(status, &format!("{}: {text}", messenger.function(operation)));
+        }
+    }
+
+    /// Says why an operation may not be asked for.
+    pub fn refuse(&self, operation: Operation, objection: Objection) {
+        if let Some(messenger) = self.messenger_for(Status::Error) {
+            self.write_of(operation, Status::Error, &objection.text(messenger.function(Operation::DoStep)));
+        }
+    }
+
+    fn messenger_for(&self, status: Status) -> Option<&dyn Messenger> {
+        self.messenger.as_deref().filter(|_| self.wants(status))
     }
 }

@@ -1,6 +1,6 @@
 //! How a call ended.
 
-/// The same numbers in all versions of FMI. `fmi2Pending` (5) is missing: an instance computes while it is called.
+/// The same numbers in all versions of FMI. Pending (5 in version 2) is missing: an instance computes while it is called.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {

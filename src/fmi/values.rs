@@ -13,25 +13,25 @@ pub type ValueReference = u32;
 
 /// Which variables a call reads or writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Family {
+pub enum Numbers {
     /// Reals.
     Real,
     /// Integers and enumerations.
     Integer,
 }
 
-impl Family {
+impl Numbers {
     fn of(kind: Type) -> Self {
         match kind {
-            Type::Real => Family::Real,
-            Type::Integer | Type::Enumeration(_) => Family::Integer,
+            Type::Real => Numbers::Real,
+            Type::Integer | Type::Enumeration(_) => Numbers::Integer,
         }
     }
 
     fn name(self) -> &'static str {
         match self {
-            Family::Real => "a Real",
-            Family::Integer => "an Integer or Enumeration",
+            Numbers::Real => "a Real",
+            Numbers::Integer => "an Integer or Enumeration",
         }
     }
 }
@@ -40,13 +40,13 @@ impl Instance {
     /// Passes the values of the referenced variables on, in order, once all references are known to be good.
     pub fn get(
         &mut self,
-        family: Family,
+        numbers: Numbers,
         references: &[ValueReference],
         mut sink: impl FnMut(usize, Value),
     ) -> Result<(), Refusal> {
         let mut any_output = false;
         for reference in references {
-            any_output |= matches!(self.variable(*reference, family)?.slot, Slot::Output(_));
+            any_output |= matches!(self.variable(*reference, numbers)?.slot, Slot::Output(_));
         }
         if any_output {
             self.flight()?;
@@ -83,7 +83,7 @@ impl Instance {
     /// communication point, not one that was given at the present one.
     pub fn set(
         &mut self,
-        family: Family,
+        numbers: Numbers,
         references: &[ValueReference],
         values: impl Iterator<Item = Value> + Clone,
     ) -> Result<(), Refusal> {
@@ -91,14 +91,14 @@ impl Instance {
         let tolerance = self.experiment.tolerance_in_use(&self.settings);
         let held = [self.settings.clone(), Settings { tolerance, ..self.settings.clone() }];
         for (reference, value) in references.iter().zip(values.clone()) {
-            let variable = self.variable(*reference, family)?;
+            let variable = self.variable(*reference, numbers)?;
             if let Some(objection) = objection_to_setting(variable, value, self.state, &held) {
                 return Err(Refusal::error(objection));
             }
         }
         let mut settings = self.settings.clone();
         for (reference, value) in references.iter().zip(values) {
-            match (self.variable(*reference, family)?.slot, value) {
+            match (self.variable(*reference, numbers)?.slot, value) {
                 (Slot::Input(slot), Value::Real(x)) => {
                     *slot.of(&mut self.inputs) = x;
                     if !*self.rate_is_new(*reference) {
@@ -132,7 +132,7 @@ impl Instance {
         for ((reference, order), derivative) in derivatives.clone() {
             self.input(*reference)?;
             if *order < 1 || !derivative.is_finite() {
-                let name = &self.variable(*reference, Family::Real)?.name;
+                let name = &self.variable(*reference, Numbers::Real)?.name;
                 return Err(Refusal::error(if *order < 1 {
                     format!(
                         "`{name}`: found a derivative of order {order}, allowed is 1 (higher ones are left out)"
@@ -147,7 +147,7 @@ impl Instance {
                 *self.input(*reference)?.of(&mut self.rates) = *derivative;
                 *self.rate_is_new(*reference) = true;
             } else {
-                let name = &self.variable(*reference, Family::Real)?.name;
+                let name = &self.variable(*reference, Numbers::Real)?.name;
                 self.warn(format!(
                     "`{name}`: its derivative of order {order} is left out, only order 1 acts"
                 ));
@@ -162,24 +162,24 @@ impl Instance {
         let Some(reference) = references.first() else { return Ok(()) };
         Err(Refusal::error(match self.table.get(*reference) {
             Some(variable) => {
-                format!("`{}` is {}, not {wanted}", variable.name, Family::of(variable.kind).name())
+                format!("`{}` is {}, not {wanted}", variable.name, Numbers::of(variable.kind).name())
             }
             None => unknown(*reference),
         }))
     }
 
-    pub(super) fn variable(&self, reference: ValueReference, family: Family) -> Result<&Variable, Refusal> {
+    pub(super) fn variable(&self, reference: ValueReference, numbers: Numbers) -> Result<&Variable, Refusal> {
         let variable = self.table.get(reference).ok_or_else(|| Refusal::error(unknown(reference)))?;
-        let found = Family::of(variable.kind);
-        if found != family {
-            let reason = format!("`{}` is {}, not {}", variable.name, found.name(), family.name());
+        let found = Numbers::of(variable.kind);
+        if found != numbers {
+            let reason = format!("`{}` is {}, not {}", variable.name, found.name(), numbers.name());
             return Err(Refusal::error(reason));
         }
         Ok(variable)
     }
 
     pub(super) fn input(&self, reference: ValueReference) -> Result<InputSlot, Refusal> {
-        let variable = self.variable(reference, Family::Real)?;
+        let variable = self.variable(reference, Numbers::Real)?;
         match variable.slot {
             Slot::Input(slot) => Ok(slot),
             _ => Err(Refusal::error(format!("`{}` is not an input", variable.name))),

@@ -6,7 +6,9 @@
 
 use std::ffi::CString;
 
+use super::functions;
 use super::types::{CallbackFunctions, CallbackLogger, ComponentEnvironment};
+use crate::fmi::life_cycle::Operation;
 use crate::fmi::log::{Category, Log, Messenger};
 use crate::fmi::status::Status;
 
@@ -45,6 +47,10 @@ impl Messenger for Logger {
                 format.as_ptr(),
             );
         }
+    }
+
+    fn function(&self, operation: Operation) -> &'static str {
+        functions::name(operation)
     }
 }
 

@@ -24,7 +24,7 @@ impl RigidFreedom {
     }
 
     /// Axes along which it translates, and axes about which it turns.
-    pub fn motions(self) -> [&'static [usize]; 2] {
+    pub const fn motions(self) -> [&'static [usize]; 2] {
         match self {
             RigidFreedom::All => [&[0, 1, 2], &[0, 1, 2]],
             RigidFreedom::InPlane => [&[0, 2], &[1]],

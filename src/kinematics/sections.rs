@@ -1,10 +1,10 @@
-//! What hangs on the deformed aircraft asks of its sections [theory: frames.displacement, frames.velocity; thesis eq. 2.1].
+//! What hangs on the deformed aircraft asks of its sections [theory: kinematics.sections, kinematics.rows; thesis eq. 2.1].
 //!
 //! Strips, engines, stations are attached to sections and read there where they are (X), how the section is turned from where it
 //! was undeformed, and how it moves: its velocity w and spin σ relative to the body axes, and the rows J and S on q̇ by which
-//! w = J q̇ and the section turns at the rate S q̇. All in body axes. How this follows from q and q̇ is a kind of kinematics, an
-//! implementation of [`Sections`]; who reads it does not know which, and pays for none but the one at hand: the rows may
-//! be constants or have been written for the instant, biases may be absent.
+//! w = J q̇ and the section turns at the rate S q̇. All in body axes. How this follows from q and q̇ is a kind of kinematics; who
+//! reads it does not know which, and pays for none but the one at hand: the rows may be constants or have been written for the
+//! instant, biases may be absent.
 //!
 //! In exact kinematics S q̇ is σ. The thesis' superposition keeps S = Ψᵠ while its sections turn by exp((Ψᵠq)×).
 
@@ -81,7 +81,7 @@ pub trait Section {
     fn acceleration(&self, q_ddot: &[f64]) -> Vector3<f64>;
 
     /// Its angular velocity in space while the body axes turn at ω, rad/s.
-    fn spin(&self, body_rate: &Vector3<f64>) -> Vector3<f64>;
+    fn angular_velocity(&self, body_rate: &Vector3<f64>) -> Vector3<f64>;
 
     /// A vector of the undeformed section, turned.
     fn turned(&self, vector: &Vector3<f64>) -> Vector3<f64>;
@@ -114,7 +114,7 @@ pub struct SectionMotion<V, A, T> {
     pub rate: A,
     /// σ: the true spin of the turn, rad/s.
     pub spin: A,
-    /// What remains of the accelerations at q̈ = 0, where anything does.
+    /// What remains of the accelerations at q̈ = 0, where anything does [theory: kinematics.biases].
     pub bias: Option<Bias<V, A>>,
 }
 

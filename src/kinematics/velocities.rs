@@ -45,6 +45,21 @@ pub struct GeneralisedVectorMut<'a> {
 }
 
 impl<'a> GeneralisedVector<'a> {
+    /// What the components over v and ω are called as outputs, and what the aircraft does that is accelerated along them.
+    pub const RIGID_COMPONENTS: [(&'static str, &'static str); RIGID] = [
+        ("velocity.x", "forwards"),
+        ("velocity.y", "sideways"),
+        ("velocity.z", "downwards"),
+        ("rate.x", "roll"),
+        ("rate.y", "pitch"),
+        ("rate.z", "yaw"),
+    ];
+
+    /// What a vector of the length of [`velocities`] has over v and ω.
+    pub fn rigid_part(vector: &[f64]) -> [f64; RIGID] {
+        std::array::from_fn(|component| vector[component])
+    }
+
     /// The parts of a vector of the length of [`velocities`].
     pub fn of(vector: &'a [f64]) -> Self {
         let (rigid, modal) = vector.split_at(RIGID);

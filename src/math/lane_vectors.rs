@@ -25,6 +25,11 @@ impl EightVectors {
         let component = |axis: usize| Eight(vectors.map(|vector| vector[axis]));
         EightVectors { x: component(0), y: component(1), z: component(2) }
     }
+
+    /// A vector of each of up to eight strips, and another one where there is none.
+    pub fn of<T>(strips: &[T], value: impl Fn(&T) -> Vector3<f64>, empty: Vector3<f64>) -> Self {
+        EightVectors::new(std::array::from_fn(|lane| strips.get(lane).map_or(empty, &value)))
+    }
 }
 
 /// What can be projected on others of its kind and stretched, one for each strip in a register.

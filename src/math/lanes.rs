@@ -33,6 +33,11 @@ impl Eight {
     /// Nothing in every lane.
     pub const ZERO: Eight = Eight([0.0; LANES]);
 
+    /// A number of each of up to eight strips, and another one where there is none.
+    pub fn of<T>(strips: &[T], value: impl Fn(&T) -> f64, empty: f64) -> Self {
+        Eight(std::array::from_fn(|lane| strips.get(lane).map_or(empty, &value)))
+    }
+
     /// Sum over the lanes, in a fixed order.
     pub fn sum(&self) -> f64 {
         let [a, b, c, d, e, f, g, h] = self.0;

@@ -3,9 +3,11 @@
 mod arithmetic;
 mod attitude;
 mod columns;
+mod differences;
 mod lane_vectors;
 mod lanes;
 mod linear_solve;
+mod magnitudes;
 mod rotation;
 mod square_matrix;
 
@@ -13,8 +15,10 @@ pub(crate) use arithmetic::{Arithmetic, Counting, Machine, Work};
 pub use attitude::Attitude;
 pub(crate) use attitude::{quaternion_of_euler_angles, quaternion_rate};
 pub(crate) use columns::Columns;
+pub(crate) use differences::{WIDTHS, central, derivative, slope};
 pub(crate) use lane_vectors::{Arrow, EightVectors, LaneVector, PlaneVector};
 pub(crate) use lanes::{AlignedNumbers, Eight, LANES, Lanes, Window, zeros};
 pub(crate) use linear_solve::{LinearSystem, solve};
+pub(crate) use magnitudes::{are_alike, largest};
 pub(crate) use rotation::{PlaneRotation, Rotation};
 pub(crate) use square_matrix::{SPARE, SquareMatrix};

@@ -17,6 +17,9 @@ pub struct Course {
 }
 
 impl Course {
+    /// To the north.
+    pub const NORTH: Course = Course { sin: 0.0, cos: 1.0 };
+
     /// Along a heading, rad from north to east.
     pub fn new(heading: f64) -> Self {
         let (sin, cos) = libm::sincos(heading);

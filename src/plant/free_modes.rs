@@ -8,6 +8,7 @@
 use nalgebra::{Cholesky, DMatrix, SymmetricEigen};
 
 use crate::equations::{Controls, EquationsOfMotion, Workspace};
+use crate::math::central;
 
 /// Sweeps of the eigenvalue solver; more have never been needed.
 const MOST_SWEEPS: usize = 1000;
@@ -89,7 +90,7 @@ fn derivatives(
         let behind = accelerations(&moved);
         moved[first + column] = value;
         for row in 0..n {
-            matrix[(row, column)] = (ahead[row] - behind[row]) / (2.0 * step);
+            matrix[(row, column)] = central([behind[row], ahead[row]], step);
         }
     }
     matrix

@@ -8,14 +8,16 @@
 //!
 //! **Which unknowns.** Nothing depends on position north and east or on heading: they would only add zero
 //! eigenvalues, and are left out. Height stays, for the air thins with it. Roll and pitch angle stand for the
-//! attitude, since the length of a quaternion is no motion. Of a clamped aircraft the rigid-body unknowns are
-//! constants, and only q, q̇ and the inflow remain [theory: linearisation.unknowns].
+//! attitude, since the length of a quaternion is no motion. What support or symmetry hold of the rigid motion is no unknown:
+//! of half an aircraft height, pitch angle and motion in the plane remain, of a clamped one only q, q̇ and the inflow.
+//!
+//! [theory: linearisation.unknowns, symmetry.freedom]
 
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{Complex, DMatrix, Schur};
 
-use crate::aircraft::Support;
-use crate::math::{Attitude, quaternion_of_euler_angles};
+use crate::kinematics::RigidFreedom;
+use crate::math::{Attitude, derivative, quaternion_of_euler_angles};
 
 use super::system::Plant;
 use super::trim::Trim;
@@ -66,13 +68,13 @@ pub enum Unknown {
 /// A of ẋ = A x.
 ///
 /// ```
-/// use flexible_aircraft::flight::Settings;
+/// use flexible_aircraft::plant::{Plant, PlantSettings};
 /// use flexible_aircraft::{Aircraft, ReducedModel};
 ///
 /// let wing = ReducedModel::new(&Aircraft::read("aircraft/goland-wing.toml")?, 2)?;
 /// let is_stable = |airspeed: f64| -> Result<bool, Box<dyn std::error::Error>> {
-///     let settings = Settings { airspeed, inflow_states: 4, ..Settings::of(&wing) };
-///     let plant = settings.plant(&wing)?;
+///     let settings = PlantSettings { airspeed, inflow_states: 4, ..PlantSettings::of(&wing) };
+///     let plant = Plant::under(&wing, &settings)?;
 ///     let trim = plant.trim(&settings.trim_condition())?;
 ///     let eigenvalues = plant.linearise(&trim).eigenvalues()?; // 1/s
 ///     Ok(eigenvalues.iter().all(|eigenvalue| eigenvalue.re < 1e-6))
@@ -129,11 +131,9 @@ impl Plant {
         let mut matrix = DMatrix::zeros(unknowns.len(), unknowns.len());
         for (mut column, &unknown) in matrix.column_iter_mut().zip(&unknowns) {
             let step = STEP * self.magnitude(unknown, airspeed);
-            let [far_behind, behind, ahead, far_ahead] =
-                [-2.0, -1.0, 1.0, 2.0].map(|steps| rates_at(unknown, steps * step));
-            for (row, derivative) in column.iter_mut().enumerate() {
-                let (near, far) = (ahead[row] - behind[row], far_ahead[row] - far_behind[row]);
-                *derivative = (8.0 * near - far) / (12.0 * step);
+            let rates = [-2.0, -1.0, 1.0, 2.0].map(|steps| rates_at(unknown, steps * step));
+            for (row, entry) in column.iter_mut().enumerate() {
+                *entry = derivative(rates.each_ref().map(|rates| rates[row]), step);
             }
         }
         StateMatrix { unknowns, matrix }
@@ -142,20 +142,16 @@ impl Plant {
     /// What moves.
     fn unknowns(&self) -> Vec<Unknown> {
         let layout = self.layout();
-        let rigid: &[Unknown] = match self.support() {
-            Support::Clamped => &[],
-            Support::Free => &[
-                Unknown::Down,
-                Unknown::Roll,
-                Unknown::Pitch,
-                Unknown::Velocity(0),
-                Unknown::Velocity(1),
-                Unknown::Velocity(2),
-                Unknown::Rate(0),
-                Unknown::Rate(1),
-                Unknown::Rate(2),
-            ],
-        };
+        let freedom = self.equations.freedom;
+        let [translations, rotations] = freedom.motions();
+        // Height goes with what is not held at all; heading is left out.
+        let down = (freedom != RigidFreedom::Held).then_some(Unknown::Down);
+        let tilt = |&axis: &usize| [Some(Unknown::Roll), Some(Unknown::Pitch), None][axis];
+        let rigid = down
+            .into_iter()
+            .chain(rotations.iter().filter_map(tilt))
+            .chain(translations.iter().copied().map(Unknown::Velocity))
+            .chain(rotations.iter().copied().map(Unknown::Rate));
         let inflow = (0..self.equations.strip_count()).flat_map(|strip| {
             layout
                 .inflow_layout()
@@ -164,8 +160,6 @@ impl Plant {
                 .map(move |place| Unknown::Inflow { strip, place })
         });
         rigid
-            .iter()
-            .copied()
             .chain((0..layout.modes()).map(Unknown::Coordinate))
             .chain((0..layout.modes()).map(Unknown::CoordinateRate))
             .chain(inflow)

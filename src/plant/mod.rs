@@ -3,11 +3,15 @@
 //!
 //! [theory: equations-of-motion.rows, outputs.sensors, trim.steady-flight, linearisation.state-matrix; thesis §5.1]
 
+mod amplitudes;
 mod course;
 mod free_modes;
+mod limits;
+mod linear_part;
 mod linearisation;
 mod outputs;
 mod sensors;
+mod settings;
 mod system;
 mod trim;
 mod trim_error;
@@ -16,11 +20,15 @@ mod trim_tangent;
 
 pub use course::Course;
 pub(crate) use course::ROUNDING;
-pub(crate) use free_modes::FreeModes;
+pub use limits::{LimitExceeded, LimitedQuantity};
+pub(crate) use linear_part::Diagonal;
+pub use linear_part::{LinearPart, Spectrum};
 pub use linearisation::{EigenvaluesNotFound, StateMatrix, Unknown};
 pub use outputs::{AirData, Deflection, Outputs};
 pub use sensors::{BodyMotion, Sensors};
-pub use system::Plant;
+pub use settings::{ModeSelection, PlantSettings, SettingError};
+pub(crate) use system::Packaged;
+pub use system::{PackagedStrip, Plant};
 pub use trim::{Trim, TrimCondition, TrimPoint};
 pub use trim_error::{TrimError, TrimFailure};
-pub use trim_tangent::{TrimTangents, WIDTHS, slope};
+pub(crate) use trim_tangent::TrimTangents;

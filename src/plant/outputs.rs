@@ -6,7 +6,7 @@ use crate::air::{Air, STANDARD_GRAVITY};
 use crate::equations::{Controls, EquationsOfMotion, StateLayout, Workspace};
 use crate::kinematics::{GeneralisedVector, Section, Sections};
 use crate::math::Attitude;
-use crate::structure::{ReducedModel, ReducedStation};
+use crate::structure::ReducedStation;
 
 use super::course::Course;
 use super::sensors::{BodyMotion, Sensors};
@@ -83,8 +83,8 @@ pub struct Deflection {
 }
 
 impl Outputs {
-    /// Room for the outputs of a model, all zero.
-    pub(crate) fn new(model: &ReducedModel) -> Self {
+    /// All zero, for so many packaged modes, stations, controls and engines.
+    pub(super) fn zero(modes: usize, stations: usize, controls: usize, engines: usize) -> Self {
         Outputs {
             position: Vector3::zeros(),
             attitude: Vector3::zeros(),
@@ -93,12 +93,12 @@ impl Outputs {
             acceleration: Vector3::zeros(),
             load_factor: Vector3::zeros(),
             air: AirData::default(),
-            deflections: vec![Deflection::default(); model.stations.len()],
-            sensors: vec![Sensors::default(); model.stations.len()],
-            modal_q: vec![0.0; model.modes.len()],
-            modal_q_dot: vec![0.0; model.modes.len()],
-            controls: vec![0.0; model.controls.len()],
-            thrust: vec![0.0; model.engines.len()],
+            deflections: vec![Deflection::default(); stations],
+            sensors: vec![Sensors::default(); stations],
+            modal_q: vec![0.0; modes],
+            modal_q_dot: vec![0.0; modes],
+            controls: vec![0.0; controls],
+            thrust: vec![0.0; engines],
         }
     }
 
@@ -151,7 +151,7 @@ impl Outputs {
             gravity: to_body * Vector3::new(0.0, 0.0, equations.gravity),
             q_ddot: accelerations.modal,
         };
-        let sections = equations.sections(state);
+        let sections = equations.sections(state, workspace.kinematics());
         let places = self.deflections.iter_mut().zip(&mut self.sensors);
         for (((deflection, sensors), station), section) in places.zip(stations).zip(sections.stations()) {
             let (displacement, twist) = (section.displacement(), section.twist(&station.twist_axis));

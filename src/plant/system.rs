@@ -10,21 +10,20 @@ use nalgebra::Vector3;
 use crate::air::Air;
 use crate::aircraft::{Control, Support};
 use crate::equations::{Configuration, Controls, EquationsOfMotion, StateLayout, Workspace};
+use crate::kinematics::Sections;
 use crate::structure::{ReducedModel, ReducedStation};
 
 use super::course::Course;
-use super::free_modes::FreeModes;
 use super::outputs::{AirData, Outputs};
-use super::trim::Trim;
 
 /// One aircraft under one set of equations, with the places at which it is watched.
 ///
 /// ```
-/// # use flexible_aircraft::{aircraft::Aircraft, flight::Settings, structure::ReducedModel};
+/// # use flexible_aircraft::{aircraft::Aircraft, plant::{Plant, PlantSettings}, structure::ReducedModel};
 /// # let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/generic-business-jet.toml");
 /// # let model = ReducedModel::new(&Aircraft::read(&path)?, 4)?;
-/// let settings = Settings::of(&model);
-/// let plant = settings.plant(&model)?;
+/// let settings = PlantSettings::of(&model);
+/// let plant = Plant::under(&model, &settings)?;
 /// let trim = plant.trim(&settings.trim_condition())?;
 /// let (mut rates, mut workspace) = (vec![0.0; trim.state.len()], plant.workspace());
 /// plant.rates(&trim.state, &trim.controls, &mut rates, &mut workspace);
@@ -34,43 +33,67 @@ use super::trim::Trim;
 #[derive(Clone, Debug)]
 pub struct Plant {
     pub(super) equations: EquationsOfMotion,
-    /// Which of the packaged modes take part.
-    modes: Vec<usize>,
-    /// With the shapes of those modes.
+    packaged: Packaged,
+    /// With the shapes of the modes that take part.
     stations: Vec<ReducedStation>,
-    /// The packaged number of each strip.
-    strips: Vec<usize>,
-    /// The coordinate that displaces the most moving strip by a metre.
-    metre: f64,
+}
+
+/// What a plant consists of, by its numbers in the packaged model.
+#[derive(Clone, Debug)]
+pub(crate) struct Packaged {
+    /// How many modes are packaged.
+    pub mode_count: usize,
+    /// Which of them take part.
+    pub modes: Vec<usize>,
+    /// Of each strip of the plant.
+    pub strips: Vec<PackagedStrip>,
+}
+
+/// A strip as it is known in the packaged model.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PackagedStrip {
+    /// Its number.
+    pub number: usize,
+    /// The component it belongs to.
+    pub component: String,
+}
+
+impl Packaged {
+    /// A whole model with these of its modes.
+    pub fn whole(model: &ReducedModel, modes: &[usize]) -> Self {
+        let strips = (0..model.strips.len()).map(|strip| PackagedStrip::of(model, strip)).collect();
+        Packaged { mode_count: model.modes.len(), modes: modes.to_vec(), strips }
+    }
+}
+
+impl PackagedStrip {
+    /// A strip of a model that has all of the packaged ones.
+    pub(crate) fn of(model: &ReducedModel, number: usize) -> Self {
+        PackagedStrip { number, component: model.strips[number].component.clone() }
+    }
 }
 
 impl Plant {
     /// Of a whole aircraft, all of whose modes take part unless it is to be rigid.
     pub fn new(model: &ReducedModel, configuration: &Configuration) -> Self {
-        Plant::of_selected(model, configuration, (0..model.modes.len()).collect())
+        let modes: Vec<usize> = (0..model.modes.len()).collect();
+        Plant::of_modes(model, configuration, &modes)
     }
 
-    /// Of a whole aircraft with a selection of the packaged modes.
-    pub(crate) fn of_selected(
-        model: &ReducedModel,
-        configuration: &Configuration,
-        modes: Vec<usize>,
-    ) -> Self {
-        let strips = (0..model.strips.len()).collect();
-        Plant::of_equations(EquationsOfMotion::new(model, configuration), model, modes, strips)
+    /// Of a whole aircraft with a selection of its modes (ascending indices), all others held at rest.
+    pub fn of_modes(model: &ReducedModel, configuration: &Configuration, modes: &[usize]) -> Self {
+        let reduced = model.select(modes);
+        let equations = EquationsOfMotion::new(&reduced, configuration);
+        Plant::of_equations(equations, &reduced, Packaged::whole(model, modes))
     }
 
-    /// Of equations of a model whose modes and strips are these among the packaged ones.
+    /// Of equations of a model of which that is packaged.
     pub(crate) fn of_equations(
         equations: EquationsOfMotion,
         model: &ReducedModel,
-        modes: Vec<usize>,
-        strips: Vec<usize>,
+        packaged: Packaged,
     ) -> Self {
-        let translations = model.strips.iter().flat_map(|strip| &strip.shapes.translation);
-        let largest = translations.fold(0.0_f64, |largest, shape| largest.max(shape.abs()));
-        let metre = if largest > 0.0 { 1.0 / largest } else { 1.0 };
-        Plant { equations, modes, stations: model.stations.clone(), strips, metre }
+        Plant { equations, packaged, stations: model.stations.clone() }
     }
 
     /// The equations of motion.
@@ -108,14 +131,11 @@ impl Plant {
         self.equations.engine_count()
     }
 
-    /// The packaged number of a strip.
-    pub fn packaged_strip(&self, strip: usize) -> usize {
-        self.strips.get(strip).copied().unwrap_or(strip)
-    }
-
-    /// The coordinate (√kg m) by which the most moving strip is displaced by a metre.
-    pub fn metre_of_displacement(&self) -> f64 {
-        self.metre
+    /// What departures of each of the [groups](StateLayout::groups) of states are measured by: 10 m and 1 m/s of O, 0.1 rad/s,
+    /// 0.1 m and 1 m/s of the most moving strip of any mode, 1 m/s of inflow [theory: integration.error].
+    pub fn magnitudes(&self) -> [f64; 7] {
+        let metre = self.equations.metre_of_displacement();
+        [10.0, 1.0, 1.0, 0.1, 0.1 * metre, metre, 1.0]
     }
 
     /// ẋ: rates of all states, per second; what else the evaluation has found stays in the workspace. States beyond the
@@ -131,8 +151,61 @@ impl Plant {
         self.equations.steer(controls, rates, workspace);
     }
 
-    /// y: the outputs at the state and under the controls of the last evaluation, in axes along a course.
-    pub fn write_outputs(
+    /// y at a state under some controls, with north along the axes of the state. Allocates.
+    ///
+    /// ```
+    /// # use flexible_aircraft::{Aircraft, plant::{Plant, PlantSettings}};
+    /// # let jet = Aircraft::read("aircraft/generic-business-jet.toml")?.reduce()?;
+    /// # let settings = PlantSettings::of(&jet);
+    /// let plant = Plant::under(&jet, &settings)?;
+    /// let trim = plant.trim(&settings.trim_condition())?;
+    /// let mut controls = trim.controls.clone();
+    /// controls.wind.z = -3.0; // m/s: the air rises
+    /// let mut workspace = plant.workspace();
+    /// let outputs = plant.outputs_at(&trim.state, &controls, &mut workspace);
+    /// assert!(outputs.load_factor.z > 1.02 && outputs.air.angle_of_attack > trim.point.angle_of_attack());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn outputs_at(&self, state: &[f64], controls: &Controls, workspace: &mut Workspace) -> Outputs {
+        self.outputs_along(Course::NORTH, state, controls, workspace)
+    }
+
+    /// The same where the axes of the state are along a course.
+    pub(crate) fn outputs_along(
+        &self,
+        course: Course,
+        state: &[f64],
+        controls: &Controls,
+        workspace: &mut Workspace,
+    ) -> Outputs {
+        let mut outputs = self.room_for_outputs();
+        self.rates(state, controls, &mut vec![0.0; state.len()], workspace);
+        self.write_outputs(state, controls, workspace, course, &mut outputs);
+        outputs
+    }
+
+    /// ẋ and y at a state under some controls, from one evaluation: as [`rates`](Self::rates) and
+    /// [`outputs_at`](Self::outputs_at), without allocating.
+    pub fn rates_and_outputs(
+        &self,
+        state: &[f64],
+        controls: &Controls,
+        rates: &mut [f64],
+        outputs: &mut Outputs,
+        workspace: &mut Workspace,
+    ) {
+        self.rates(state, controls, rates, workspace);
+        self.write_outputs(state, controls, workspace, Course::NORTH, outputs);
+    }
+
+    /// Room for [`rates_and_outputs`](Self::rates_and_outputs), all zero.
+    pub fn room_for_outputs(&self) -> Outputs {
+        let (controls, engines) = (self.controls().len(), self.engine_count());
+        Outputs::zero(self.packaged.mode_count, self.stations.len(), controls, engines)
+    }
+
+    /// y at the state and under the controls of the last evaluation, in axes along a course.
+    pub(crate) fn write_outputs(
         &self,
         state: &[f64],
         controls: &Controls,
@@ -141,23 +214,10 @@ impl Plant {
         outputs: &mut Outputs,
     ) {
         outputs.write_motion(&self.equations, state, workspace, course);
-        outputs.write_modes(&self.modes, self.layout(), state);
+        outputs.write_modes(&self.packaged.modes, self.layout(), state);
         outputs.write_stations(&self.stations, &self.equations, state, workspace);
         outputs.write_controls(controls);
         outputs.air = self.air_data(state, controls);
-    }
-
-    /// The linear part of ẋ that belongs to the wake, at a constant airspeed (m/s): a diagonal in the layout of the state,
-    /// 1/s; of complex states its real and imaginary part.
-    pub fn write_wake_decay(&self, airspeed: f64, linear: &mut [f64]) {
-        self.equations.inflow_linear_part(airspeed, linear);
-    }
-
-    /// The linear part of ẋ that belongs to the structure: the modes in which it swings freely about a trim.
-    ///
-    /// [theory: linearisation.free-modes]
-    pub(crate) fn free_modes(&self, trim: &Trim) -> Option<FreeModes> {
-        FreeModes::new(&self.equations, &trim.state, &trim.controls)
     }
 
     /// Speed of O relative to the air, m/s.
@@ -170,10 +230,21 @@ impl Plant {
         AirData::new(&self.equations.air_velocity(state, controls), &self.equations.air(state))
     }
 
-    /// The packaged number of the first lifting strip that met the air from behind at the last evaluation.
-    pub fn reversed_strip(&self, state: &[f64], controls: &Controls, workspace: &Workspace) -> Option<usize> {
+    /// How far each strip is in a state from where it is on the undeformed aircraft, without those edge-on, m. Allocates.
+    pub fn strip_displacements(&self, state: &[f64]) -> Vec<Vector3<f64>> {
+        let memory = self.equations.evaluate_kinematics(state);
+        self.equations.sections(state, &memory).strip_displacements().collect()
+    }
+
+    /// The first lifting strip that met the air from behind at the last evaluation.
+    pub fn reversed_strip(
+        &self,
+        state: &[f64],
+        controls: &Controls,
+        workspace: &Workspace,
+    ) -> Option<&PackagedStrip> {
         let reversed = self.equations.reversed_strip(state, controls, workspace);
-        reversed.map(|strip| self.packaged_strip(strip))
+        reversed.map(|strip| &self.packaged.strips[strip])
     }
 
     /// The same plant with steady aerodynamics: the same trim, fewer states.

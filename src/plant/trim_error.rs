@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use crate::aircraft::{Control, Support};
+use crate::aircraft::{Control, Support, TrimRole};
+use crate::kinematics::GeneralisedVector;
 
 use super::trim::TrimPoint;
 
@@ -19,6 +20,8 @@ pub enum TrimFailure {
     },
     /// The unknowns do not move the forces independently.
     NoAuthority,
+    /// Nothing is to hold pitch: no control has the role, or the one that has it moves nothing.
+    NoPitchControl,
     /// The plane of symmetry is in balance, the rest is not, and nothing steers it.
     NoLateralControl {
         /// To the right, N.
@@ -59,22 +62,15 @@ pub struct TrimError {
     pub modal: f64,
 }
 
-/// The components of v and ω by the names of their outputs, and what their accelerations do.
-const COMPONENTS: [(&str, &str); 6] = [
-    ("velocity.x", "forwards"),
-    ("velocity.y", "sideways"),
-    ("velocity.z", "downwards"),
-    ("rate.x", "roll"),
-    ("rate.y", "pitch"),
-    ("rate.z", "yaw"),
-];
-
 impl std::error::Error for TrimError {}
 
 impl fmt::Display for TrimError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let TrimError { airspeed, altitude, density, steps, modal, .. } = self;
         let failure = self.failure_text();
+        if self.failure == TrimFailure::NoPitchControl {
+            return write!(f, "{failure}");
+        }
         if self.support == Support::Clamped {
             return write!(
                 f,
@@ -92,11 +88,12 @@ impl fmt::Display for TrimError {
             )?;
         }
         write!(f, "{steps} Newton steps ended at {}", self.point.describe(&self.controls, self.has_engines))?;
-        let [x, y, z, roll, pitch, yaw] = self.rigid;
+        let GeneralisedVector { translation: v, rotation: w, .. } = GeneralisedVector::of(&self.rigid);
         write!(
             f,
-            " with the imbalance v̇ = ({x:.2e}, {y:.2e}, {z:.2e}) m/s², ω̇ = ({roll:.2e}, {pitch:.2e}, {yaw:.2e}) rad/s², \
-             largest modal acceleration {modal:.2e}"
+            " with the imbalance v̇ = ({:.2e}, {:.2e}, {:.2e}) m/s², ω̇ = ({:.2e}, {:.2e}, {:.2e}) rad/s², \
+             largest modal acceleration {modal:.2e}",
+            v.x, v.y, v.z, w.x, w.y, w.z
         )?;
         if let Some((name, what)) = self.most_unbalanced() {
             write!(f, "; most of all {name} ({what}) stays unbalanced")?;
@@ -112,11 +109,13 @@ impl TrimError {
         match self.failure {
             TrimFailure::NotFound | TrimFailure::TooSlow { .. } => format!("no steady {flight} found"),
             TrimFailure::NoAuthority => format!(
-                "no steady {flight}: what should balance the aircraft does not act independently (is there a wing, a \
-                 control with trim = \"pitch\"{engine}, for one that is not symmetric a fin or a control with trim = \"yaw\"?)"
+                "no steady {flight}: what should balance the aircraft does not act independently (is there a wing{engine}, does \
+                 {} pitch the aircraft, for one that is not symmetric is there a fin or a control with trim = \"yaw\"?)",
+                self.pitch_control().map_or("a control", |control| control.name.as_str())
             ),
+            TrimFailure::NoPitchControl => format!("no steady {flight}: {}", self.what_lacks_for_pitch()),
             TrimFailure::NoLateralControl { side_force, rolling, yawing } => format!(
-                "no steady {flight}: the aircraft is not symmetric and has no control with trim = \"roll\" or \"yaw\"; a side force of \
+                "no steady {flight}: the aircraft is not symmetric, and no control with trim = \"roll\" or \"yaw\" moves anything; a side force of \
                  {side_force:.1} N, a rolling moment of {rolling:.1} N m and a yawing moment of {yawing:.1} N m about O \
                  stay unbalanced"
             ),
@@ -124,9 +123,29 @@ impl TrimError {
         }
     }
 
+    fn pitch_control(&self) -> Option<&Control> {
+        self.controls.iter().find(|control| control.role == Some(TrimRole::Pitch))
+    }
+
+    /// What to do where nothing holds pitch.
+    fn what_lacks_for_pitch(&self) -> String {
+        if let Some(control) = self.pitch_control() {
+            return format!("{} has trim = \"pitch\" and moves no flap", control.name);
+        }
+        let free = self.controls.iter().filter(|control| control.role.is_none());
+        let free: Vec<&str> = free.map(|control| control.name.as_str()).collect();
+        let remedy = match (free.as_slice(), self.controls.as_slice()) {
+            ([], []) => "there are no controls: add a [[control]] for it".to_owned(),
+            ([], _) => "all controls have other roles: add a [[control]] for it".to_owned(),
+            (free, _) => format!("give it to one of: {}", free.join(", ")),
+        };
+        format!("no control has trim = \"pitch\"; {remedy}")
+    }
+
     /// The component of the rigid motion with the largest acceleration, rotations by those of a point at 1 m.
     fn most_unbalanced(&self) -> Option<(&'static str, &'static str)> {
-        let largest = (0..6).max_by(|&a, &b| self.rigid[a].abs().total_cmp(&self.rigid[b].abs()))?;
-        (self.rigid[largest] != 0.0).then_some(COMPONENTS[largest])
+        let components = self.rigid.into_iter().zip(GeneralisedVector::RIGID_COMPONENTS);
+        let (left, component) = components.max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()))?;
+        (left != 0.0).then_some(component)
     }
 }

@@ -6,7 +6,7 @@ use crate::air::STANDARD_GRAVITY;
 use crate::aircraft::{Support, TrimRole};
 use crate::equations::{Controls, Workspace};
 use crate::kinematics::{ASIDE, GeneralisedVector, IN_PLANE};
-use crate::math::{Attitude, quaternion_of_euler_angles, solve};
+use crate::math::{Attitude, central, largest, quaternion_of_euler_angles, solve};
 
 use super::system::Plant;
 use super::trim::{Trim, TrimCondition, TrimPoint};
@@ -76,6 +76,9 @@ impl<'a> Search<'a> {
     /// Searches in the plane of symmetry first; where the aircraft leaves it, all around.
     pub fn find(plant: &'a Plant, condition: TrimCondition) -> Result<Self, Box<TrimError>> {
         let mut search = Search::new(plant, condition);
+        if plant.support() == Support::Free && !moves_anything(plant, TrimRole::Pitch) {
+            return Err(Box::new(search.without_pitch_control()));
+        }
         let in_plane = search.run();
         if search.is_straight() {
             return in_plane.map(|()| search);
@@ -233,7 +236,7 @@ impl<'a> Search<'a> {
             }
             let angles =
                 self.flight.iter().zip(&step).filter(|(unknown, _)| **unknown != TrimUnknown::Thrust);
-            let largest_turn = angles.fold(0.0_f64, |largest, (_, turn)| largest.max(turn.abs()));
+            let largest_turn = largest(angles.map(|(_, &turn)| turn));
             let damping = (LARGEST_TURN / largest_turn).min(1.0);
             for (value, step) in self.values.iter_mut().zip(&step) {
                 *value -= damping * step;
@@ -260,15 +263,14 @@ impl<'a> Search<'a> {
             self.residual(&mut behind);
             self.values[column] = value;
             for row in 0..n {
-                jacobian[row * n + column] = (ahead[row] - behind[row]) / (2.0 * step);
+                jacobian[row * n + column] = central([behind[row], ahead[row]], step);
             }
         }
     }
 
     /// v̇ and ω̇ of the last evaluation.
     fn rigid(&self) -> [f64; 6] {
-        let accelerations = self.workspace.accelerations();
-        std::array::from_fn(|component| accelerations[component])
+        GeneralisedVector::rigid_part(self.workspace.accelerations())
     }
 
     /// Whether nothing at the last evaluation moves a free aircraft aside, or nothing can.
@@ -280,11 +282,11 @@ impl<'a> Search<'a> {
     /// Accepts the present unknowns only when nothing accelerates, laterally too [theory: trim.balance].
     fn check_balance(&mut self, end: SearchEnd) -> Result<(), Box<TrimError>> {
         self.evaluate();
-        let modal = largest(GeneralisedVector::of(self.workspace.accelerations()).modal);
-        let elastic = largest(&self.workspace.elastic_force).max(1.0);
+        let modal = largest(GeneralisedVector::of(self.workspace.accelerations()).modal.iter().copied());
+        let elastic = largest(self.workspace.elastic_force.iter().copied()).max(1.0);
         let reversed = self.plant.reversed_strip(&self.state, &self.controls, &self.workspace);
         let in_balance = self.workspace.accelerations().iter().all(|a| a.is_finite())
-            && largest(&self.rigid()) < BALANCED
+            && largest(self.rigid()) < BALANCED
             && modal < BALANCED * elastic
             && reversed.is_none();
         if in_balance { Ok(()) } else { Err(Box::new(self.error(end, modal))) }
@@ -315,6 +317,12 @@ impl<'a> Search<'a> {
             rigid: self.rigid(),
             modal,
         }
+    }
+
+    /// What nothing holds in pitch.
+    fn without_pitch_control(&mut self) -> TrimError {
+        self.evaluate();
+        TrimError { failure: TrimFailure::NoPitchControl, ..self.error(SearchEnd::Steps(0), 0.0) }
     }
 
     /// What an aircraft whose plane of symmetry is in balance lacks, if it has no control for roll or yaw.
@@ -358,15 +366,14 @@ impl Plant {
 
 /// Whether there are controls for roll and for yaw that move anything.
 fn lateral_controls(plant: &Plant) -> [bool; 2] {
-    [TrimRole::Roll, TrimRole::Yaw].map(|role| {
-        let has_role = plant.controls().iter().map(|control| control.role == Some(role));
-        let angles: Vec<f64> = has_role.map(|has_role| if has_role { 1.0 } else { 0.0 }).collect();
-        plant.equations.flap_factors().iter().any(|factor| factor.value(&angles) != 0.0)
-    })
+    [TrimRole::Roll, TrimRole::Yaw].map(|role| moves_anything(plant, role))
 }
 
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0_f64, |max, value| max.max(value.abs()))
+/// Whether there is a control with a role that moves anything.
+fn moves_anything(plant: &Plant, role: TrimRole) -> bool {
+    let has_role = plant.controls().iter().map(|control| control.role == Some(role));
+    let angles: Vec<f64> = has_role.map(|has_role| if has_role { 1.0 } else { 0.0 }).collect();
+    plant.equations.flap_factors().iter().any(|factor| factor.value(&angles) != 0.0)
 }
 
 /// Largest step relative to its unknown.

@@ -7,24 +7,14 @@
 
 use std::array::from_fn;
 
-use crate::math::solve;
+use crate::math::{WIDTHS, slope, solve};
 
 use super::system::Plant;
 use super::trim::{Trim, TrimCondition};
 use super::trim_search::Search;
 
-/// Where along a change of something, in parts of it, functions are evaluated for their [`slope`].
-pub const WIDTHS: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
-
 /// Corrections of the tangent: each leaves as small a part of the error as J is wrong by, about 1e-8.
 const CORRECTIONS: usize = 3;
-
-/// The derivative by the width at 0 of a function with these values at [`WIDTHS`]: exact for polynomials of the fourth degree.
-///
-/// [theory: trim.tangent]
-pub fn slope([far_behind, behind, ahead, far_ahead]: [f64; 4]) -> f64 {
-    (8.0 * (ahead - behind) - (far_ahead - far_behind)) / 6.0
-}
 
 /// A trim, and J there.
 #[derive(Clone, Debug)]

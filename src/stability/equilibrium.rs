@@ -4,7 +4,6 @@
 
 use nalgebra::Vector3;
 
-use crate::kinematics::Sections;
 use crate::plant::{Plant, Trim};
 
 /// The shape and attitude of an aircraft in trim.
@@ -21,7 +20,7 @@ impl Equilibrium {
         let layout = plant.layout();
         let mut angles = trim.state[layout.attitude()].to_vec();
         angles.extend(&trim.controls.angles);
-        let displacements = plant.equations().sections(&trim.state).strip_displacements().collect();
+        let displacements = plant.strip_displacements(&trim.state);
         Equilibrium { displacements, angles }
     }
 

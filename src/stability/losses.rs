@@ -5,10 +5,10 @@
 //! Of a continuous change between two airspeeds less and less is left in the half of the interval that has most of it,
 //! when it is halved again and again; a jump stays whole.
 
-use crate::flight::SimulationError;
+use crate::plant::TrimError;
 
 use super::equilibrium::Equilibrium;
-use super::points::Family;
+use super::points::Motions;
 
 /// Equilibria that differ less are one: shares of the aircraft's size, rad.
 const NEGLIGIBLE: f64 = 1e-7;
@@ -46,15 +46,15 @@ pub enum LossKind {
         displacement: f64,
     },
     /// Above no trim is found.
-    NoneAbove(SimulationError),
+    NoneAbove(Box<TrimError>),
     /// Below no trim is found.
-    NoneBelow(SimulationError),
+    NoneBelow(Box<TrimError>),
 }
 
 /// An airspeed, m/s, and the equilibrium there.
 pub(super) type At = (f64, Equilibrium);
 
-impl Family<'_> {
+impl Motions<'_> {
     /// Where between two airspeeds in trim the equilibrium is lost, if it is.
     pub fn loss_between(&self, mut low: At, mut high: At) -> Option<EquilibriumLoss> {
         let size = self.size();
@@ -84,7 +84,7 @@ impl Family<'_> {
     }
 
     /// Where between an airspeed with trim and one without the trims end.
-    pub fn end_of_trims(&self, mut with: f64, mut without: f64, reason: SimulationError) -> EquilibriumLoss {
+    pub fn end_of_trims(&self, mut with: f64, mut without: f64, reason: Box<TrimError>) -> EquilibriumLoss {
         let mut reason = reason;
         while (with - without).abs() > ACCURACY * with.max(without) {
             let middle = 0.5 * (with + without);

@@ -5,8 +5,9 @@ use std::thread;
 
 use nalgebra::Complex;
 
-use crate::flight::{LimitExceeded, Settings, SimulationError};
-use crate::plant::{EigenvaluesNotFound, Plant, StateMatrix, Trim, Unknown};
+use crate::plant::{
+    EigenvaluesNotFound, LimitExceeded, Plant, PlantSettings, StateMatrix, Trim, TrimError, Unknown,
+};
 use crate::structure::ReducedModel;
 
 use super::condensed::Condensed;
@@ -31,7 +32,7 @@ pub struct Skipped {
 pub enum SkipReason {
     /// There is no trim.
     #[error(transparent)]
-    Trim(#[from] SimulationError),
+    Trim(#[from] Box<TrimError>),
     /// The eigensolver failed.
     #[error(transparent)]
     Eigenvalues(#[from] EigenvaluesNotFound),
@@ -39,14 +40,15 @@ pub enum SkipReason {
 
 /// The linearised motions of one aircraft, one for each airspeed.
 #[derive(Clone, Copy)]
-pub(super) struct Family<'a> {
+pub(super) struct Motions<'a> {
     /// With the modes that take part.
     pub model: &'a ReducedModel,
-    pub settings: &'a Settings,
+    /// All within their ranges; their airspeed is of no account.
+    pub settings: &'a PlantSettings,
 }
 
 /// The motion at one airspeed of the range.
-pub(super) struct Point {
+pub(super) struct AnalysedSpeed {
     pub airspeed: f64,
     pub equilibrium: Equilibrium,
     pub limits_exceeded: Vec<LimitExceeded>,
@@ -56,16 +58,16 @@ pub(super) struct Point {
     pub unstable: Vec<Complex<f64>>,
 }
 
-impl Family<'_> {
-    fn trimmed(&self, airspeed: f64) -> Result<(Plant, Trim), SimulationError> {
-        let settings = Settings { airspeed, ..self.settings.clone() };
-        let plant = settings.plant(self.model)?;
+impl Motions<'_> {
+    fn trimmed(&self, airspeed: f64) -> Result<(Plant, Trim), Box<TrimError>> {
+        let settings = PlantSettings { airspeed, ..*self.settings };
+        let plant = Plant::new(self.model, &settings.configuration(self.model.support));
         let trim = plant.trim(&settings.trim_condition())?;
         Ok((plant, trim))
     }
 
     /// The trim alone.
-    pub fn equilibrium(&self, airspeed: f64) -> Result<Equilibrium, SimulationError> {
+    pub fn equilibrium(&self, airspeed: f64) -> Result<Equilibrium, Box<TrimError>> {
         let (plant, trim) = self.trimmed(airspeed)?;
         Ok(Equilibrium::new(&plant, &trim))
     }
@@ -77,7 +79,11 @@ impl Family<'_> {
     }
 
     /// Some points of the range, computed side by side; `analysed` is called after each.
-    pub fn points(&self, airspeeds: &[f64], analysed: &(dyn Fn() + Sync)) -> Vec<Result<Point, SkipReason>> {
+    pub fn points(
+        &self,
+        airspeeds: &[f64],
+        analysed: &(dyn Fn() + Sync),
+    ) -> Vec<Result<AnalysedSpeed, SkipReason>> {
         let share = airspeeds.len().div_ceil(workers()).max(1);
         let analyse = |&airspeed: &f64| {
             let point = self.point(airspeed);
@@ -95,13 +101,13 @@ impl Family<'_> {
         })
     }
 
-    fn point(&self, airspeed: f64) -> Result<Point, SkipReason> {
+    fn point(&self, airspeed: f64) -> Result<AnalysedSpeed, SkipReason> {
         let (plant, trim) = self.trimmed(airspeed)?;
         let matrix: StateMatrix = plant.linearise(&trim);
         let mut unstable = matrix.eigenvalues()?;
         unstable.retain(|eigenvalue| eigenvalue.re > UNSTABLE && eigenvalue.im >= 0.0);
         let in_shape = |unknown: &&Unknown| !matches!(unknown, Unknown::Inflow { .. });
-        Ok(Point {
+        Ok(AnalysedSpeed {
             airspeed,
             equilibrium: Equilibrium::new(&plant, &trim),
             limits_exceeded: LimitExceeded::find(&self.model.limits, &plant, &trim),

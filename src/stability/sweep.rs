@@ -6,12 +6,11 @@
 
 use nalgebra::Complex;
 
-use crate::flight::{LimitExceeded, Settings, SimulationError};
-use crate::plant::Unknown;
+use crate::plant::{LimitExceeded, PlantSettings, SettingError, Unknown};
 use crate::structure::ReducedModel;
 
 use super::losses::{At, EquilibriumLoss};
-use super::points::{Family, SkipReason, Skipped, workers};
+use super::points::{Motions, SkipReason, Skipped, workers};
 use super::tracks::{Branch, Crossing, Tracks};
 use super::unstable::{Findings, UnstableRange};
 
@@ -21,12 +20,12 @@ const SHARE: usize = 8;
 /// The roots of an aircraft over a range of airspeeds.
 ///
 /// ```
-/// use flexible_aircraft::flight::Settings;
+/// use flexible_aircraft::plant::PlantSettings;
 /// use flexible_aircraft::stability::{CrossingKind, Sweep};
 /// use flexible_aircraft::{Aircraft, ReducedModel};
 ///
 /// let wing = ReducedModel::new(&Aircraft::read("aircraft/goland-wing.toml")?, 3)?;
-/// let sweep = Sweep::new(&wing, &Settings::of(&wing), &[120.0, 130.0, 140.0])?; // m/s
+/// let sweep = Sweep::new(&wing, &PlantSettings::of(&wing), &[120.0, 130.0, 140.0])?; // m/s
 /// let flutter = sweep.crossings.iter().find(|crossing| crossing.kind == CrossingKind::Flutter).ok_or("none")?;
 /// assert!((flutter.airspeed - 137.0).abs() < 1.0, "{flutter:?}");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -60,9 +59,9 @@ impl Sweep {
     /// When a setting is out of range. Speeds without trim are skipped.
     pub fn new(
         model: &ReducedModel,
-        settings: &Settings,
+        settings: &PlantSettings,
         airspeeds: &[f64],
-    ) -> Result<Self, SimulationError> {
+    ) -> Result<Self, SettingError> {
         Sweep::watched(model, settings, airspeeds, &|| {})
     }
 
@@ -72,15 +71,16 @@ impl Sweep {
     /// When a setting is out of range. Speeds without trim are skipped.
     pub fn watched(
         model: &ReducedModel,
-        settings: &Settings,
+        settings: &PlantSettings,
         airspeeds: &[f64],
         analysed: &(dyn Fn() + Sync),
-    ) -> Result<Self, SimulationError> {
-        let mut chosen = Vec::new();
+    ) -> Result<Self, SettingError> {
         for &airspeed in airspeeds {
-            chosen = Settings { airspeed, ..settings.clone() }.choose_modes(model)?;
+            PlantSettings { airspeed, ..*settings }.check(model.support)?;
         }
-        let aircraft = Family { model: &model.select(&chosen), settings };
+        let airspeed = airspeeds.first().copied().unwrap_or(settings.airspeed);
+        let settings = &PlantSettings { airspeed, ..*settings };
+        let aircraft = Motions { model: &model.select(&settings.choose_modes(model)?), settings };
         let mut gathered = Gathered::default();
         let mut tracks = Tracks::new(aircraft);
         for airspeeds in airspeeds.chunks(SHARE * workers()) {
@@ -145,7 +145,7 @@ enum Last {
 
 impl Gathered {
     /// Goes on to the next speed, and looks for a loss of equilibrium on the way.
-    fn go_on(&mut self, aircraft: Family, next: Last) {
+    fn go_on(&mut self, aircraft: Motions, next: Last) {
         let loss = match (std::mem::take(&mut self.last), &next) {
             (Last::Trimmed(low), Last::Trimmed(high)) => aircraft.loss_between(low, high.clone()),
             (Last::Trimmed((with, _)), Last::Skipped(without, SkipReason::Trim(reason))) => {

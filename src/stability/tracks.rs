@@ -15,7 +15,7 @@ use nalgebra::Complex;
 use super::condensed::{Condensed, Root};
 use super::continuation::follow;
 use super::losses::{EquilibriumLoss, LossKind};
-use super::points::{Family, Point, UNSTABLE};
+use super::points::{AnalysedSpeed, Motions, UNSTABLE};
 
 /// Roots slower than this at a crossing do not oscillate, 1/s.
 const STATIC: f64 = 1e-5;
@@ -78,7 +78,7 @@ pub(super) struct Analysed {
 
 /// The branches and what they have been followed over.
 pub(super) struct Tracks<'a> {
-    aircraft: Family<'a>,
+    aircraft: Motions<'a>,
     pub branches: Vec<Branch>,
     pub analysed: Vec<Analysed>,
     /// The latest motions.
@@ -88,13 +88,13 @@ pub(super) struct Tracks<'a> {
 }
 
 impl<'a> Tracks<'a> {
-    pub fn new(aircraft: Family<'a>) -> Self {
+    pub fn new(aircraft: Motions<'a>) -> Self {
         let (branches, analysed) = (Vec::new(), Vec::new());
         Tracks { aircraft, branches, analysed, problems: VecDeque::new(), between: HashMap::new() }
     }
 
     /// Follows the branches to the next point; `after_gap` when the speed before it was skipped, or is none.
-    pub fn add(&mut self, point: &Point, after_gap: bool) {
+    pub fn add(&mut self, point: &AnalysedSpeed, after_gap: bool) {
         let index = self.analysed.len();
         self.analysed.push(Analysed { airspeed: point.airspeed, after_gap, unreached: Vec::new() });
         self.problems.push_back(Arc::clone(&point.problem));

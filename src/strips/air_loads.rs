@@ -6,11 +6,11 @@ use crate::air::MetAir;
 use crate::kinematics::Sections;
 use crate::math::{Arithmetic, LANES, SquareMatrix, Window, Work};
 
+use super::aerofoil::first_reversed;
 use super::all_strips::Strips;
 use super::group::{Group, MovingSections};
 use super::inflow::{InflowStates, WakeFlow};
 use super::inflow_layout::InflowLayout;
-use super::section::first_reversed;
 use super::sums::StripSums;
 use super::surroundings::Surroundings;
 
@@ -95,7 +95,7 @@ fn follow_wake<S: Arithmetic, Motion>(
     sums: &mut StripSums,
 ) {
     if flow.chordwise.least() <= 0.0 && sums.reversed.is_none() {
-        let lane = first_reversed(flow.chordwise, window.load(&group.section.lift_slope));
+        let lane = first_reversed(flow.chordwise, window.load(&group.aerofoil.lift_slope));
         sums.reversed = lane.map(|lane| index * LANES + window.lane(lane));
     }
     let passing = flow.chordwise * window.load(&group.per_semichord);

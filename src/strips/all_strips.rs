@@ -73,7 +73,7 @@ impl Strips {
         linear: &mut [f64],
     ) {
         for (index, group) in self.groups.iter().enumerate() {
-            let passing = Eight(group.section.semichord.0.map(|semichord| airspeed / semichord));
+            let passing = Eight(group.aerofoil.semichord.0.map(|semichord| airspeed / semichord));
             inflow.linear_part(&passing, &mut layout.of_group(index).write(linear));
         }
     }

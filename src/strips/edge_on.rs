@@ -10,14 +10,14 @@ use crate::kinematics::{RigidFreedom, Sections, SectionsInPlane, Turn};
 use crate::math::{Arithmetic, Arrow, Eight, LANES, Lanes, PlaneVector, Window};
 use crate::structure::ReducedStrip;
 
+use super::aerofoil::first_reversed;
 use super::in_plane::flow_past;
-use super::section::first_reversed;
 use super::sums::StripSums;
 use super::surroundings::Surroundings;
 
 /// Eight strips.
 #[derive(Clone, Debug)]
-struct Group {
+struct EdgeOnGroup {
     /// f: x and z.
     forward: [Eight; 2],
     /// CD0 b Δy, m².
@@ -29,13 +29,13 @@ struct Group {
 /// All strips edge-on.
 #[derive(Clone, Debug, Default)]
 pub struct EdgeOnStrips {
-    groups: Vec<Group>,
+    groups: Vec<EdgeOnGroup>,
 }
 
 impl EdgeOnStrips {
     /// Some strips.
     pub fn new(strips: &[ReducedStrip]) -> Self {
-        EdgeOnStrips { groups: strips.chunks(LANES).map(Group::new).collect() }
+        EdgeOnStrips { groups: strips.chunks(LANES).map(EdgeOnGroup::new).collect() }
     }
 
     /// Adds the drag to the sums; returns the first strip that would lift and meets the air from behind.
@@ -62,17 +62,16 @@ impl EdgeOnStrips {
     }
 }
 
-impl Group {
+impl EdgeOnGroup {
     fn new(strips: &[ReducedStrip]) -> Self {
-        let lanes_or = |value: &dyn Fn(&ReducedStrip) -> f64, empty: f64| {
-            Eight(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
-        };
-        let lanes = |value: &dyn Fn(&ReducedStrip) -> f64| lanes_or(value, 0.0);
-        Group {
+        EdgeOnGroup {
             // Forward, so that strips of no size do not meet the air from behind.
-            forward: [lanes_or(&|strip| strip.forward.x, 1.0), lanes(&|strip| strip.forward.z)],
-            drag_area: lanes(&|strip| strip.profile_drag * strip.semichord * strip.width),
-            lift_slope: lanes(&|strip| strip.lift_slope),
+            forward: [
+                Eight::of(strips, |strip| strip.forward.x, 1.0),
+                Eight::of(strips, |strip| strip.forward.z, 0.0),
+            ],
+            drag_area: Eight::of(strips, |strip| strip.profile_drag * strip.semichord * strip.width, 0.0),
+            lift_slope: Eight::of(strips, |strip| strip.lift_slope, 0.0),
         }
     }
 

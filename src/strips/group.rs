@@ -1,6 +1,8 @@
 //! Eight strips side by side [theory: air-loads.strip; thesis §4.1].
 //!
-//! The last group is filled up with strips of no size.
+//! A strip is an aerofoil (`aerofoil`: what its chord, camber and flap make of a flow) of some width, with axes that are fixed
+//! to a section of the structure (`kinematics`: where it is, how it moves). A group has aerofoils, widths and axes; its sections
+//! are those of the same number at an instant. The last group is filled up with strips of no size.
 
 use std::f64::consts::PI;
 
@@ -11,8 +13,8 @@ use crate::kinematics::RigidFreedom;
 use crate::math::{Arithmetic, Arrow, Eight, EightVectors, Lanes, Window};
 use crate::structure::ReducedStrip;
 
+use super::aerofoil::{Aerofoil, LocalFlow};
 use super::flap_factor::FlapFactor;
-use super::section::{LocalFlow, Section};
 use super::strip_loads::{Displacement, StripFlapLoads, StripLoads, StripSizes};
 use super::sums::Row;
 
@@ -30,7 +32,7 @@ pub(crate) struct Group {
     /// 1/b.
     pub(crate) per_semichord: Eight,
     pub(crate) zero_lift_offset: Eight,
-    pub(crate) section: Section,
+    pub(crate) aerofoil: Aerofoil,
     /// Coefficients of δ by the factors, by their places, that move any flap here.
     gains: Vec<(usize, Eight)>,
     /// Coefficients of δ², where it drags.
@@ -52,12 +54,7 @@ pub(crate) type StripLoadsWithFlaps<S, V, const EQUAL_ROWS: bool> =
 impl Group {
     /// Up to eight strips of a model in the freedom that its motion has.
     pub(crate) fn new(strips: &[ReducedStrip], factors: &[FlapFactor], free: RigidFreedom) -> Self {
-        let lanes = |value: &dyn Fn(&ReducedStrip) -> f64, empty: f64| {
-            Eight(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
-        };
-        let vectors = |value: &dyn Fn(&ReducedStrip) -> Vector3<f64>, empty: Vector3<f64>| {
-            EightVectors::new(std::array::from_fn(|lane| strips.get(lane).map_or(empty, value)))
-        };
+        let lanes = |value: &dyn Fn(&ReducedStrip) -> f64, empty: f64| Eight::of(strips, value, empty);
         let flap = |value: &dyn Fn(&FlapEffect) -> f64| {
             lanes(&|strip| strip.flap.as_ref().map_or(0.0, |flap| value(&FlapEffect::new(flap))), 0.0)
         };
@@ -72,15 +69,15 @@ impl Group {
         let root_mass = |strip: &ReducedStrip| strip.semichord * libm::sqrt(PI * strip.width);
         Group {
             // Forward, so that strips of no size do not meet the air from behind.
-            forward: vectors(&|strip| strip.forward, Vector3::x()),
-            span: vectors(&|strip| strip.span, Vector3::zeros()),
+            forward: EightVectors::of(strips, |strip| strip.forward, Vector3::x()),
+            span: EightVectors::of(strips, |strip| strip.span, Vector3::zeros()),
             width: lanes(&|strip| strip.width, 0.0),
             root_mass: lanes(&root_mass, 0.0),
             root_inertia: lanes(&|strip| strip.semichord * root_mass(strip) / libm::sqrt(8.0), 0.0),
             per_root_mass: lanes(&|strip| 1.0 / root_mass(strip), 0.0),
             per_semichord: lanes(&|strip| 1.0 / strip.semichord, 1.0),
             zero_lift_offset: lanes(&|strip| strip.zero_lift_offset, 0.0),
-            section: Section {
+            aerofoil: Aerofoil {
                 semichord: lanes(&|strip| strip.semichord, 1.0),
                 elastic_axis_aft_of_midchord: lanes(&|strip| strip.elastic_axis_aft_of_midchord, 0.0),
                 lift_slope: lanes(&|strip| strip.lift_slope, 0.0),
@@ -125,7 +122,7 @@ impl Group {
             normal,
             upwash,
             pitch_rate,
-            w3: self.section.three_quarter_chord_upwash(window, upwash, pitch_rate),
+            w3: self.aerofoil.three_quarter_chord_upwash(window, upwash, pitch_rate),
             upwash_drift,
             pitch_drift,
             induced: window.splat(0.0),
@@ -140,18 +137,18 @@ impl Group {
         flow: &LocalFlow<S>,
         axes: [&V; 3],
     ) -> StripLoadsWithFlaps<S, V, EQUAL_ROWS> {
-        let section = self.section.at(window);
+        let aerofoil = self.aerofoil.at(window);
         let sizes = StripSizes {
             width: window.load(&self.width),
-            elastic_axis_aft_of_midchord: section.elastic_axis_aft_of_midchord,
+            elastic_axis_aft_of_midchord: aerofoil.elastic_axis_aft_of_midchord,
             root_mass: window.load(&self.root_mass),
             root_inertia: window.load(&self.root_inertia),
         };
-        let loads = StripLoads::new(&section.loads(flow), &sizes, axes);
+        let loads = StripLoads::new(&aerofoil.loads(flow), &sizes, axes);
         let flaps = if self.gains.is_empty() {
             None
         } else {
-            Some(StripFlapLoads::new(&section.flap_loads(flow), &sizes, window.load(&self.per_root_mass)))
+            Some(StripFlapLoads::new(&aerofoil.flap_loads(flow), &sizes, window.load(&self.per_root_mass)))
         };
         (loads, flaps)
     }

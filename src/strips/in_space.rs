@@ -1,6 +1,6 @@
 //! How strips move with the deformed aircraft and where their loads go.
 //!
-//! [theory: air-loads.triad, air-loads.flow, air-loads.rows, air-loads.rates; thesis §4.1]
+//! [theory: kinematics.sections, air-loads.triad, air-loads.flow, air-loads.rows, air-loads.rates; thesis §4.1]
 //!
 //! Symbols: f, s, n the deformed triad, X the place of its section, J and S the section's rows, V the velocity relative to the
 //! air, m = n + α0 f, and the rows G_w = nᵀ[1, −X×, J], G_Ω = sᵀ[0, 1, S] on ν = [v; ω; q̇]. ẇ and Ω̇ are the rates of w and
@@ -82,16 +82,17 @@ impl Group {
         let arm = if around.deformed_arms { *position } else { sections.at_rest(window) };
         let rigid = RigidRows { index, arms: [&arm, position], span };
         let mut rows = sums.rows();
-        // Axes written out, so that nothing is computed about or along others.
+        // Known to the compiler, so that nothing is computed about or along other axes.
+        let [all, in_plane] = const { [RigidFreedom::All.motions(), RigidFreedom::InPlane.motions()] };
         match around.freedom {
-            RigidFreedom::All => self.add_rigid_rows(window, &rigid, [&[0, 1, 2]; 2], &loads, &mut rows),
-            RigidFreedom::InPlane => self.add_rigid_rows(window, &rigid, [&[0, 2], &[1]], &loads, &mut rows),
+            RigidFreedom::All => self.add_rigid_rows(window, &rigid, all, &loads, &mut rows),
+            RigidFreedom::InPlane => self.add_rigid_rows(window, &rigid, in_plane, &loads, &mut rows),
             RigidFreedom::Held => {}
         }
-        for (shape, row) in sections.rows().zip(rows) {
-            let [ux, uy, uz, rx, ry, rz] = [0, 1, 2, 3, 4, 5].map(|row| window.load(&shape[row]));
-            let turn = LaneVector { x: rx, y: ry, z: rz }.dot(span);
-            let displacement = loads.0.resultants.displaced(&LaneVector { x: ux, y: uy, z: uz }, turn);
+        for (section, row) in sections.rows().zip(rows) {
+            let [jx, jy, jz, sx, sy, sz] = [0, 1, 2, 3, 4, 5].map(|row| window.load(&section[row]));
+            let turn = LaneVector { x: sx, y: sy, z: sz }.dot(span);
+            let displacement = loads.0.resultants.displaced(&LaneVector { x: jx, y: jy, z: jz }, turn);
             self.add_row(window, index, &displacement, &loads, row);
         }
     }

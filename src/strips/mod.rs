@@ -2,6 +2,7 @@
 //!
 //! [theory: air-loads.flow, air-loads.distribution, inflow.state; thesis §4.1]
 
+mod aerofoil;
 mod air_loads;
 mod all_strips;
 mod edge_on;
@@ -11,7 +12,6 @@ mod in_plane;
 mod in_space;
 mod inflow;
 mod inflow_layout;
-mod section;
 mod strip_loads;
 mod sums;
 mod surroundings;

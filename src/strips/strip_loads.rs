@@ -1,6 +1,6 @@
 //! What loads and apparent mass of whole strips do on each component of ν.
 //!
-//! [theory: air-loads.distribution, air-loads.apparent-mass; thesis §4.1]
+//! [theory: kinematics.rows, air-loads.distribution, air-loads.apparent-mass; thesis §4.1]
 //!
 //! A component of ν moves the attachment of a strip by δu and turns it by δθ about s. Its entries are then
 //!
@@ -13,7 +13,7 @@
 
 use crate::math::{Arithmetic, Arrow, LaneVector, Lanes, PlaneVector};
 
-use super::section::{SectionFlapLoads, SectionLoads};
+use super::aerofoil::{SectionFlapLoads, SectionLoads};
 use super::sums::RowEntry;
 
 /// Resultants on whole strips, vectors of kind `V`; `EQUAL_ROWS` where accelerations are distributed as loads are.

@@ -3,126 +3,248 @@
 use nalgebra::Vector3;
 use pulp::Scalar;
 
-use crate::air::UniformFlow;
-use crate::kinematics::{
-    Bias, RigidFreedom, SectionMotion, Sections, SectionsInPlane, SectionsInSpace, Superposition,
-};
-use crate::math::{Arithmetic, Arrow, Attitude, Eight, LANES, LaneVector, Lanes, PlaneVector, Window};
-use crate::structure::ReducedStrip;
-use crate::symmetry::SymmetricHalf;
-use crate::variables::tests::jet;
+use crate::air::{UniformFlow, UniformlyMet};
+use crate::kinematics::test_kind::{Curved, Place};
+use crate::kinematics::{Coordinates, Kinematics, RigidFreedom, RigidMotion, Sections};
+use crate::math::{Attitude, LANES, SquareMatrix, Window, Work};
+use crate::structure::test_jet::{jet, jet_in_plane};
+use crate::structure::{ReducedModel, ReducedStrip};
 
+use super::aerofoil::LocalFlow;
 use super::inflow::PetersInflow;
-use super::{Strips, Surroundings};
+use super::{InflowLayout, Strips, SumLoads, Surroundings};
 
-/// Sections that accelerate by themselves, at a and α, however the others beneath them move.
-struct Accelerating<T> {
-    sections: T,
-    a: Vector3<f64>,
-    alpha: Vector3<f64>,
+const DENSITY: f64 = 0.6;
+
+/// Strips on curved sections, with the model's modes.
+struct OnCurves {
+    strips: Strips,
+    kinematics: Curved,
+    inflow: PetersInflow,
+    layout: InflowLayout,
+    freedom: RigidFreedom,
 }
 
-impl<T: SectionsInSpace> SectionsInSpace for Accelerating<T> {
-    type Turn<S: Arithmetic> = T::Turn<S>;
+/// What the strips do.
+struct Found {
+    /// Forces on ν with the flaps neutral, then per unit of each factor of their loads.
+    forces: Vec<Vec<f64>>,
+    mass: SquareMatrix,
+    inflow_rates: Vec<f64>,
+}
 
-    fn at_rest<S: Arithmetic>(&self, window: Window<S>) -> LaneVector<S> {
-        self.sections.at_rest(window)
+impl OnCurves {
+    fn new(model: &ReducedModel, edge_on: &[ReducedStrip], freedom: RigidFreedom) -> Self {
+        let (strips, inflow) = (Strips::new(model, edge_on, freedom), PetersInflow::new(3));
+        let layout = InflowLayout::new(strips.groups(), inflow.real_lags(), inflow.lag_pairs());
+        OnCurves { strips, kinematics: Curved::new(model, edge_on), inflow, layout, freedom }
     }
 
-    fn motion<S: Arithmetic>(
-        &self,
-        window: Window<S>,
-    ) -> SectionMotion<LaneVector<S>, LaneVector<S>, T::Turn<S>> {
-        let bias = Bias {
-            acceleration: LaneVector::splat(window, &self.a),
-            angular_acceleration: LaneVector::splat(window, &self.alpha),
+    /// Of the only strip.
+    fn place(&self) -> &Place {
+        let Curved { strips, edge_on, .. } = &self.kinematics;
+        strips.first().unwrap_or_else(|| &edge_on[0])
+    }
+
+    fn modes(&self) -> usize {
+        self.place().modes()
+    }
+
+    fn around(&self, motion: &RigidMotion) -> Surroundings<'_, UniformlyMet> {
+        let still = UniformFlow { velocity: Vector3::zeros(), rate: Vector3::zeros() };
+        let level = Attitude::from_quaternion(&[1.0, 0.0, 0.0, 0.0]);
+        Surroundings {
+            air: still.met_by(&level, [&motion.velocity, &motion.rate]),
+            rate: motion.rate,
+            density: DENSITY,
+            inflow: &self.inflow,
+            deformed_arms: true,
+            freedom: self.freedom,
+        }
+    }
+
+    fn sum(&self, motion: &RigidMotion, at: Coordinates) -> Found {
+        let mut memory = self.kinematics.memory();
+        self.kinematics.evaluate(Scalar::new(), at, &mut memory);
+        let modes = at.q.len();
+        let (components, moving) = (6 + modes, self.freedom.moving(modes).len());
+        let equal_rows = self.strips.zero_lift_lines_are_chords();
+        let state: Vec<f64> = self.layout.all().map(|place| libm::sin(place as f64)).collect();
+        let mut inflow_rates = vec![0.0; state.len()];
+        let mut passive = vec![0.0; components];
+        let mut effects = vec![0.0; self.strips.factors.len() * components];
+        let mut mass = SquareMatrix::new(moving);
+        let loads = SumLoads {
+            strips: &self.strips,
+            sections: self.kinematics.sections(at, &memory),
+            around: &self.around(motion),
+            layout: &self.layout,
+            state: &state,
+            rates: &mut inflow_rates,
+            sums: &mut self.strips.sums(self.freedom, modes, equal_rows),
+            passive: &mut passive,
+            effects: &mut effects,
+            mass: &mut mass,
         };
-        SectionMotion { bias: Some(bias), ..self.sections.motion(window) }
-    }
-
-    fn rows(&self) -> impl Iterator<Item = &[Eight; 6]> {
-        self.sections.rows()
-    }
-}
-
-/// The same in the mirror plane.
-struct AcceleratingInPlane<T>(Accelerating<T>);
-
-impl<T: SectionsInPlane> SectionsInPlane for AcceleratingInPlane<T> {
-    type Turn<S: Arithmetic> = T::Turn<S>;
-
-    fn at_rest<S: Arithmetic>(&self, window: Window<S>) -> PlaneVector<S> {
-        self.0.sections.at_rest(window)
-    }
-
-    fn motion<S: Arithmetic>(
-        &self,
-        window: Window<S>,
-    ) -> SectionMotion<PlaneVector<S>, Lanes<S>, T::Turn<S>> {
-        let bias = Bias {
-            acceleration: PlaneVector::splat(window, &self.0.a),
-            angular_acceleration: window.splat(self.0.alpha.y),
-        };
-        SectionMotion { bias: Some(bias), ..self.0.sections.motion(window) }
-    }
-
-    fn rows(&self) -> impl Iterator<Item = [&Eight; 3]> {
-        self.0.sections.rows()
-    }
-}
-
-/// By how much a and α of the section change ẇ = … + m·a and Ω̇ = … + s·α of an undeformed strip.
-fn expected(strip: &ReducedStrip, [a, alpha]: [Vector3<f64>; 2]) -> [f64; 2] {
-    let zero_lift_normal = strip.forward.cross(&strip.span) + strip.forward * strip.zero_lift_offset;
-    [zero_lift_normal.dot(&a), strip.span.dot(&alpha)]
-}
-
-#[test]
-fn upwash_and_pitch_rate_change_by_the_biases_of_sections_in_space_and_in_the_mirror_plane() {
-    let half = SymmetricHalf::find(&jet().select(&[0, 1, 2, 3, 4])).unwrap();
-    let mut model = half.model;
-    model.strips.iter_mut().for_each(|strip| strip.zero_lift_offset = 0.03);
-    let (strips, sections) =
-        (Strips::new(&model, &[], RigidFreedom::InPlane), Superposition::new(&model, &[]));
-    let at_rest = vec![0.0; model.modes.len()];
-    let sections = sections.at(&at_rest, &at_rest);
-    let (inflow, velocity, rate) =
-        (PetersInflow::new(0), Vector3::new(120.0, 0.0, 9.0), Vector3::new(0.0, 0.3, 0.0));
-    let still = UniformFlow { velocity: Vector3::zeros(), rate: Vector3::zeros() };
-    let level = Attitude::from_quaternion(&[1.0, 0.0, 0.0, 0.0]);
-    let around = Surroundings {
-        air: still.met_by(&level, [&velocity, &rate]),
-        rate,
-        density: 1.0,
-        inflow: &inflow,
-        deformed_arms: true,
-        freedom: RigidFreedom::InPlane,
-    };
-    let bias @ [a, alpha] = [Vector3::new(3.0, 0.0, -5.0), Vector3::new(0.0, 0.7, 0.0)];
-    let mut in_plane = 0;
-    for (index, strips_here) in model.strips.chunks(LANES).enumerate() {
-        let group = &strips.groups[index];
-        for (window, strip) in Window::all(Scalar::new()).zip(strips_here) {
-            let accelerating = Accelerating { sections: sections.of_strips(index), a, alpha };
-            let flow = group.deform::<Scalar, false>(window, &accelerating, &around).flow;
-            let unbiased = group.deform::<Scalar, false>(window, &accelerating.sections, &around).flow;
-            let mut changes = vec![(flow, unbiased)];
-            if group.in_plane {
-                in_plane += 1;
-                let accelerating = AcceleratingInPlane(accelerating);
-                let flow = group.deform_in_plane::<Scalar, false>(window, &accelerating, &around).flow;
-                let unbiased =
-                    group.deform_in_plane::<Scalar, false>(window, &accelerating.0.sections, &around).flow;
-                changes.push((flow, unbiased));
+        loads.with(Scalar::new());
+        let forces =
+            std::iter::once(passive).chain(effects.chunks(components).map(<[f64]>::to_vec)).collect();
+        if equal_rows {
+            for (row, column) in (0..moving).flat_map(|row| (0..row).map(move |column| (row, column))) {
+                mass[(row, column)] = mass[(column, row)];
             }
-            for (flow, unbiased) in changes {
-                let found =
-                    [flow.upwash_drift - unbiased.upwash_drift, flow.pitch_drift - unbiased.pitch_drift];
-                for (found, expected) in found.into_iter().zip(expected(strip, bias)) {
-                    assert!((found.numbers()[0] - expected).abs() < 1e-12, "{index}: {found:?} {expected}");
-                }
+        }
+        Found { forces, mass, inflow_rates }
+    }
+
+    /// What moves of the rigid motion by which the coordinates move the only strip: a vector for each of them.
+    fn twists(&self, place: &Place, q: &[f64]) -> Vec<Vec<f64>> {
+        let moving = self.freedom.components();
+        let twists = place.twists(q).into_iter();
+        twists.map(|twist| moving.iter().map(|&component| twist[component]).collect()).collect()
+    }
+
+    /// The flow at the first strip, and again by what is special for those in the mirror plane.
+    fn flows(&self, motion: &RigidMotion, at: Coordinates) -> Vec<LocalFlow<Scalar>> {
+        let mut memory = self.kinematics.memory();
+        self.kinematics.evaluate(Scalar::new(), at, &mut memory);
+        let sections = self.kinematics.sections(at, &memory);
+        let (sections, around) = (sections.of_strips(0), &self.around(motion));
+        let (window, group) = (Window::single(), &self.strips.groups[0]);
+        let mut flows = vec![group.deform::<Scalar, false>(window, &sections, around).flow];
+        if group.in_plane {
+            flows.push(group.deform_in_plane::<Scalar, false>(window, &sections, around).flow);
+        }
+        flows
+    }
+}
+
+/// The jet with this strip alone.
+fn with_strip(model: &ReducedModel, strip: &ReducedStrip) -> ReducedModel {
+    ReducedModel { strips: vec![strip.clone()], ..model.clone() }
+}
+
+/// Strips of the jet with five modes, each alone and with some camber; then those of its half in the plane, then those edge-on.
+fn each_strip_alone(camber: f64) -> Vec<OnCurves> {
+    let mut model = jet().select(&[0, 1, 2, 3, 4]);
+    model.strips.iter_mut().for_each(|strip| strip.zero_lift_offset = camber);
+    let whole = model.strips.iter();
+    let mut all: Vec<_> =
+        whole.map(|strip| OnCurves::new(&with_strip(&model, strip), &[], RigidFreedom::All)).collect();
+    let (half, edge_on) = jet_in_plane();
+    let none = ReducedModel { strips: Vec::new(), ..half.clone() };
+    let in_plane = RigidFreedom::InPlane;
+    all.extend(half.strips.iter().filter(|strip| strip.stays_in_plane()).map(|strip| {
+        let strip = ReducedStrip { zero_lift_offset: camber, ..strip.clone() };
+        OnCurves::new(&with_strip(&half, &strip), &[], in_plane)
+    }));
+    all.extend(edge_on.iter().map(|strip| OnCurves::new(&none, std::slice::from_ref(strip), in_plane)));
+    assert!(all.iter().filter(|one| one.strips.groups.iter().any(|group| group.in_plane)).count() > LANES);
+    all
+}
+
+/// In the mirror plane where the freedom is.
+fn motion(freedom: RigidFreedom) -> RigidMotion {
+    match freedom {
+        RigidFreedom::InPlane => {
+            RigidMotion { velocity: Vector3::new(120.0, 0.0, 9.0), rate: Vector3::y() * 0.3 }
+        }
+        _ => RigidMotion { velocity: Vector3::new(120.0, 7.0, 9.0), rate: Vector3::new(0.2, 0.3, -0.1) },
+    }
+}
+
+/// Of so many modes, by some law.
+fn numbers(modes: usize, phase: f64, size: f64) -> Vec<f64> {
+    (0..modes).map(|mode| size * libm::sin(phase + 2.0 * mode as f64)).collect()
+}
+
+fn dot(a: &[f64], b: impl IntoIterator<Item = f64>) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+#[track_caller]
+fn assert_close(found: f64, expected: f64, scale: f64) {
+    assert!((found - expected).abs() <= 1e-12 * scale, "{found} {expected} {scale}");
+}
+
+/// [theory: kinematics.twist]
+#[test]
+fn forces_and_apparent_mass_on_coordinates_are_those_on_the_rigid_motion_by_which_they_move_a_strip() {
+    for one in [0.0, 0.03].into_iter().flat_map(each_strip_alone) {
+        let place = one.place();
+        let (q, q_dot) = (numbers(one.modes(), 0.3, 30.0), numbers(one.modes(), 1.0, 20.0));
+        let found = one.sum(&motion(one.freedom), Coordinates { q: &q, q_dot: &q_dot });
+        let twists = one.twists(place, &q);
+        let rigid = one.freedom.components();
+        for force in &found.forces {
+            let scale = force.iter().fold(0.0_f64, |largest, force| largest.max(force.abs()));
+            for (mode, twist) in twists.iter().enumerate() {
+                let expected = dot(twist, rigid.iter().map(|&component| force[component]));
+                assert_close(force[6 + mode], expected, scale);
+            }
+        }
+        let size = found.mass.size();
+        let scale = (0..size).map(|row| found.mass[(row, row)]).fold(0.0, f64::max);
+        for (mode, twist) in twists.iter().enumerate() {
+            let own = rigid.len() + mode;
+            for other in 0..size {
+                let of_rigid = |row: usize| found.mass[(row, other)];
+                assert_close(found.mass[(own, other)], dot(twist, (0..rigid.len()).map(of_rigid)), scale);
+                let of_rigid = |column: usize| found.mass[(other, column)];
+                assert_close(found.mass[(other, own)], dot(twist, (0..rigid.len()).map(of_rigid)), scale);
             }
         }
     }
-    assert!(in_plane > LANES);
+}
+
+#[test]
+fn wakes_follow_rates_of_coordinates_as_they_follow_the_rigid_motion_by_which_those_move_a_strip() {
+    let mut followed = 0;
+    for one in each_strip_alone(0.03).iter().filter(|one| one.strips.count() > 0) {
+        let (q, q_dot) = (numbers(one.modes(), 0.3, 30.0), numbers(one.modes(), 1.0, 20.0));
+        let still = vec![0.0; one.modes()];
+        let mut carried = motion(one.freedom);
+        let rigid =
+            |twist: &[f64; 6]| [0, 3].map(|first| Vector3::from_column_slice(&twist[first..first + 3]));
+        for (twist, rate) in one.place().twists(&q).iter().zip(&q_dot) {
+            let [velocity, turning] = rigid(twist);
+            carried.velocity += velocity * *rate;
+            carried.rate += turning * *rate;
+        }
+        let rates = |motion: &RigidMotion, q_dot: &[f64]| {
+            let rates = one.sum(motion, Coordinates { q: &q, q_dot }).inflow_rates;
+            one.layout.of_strip(0).into_iter().map(|place| rates[place]).collect::<Vec<_>>()
+        };
+        let moved = rates(&motion(one.freedom), &q_dot);
+        let [expected, unmoved] = [&carried, &motion(one.freedom)].map(|motion| rates(motion, &still));
+        let largest = expected.iter().fold(0.0_f64, |largest, rate| largest.max(rate.abs()));
+        moved.iter().zip(&expected).for_each(|(moved, expected)| assert_close(*moved, *expected, largest));
+        let differences = moved.iter().zip(&unmoved).map(|(moved, unmoved)| (moved - unmoved).abs());
+        followed += usize::from(differences.fold(0.0, f64::max) > 1e-3 * largest);
+    }
+    assert!(followed > 2 * LANES, "{followed}");
+}
+
+#[test]
+fn upwash_and_pitch_rate_drift_as_they_change_along_a_motion_without_accelerations() {
+    for one in each_strip_alone(0.03).iter().filter(|one| one.strips.count() > 0) {
+        let (q, q_dot) = (numbers(one.modes(), 0.3, 30.0), numbers(one.modes(), 1.0, 20.0));
+        let at = |time: f64| {
+            let q: Vec<f64> = q.iter().zip(&q_dot).map(|(q, rate)| q + rate * time).collect();
+            one.flows(&motion(one.freedom), Coordinates { q: &q, q_dot: &q_dot })
+        };
+        let step = 1e-3;
+        let rate_of = |number: fn(&LocalFlow<Scalar>) -> f64, flow: usize| {
+            let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|steps| number(&at(steps * step)[flow]));
+            ((c - b) * 8.0 - (d - a)) / (12.0 * step)
+        };
+        for (place, flow) in at(0.0).iter().enumerate() {
+            let upwash_rate = rate_of(|flow| flow.upwash.numbers()[0], place);
+            let pitch_acceleration = rate_of(|flow| flow.pitch_rate.numbers()[0], place);
+            let [upwash_drift, pitch_drift] =
+                [flow.upwash_drift, flow.pitch_drift].map(|drift| drift.numbers()[0]);
+            assert!((upwash_drift - upwash_rate).abs() < 1e-7, "{upwash_drift} {upwash_rate}");
+            assert!((pitch_drift - pitch_acceleration).abs() < 1e-9, "{pitch_drift} {pitch_acceleration}");
+        }
+    }
 }

@@ -11,7 +11,7 @@ use crate::sealed::hash;
 use super::{ModeShapes, ReducedModel, StructureError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXAIR04";
+const MAGIC: &[u8; 8] = b"FLXAIR05";
 
 /// Bytes before the payload.
 const HEADER: usize = 8 + 8 + 16;

@@ -168,7 +168,7 @@ const SPLITS: [[usize; 4]; 12] = [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::variables::tests::jet;
+    use crate::structure::test_jet::jet;
 
     fn families() -> Vec<ModeFamily> {
         jet().modes.iter().map(|mode| mode.family).collect()

@@ -11,7 +11,7 @@ type BasisVector = Vec<(usize, f64)>;
 
 /// The reflection of nodal unknowns in the plane y = 0.
 #[derive(Debug)]
-pub struct Mirror {
+pub struct Reflection {
     /// Node → its mirror image (itself on the plane).
     image: Vec<usize>,
 }
@@ -24,7 +24,7 @@ const SYMMETRIC: f64 = 1e-9;
 /// [theory: structure.families, symmetry.mirror]
 pub(super) const SIGN: [f64; 6] = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
 
-impl Mirror {
+impl Reflection {
     /// The mirror of an aircraft, `None` when its nodes, stiffness or mass have no mirror plane y = 0.
     pub fn find(aircraft: &Aircraft, stiffness: &DMatrix<f64>, mass: &DMatrix<f64>) -> Option<Self> {
         let size = aircraft.nodes.iter().map(Vector3::norm).fold(0.0, f64::max);
@@ -40,7 +40,7 @@ impl Mirror {
                 })
         };
         // Stiffness and mass join each node to itself and to its neighbours in the tree: nothing else is to be compared.
-        Some(Mirror { image: branches.images(&alike).into_iter().collect::<Option<_>>()? })
+        Some(Reflection { image: branches.images(&alike).into_iter().collect::<Option<_>>()? })
     }
 
     /// The mirror image of a node, itself on the plane.

@@ -18,6 +18,8 @@ mod particles;
 mod reduced;
 mod static_loads;
 mod strain_energy;
+#[cfg(test)]
+pub(crate) mod test_jet;
 
 pub use assembly::Structure;
 pub use beam::{BeamGeometry, Gradients, NodalMap, NodalRow};

@@ -1,5 +1,6 @@
 //! A natural mode: its family, its frequency, its shape at a point [theory: structure.modes, structure.families].
 
+use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 /// How a mode behaves under reflection in the plane y = 0 [theory: structure.families].
@@ -37,6 +38,53 @@ pub struct ModeShapes {
     pub translation: Vec<f64>,
     /// Ψᵠ: rotation per generalised coordinate, body axes.
     pub rotation: Vec<f64>,
+}
+
+impl ModeShapes {
+    /// Those of its rows Ψᵘ_x, Ψᵘ_y, Ψᵘ_z, Ψᵠ_x, Ψᵠ_y, Ψᵠ_z that motion in the mirror plane has.
+    pub(crate) const IN_PLANE: [usize; 3] = [0, 2, 4];
+
+    /// Those that it has not.
+    pub(crate) const ACROSS: [usize; 3] = [1, 3, 5];
+
+    /// Number of modes.
+    pub fn modes(&self) -> usize {
+        self.translation.len() / 3
+    }
+
+    /// The rows Ψᵘ_x, Ψᵘ_y, Ψᵘ_z.
+    pub fn translation_rows(&self) -> [&[f64]; 3] {
+        rows(&self.translation)
+    }
+
+    /// The rows Ψᵠ_x, Ψᵠ_y, Ψᵠ_z.
+    pub fn rotation_rows(&self) -> [&[f64]; 3] {
+        rows(&self.rotation)
+    }
+
+    /// One of the six rows, those of displacement first.
+    pub fn row(&self, row: usize) -> &[f64] {
+        if row < 3 { self.translation_rows()[row] } else { self.rotation_rows()[row - 3] }
+    }
+
+    /// The same to be changed.
+    pub(crate) fn row_mut(&mut self, row: usize) -> &mut [f64] {
+        let n = self.modes();
+        let (matrix, axis) =
+            if row < 3 { (&mut self.translation, row) } else { (&mut self.rotation, row - 3) };
+        &mut matrix[axis * n..][..n]
+    }
+
+    /// Displacement and rotation of one mode.
+    pub fn of_mode(&self, mode: usize) -> [Vector3<f64>; 2] {
+        [self.translation_rows(), self.rotation_rows()].map(|rows| Vector3::from(rows.map(|row| row[mode])))
+    }
+}
+
+/// The three rows of a matrix.
+fn rows(matrix: &[f64]) -> [&[f64]; 3] {
+    let n = matrix.len() / 3;
+    [0, 1, 2].map(|axis| &matrix[axis * n..][..n])
 }
 
 /// Which modes are counted.

@@ -6,7 +6,7 @@ use crate::aircraft::ModeBasis;
 
 use super::assembly::Structure;
 use super::load_modes::{Metric, load_modes};
-use super::mirror::{self, Mirror};
+use super::mirror::{self, Reflection};
 use super::mode_count::ModeCount;
 use super::pairs::Pairs;
 use super::static_loads::static_loads;
@@ -48,7 +48,7 @@ impl ModalBasis {
         let stiffness = structure.stiffness(aircraft.mode_basis == ModeBasis::BendingTorsion);
         let mass = structure.mass();
         // Axially rigid beams would hide a difference in bending.
-        let mirror = Mirror::find(aircraft, &structure.stiffness(false), &mass);
+        let mirror = Reflection::find(aircraft, &structure.stiffness(false), &mass);
         let family = |family, basis| Subspace::new(family, &stiffness, &mass, basis);
         let subspaces = match &mirror {
             Some(mirror) => [ModeFamily::Symmetric, ModeFamily::Antisymmetric]

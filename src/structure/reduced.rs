@@ -93,11 +93,18 @@ pub struct ReducedStrip {
 impl ReducedStrip {
     /// Whether the strip lies in the mirror plane with its span across it, and every mode leaves it so.
     pub fn stays_in_plane(&self) -> bool {
-        let ReducedStrip { position, forward, span, shapes: ModeShapes { translation, rotation }, .. } = self;
-        let n = translation.len() / 3;
-        let across = [&translation[n..2 * n], &rotation[..n], &rotation[2 * n..]];
-        let mut all = [position.y, forward.y, span.x, span.z].into_iter().chain(across.concat());
-        all.all(|number| number == 0.0)
+        let ReducedStrip { position, forward, span, shapes, .. } = self;
+        let across = ModeShapes::ACROSS.into_iter().flat_map(|row| shapes.row(row));
+        let mut all = [&position.y, &forward.y, &span.x, &span.z].into_iter().chain(across);
+        all.all(|number| *number == 0.0)
+    }
+
+    /// Takes off what symmetry up to rounding has left across the mirror plane [theory: symmetry.in-plane].
+    pub fn lay_in_plane(&mut self) {
+        let ReducedStrip { position, forward, span, shapes, .. } = self;
+        (position.y, forward.y) = (0.0, 0.0);
+        *span = Vector3::new(0.0, span.y.signum(), 0.0);
+        ModeShapes::ACROSS.into_iter().for_each(|row| shapes.row_mut(row).fill(0.0));
     }
 }
 
@@ -217,7 +224,6 @@ impl ReducedModel {
 
     /// The model with a choice of modes (ascending indices), all others held at rest.
     pub fn select(&self, chosen: &[usize]) -> Self {
-        let n = self.modes.len();
         let mut model = self.clone();
         model.modes = chosen.iter().map(|&mode| self.modes[mode]).collect();
         model.integrals = self.integrals.select(chosen);
@@ -225,21 +231,21 @@ impl ReducedModel {
         let engines = model.engines.iter_mut().map(|engine| &mut engine.shapes);
         let stations = model.stations.iter_mut().map(|station| &mut station.shapes);
         for shapes in model.strips.iter_mut().map(|strip| &mut strip.shapes).chain(engines).chain(stations) {
-            *shapes = shapes.select(chosen, n);
+            *shapes = shapes.select(chosen);
         }
         model
     }
 }
 
 impl ModeShapes {
-    fn select(&self, chosen: &[usize], n: usize) -> Self {
-        let rows = |matrix: &[f64]| {
-            (0..3)
-                .flat_map(|axis| chosen.iter().map(move |&mode| axis * n + mode))
-                .map(|i| matrix[i])
-                .collect()
+    fn select(&self, chosen: &[usize]) -> Self {
+        let of_chosen = |rows: [&[f64]; 3]| {
+            rows.into_iter().flat_map(|row| chosen.iter().map(move |&mode| row[mode])).collect()
         };
-        ModeShapes { translation: rows(&self.translation), rotation: rows(&self.rotation) }
+        ModeShapes {
+            translation: of_chosen(self.translation_rows()),
+            rotation: of_chosen(self.rotation_rows()),
+        }
     }
 }
 

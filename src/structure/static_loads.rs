@@ -6,14 +6,14 @@ use nalgebra::{DVector, Vector3};
 use crate::aircraft::{Aircraft, Attachment, FlapEffect, Strip};
 
 use super::assembly::Structure;
-use super::mirror::Mirror;
+use super::mirror::Reflection;
 
 /// What is left of an incidence, relative to unit motion of the air, where there should be none.
 const ROUNDING: f64 = 1e-12;
 
 /// One column for each load: lift by unit incidence of each component or mirrored pair of them, vertical inertia, lift by
 /// unit roll rate, side force by unit sideslip, lift of the flaps by each control.
-pub(super) fn static_loads(structure: &Structure, mirror: Option<&Mirror>) -> Vec<DVector<f64>> {
+pub(super) fn static_loads(structure: &Structure, mirror: Option<&Reflection>) -> Vec<DVector<f64>> {
     let aircraft = structure.aircraft;
     let all: Vec<usize> = (0..aircraft.strips.len()).collect();
     let mut loads: Vec<_> = lifting_bodies(aircraft, mirror)
@@ -30,9 +30,9 @@ pub(super) fn static_loads(structure: &Structure, mirror: Option<&Mirror>) -> Ve
 /// The strips of each component and its mirror image together, where those are two; without a mirror of each component.
 ///
 /// What lies in the mirror plane has little lift, and what has adds no strain that its neighbours lack.
-fn lifting_bodies(aircraft: &Aircraft, mirror: Option<&Mirror>) -> Vec<Vec<usize>> {
+fn lifting_bodies(aircraft: &Aircraft, mirror: Option<&Reflection>) -> Vec<Vec<usize>> {
     let component = |beam: usize| aircraft.beams[beam].component.as_str();
-    let image = |beam: usize, mirror: &Mirror| {
+    let image = |beam: usize, mirror: &Reflection| {
         let end = mirror.image(aircraft.beams[beam].nodes[1]);
         aircraft.beams.iter().position(|other| other.nodes[1] == end)
     };

@@ -6,6 +6,7 @@
 //! the gains of the flaps, and s = −1 where positive angles mirror into negative ones. A flap on a strip edge-on in the plane is
 //! its own image with s = −1. Most flaps say the same; what is left are a few independent conditions on u.
 
+use crate::math::{are_alike, largest};
 use crate::structure::ReducedStrip;
 
 /// Gains that differ by less than this share of the greatest are equal.
@@ -24,9 +25,13 @@ struct Condition(Vec<(usize, f64)>);
 impl EvenControls {
     /// Of strips and their images, with s for each.
     pub fn new<'a>(images: impl Iterator<Item = (&'a ReducedStrip, &'a ReducedStrip, f64)>) -> Self {
-        let rows: Vec<Vec<f64>> = images.flat_map(|(strip, image, sign)| rows(strip, image, sign)).collect();
-        let greatest = rows.iter().flatten().fold(0.0_f64, |greatest, factor| greatest.max(factor.abs()));
-        EvenControls { conditions: independent(rows, EQUAL * greatest) }
+        EvenControls::of_rows(images.flat_map(|(strip, image, sign)| rows(strip, image, sign)).collect())
+    }
+
+    /// That each row of factors, one for each control, times the angles is 0.
+    pub(super) fn of_rows(rows: Vec<Vec<f64>>) -> Self {
+        let least = EQUAL * largest(rows.iter().flatten().copied());
+        EvenControls { conditions: independent(rows, least) }
     }
 
     /// Whether there is none: the controls act alike on both sides whatever their angles.
@@ -59,17 +64,14 @@ impl EvenControls {
 fn rows(strip: &ReducedStrip, image: &ReducedStrip, sign: f64) -> Vec<Vec<f64>> {
     match (&strip.flap, &image.flap) {
         (Some(flap), Some(other))
-            if are_alike(flap.lift_slope, other.lift_slope) && are_alike(flap.hinge, other.hinge) =>
+            if are_alike(flap.lift_slope, other.lift_slope, EQUAL)
+                && are_alike(flap.hinge, other.hinge, EQUAL) =>
         {
             vec![flap.gains.iter().zip(&other.gains).map(|(gain, other)| gain - sign * other).collect()]
         }
         // Flaps that do not mirror each other have to rest.
         (flap, other) => [flap, other].into_iter().flatten().map(|flap| flap.gains.clone()).collect(),
     }
-}
-
-fn are_alike(a: f64, b: f64) -> bool {
-    (a - b).abs() <= EQUAL * a.abs().max(b.abs())
 }
 
 /// Conditions that say the same as some rows of factors, each with a control of its own whose factor is 1; factors up to
@@ -115,9 +117,7 @@ mod tests {
     use super::*;
 
     fn even(rows: &[&[f64]]) -> EvenControls {
-        let rows: Vec<Vec<f64>> = rows.iter().map(|row| row.to_vec()).collect();
-        let greatest = rows.iter().flatten().fold(0.0_f64, |greatest, factor| greatest.max(factor.abs()));
-        EvenControls { conditions: independent(rows, EQUAL * greatest) }
+        EvenControls::of_rows(rows.iter().map(|row| row.to_vec()).collect())
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! [theory: symmetry.half]
 
-/// The form in which a state stands for the aircraft.
+/// The form in which a state stands for the aircraft; [`Plants`](super::Plants) give those that it has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Form {
     is_half: bool,
@@ -23,21 +23,11 @@ impl Form {
     pub fn is_symmetric(self) -> bool {
         self.is_half
     }
-
-    /// The form of symmetric motion, or the other.
-    pub fn of_symmetric(is_symmetric: bool) -> Self {
-        Form { is_half: is_symmetric }
-    }
 }
 
 impl<T> Forms<T> {
     pub(super) fn new(whole: T, half: Option<T>) -> Self {
         Forms { whole, half }
-    }
-
-    /// That of a form, if the aircraft has it.
-    pub fn get(&self, form: Form) -> Option<&T> {
-        if form.is_half { self.half.as_ref() } else { Some(&self.whole) }
     }
 
     /// That of a form; an aircraft without it has one form only.
@@ -61,9 +51,15 @@ impl<T> Forms<T> {
         Forms { whole: make(&self.whole), half: self.half.as_ref().map(make) }
     }
 
-    /// With what belongs to the same forms.
-    pub fn zip<'a, U>(&'a self, other: &'a Forms<U>) -> Forms<(&'a T, &'a U)> {
-        Forms { whole: (&self.whole, &other.whole), half: self.half.as_ref().zip(other.half.as_ref()) }
+    /// Something else for each form, of this and of what belongs to the same forms.
+    pub(super) fn zip_map<'a, O, U>(
+        &'a self,
+        other: &'a Forms<O>,
+        mut make: impl FnMut(&'a T, &'a O) -> U,
+    ) -> Forms<U> {
+        let whole = make(&self.whole, &other.whole);
+        let half = self.half.as_ref().zip(other.half.as_ref()).map(|(one, other)| make(one, other));
+        Forms { whole, half }
     }
 
     /// All of them.

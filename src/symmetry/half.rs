@@ -11,6 +11,7 @@ use nalgebra::Vector3;
 
 use crate::aircraft::{Support, TrimRole};
 use crate::equations::{Configuration, EquationsOfMotion};
+use crate::math::{are_alike, largest};
 use crate::structure::{ModeFamily, ModeShapes, ReducedEngine, ReducedModel, ReducedStrip};
 
 use super::even_controls::EvenControls;
@@ -29,6 +30,8 @@ pub struct SymmetricHalf {
     pub modes: Vec<usize>,
     /// For each strip of the whole aircraft the one of the half that moves as it does or as its mirror image.
     pub strips: Vec<Counterpart>,
+    /// For each strip of the half, those edge-on last, the first of the whole aircraft that it is or stands for.
+    pub stands_for: Vec<usize>,
     /// For each engine its mirror image.
     pub engines: Vec<usize>,
     /// When the controls act alike on both sides.
@@ -54,53 +57,70 @@ impl SymmetricHalf {
     /// The half of an aircraft; `None` when it has no mirror plane, or when gravity, the tunnel's flow or what the control
     /// for pitch does is not in it.
     pub fn find(whole: &ReducedModel) -> Option<Self> {
-        let unsymmetric = |family| family == ModeFamily::Unsymmetric;
-        let is_upright = (whole.mount.x, whole.mount.z) == (0.0, 0.0);
-        if whole.modes.iter().any(|mode| unsymmetric(mode.family)) || !mass_is_symmetric(whole) || !is_upright
-        {
+        if !body_is_symmetric(whole) {
             return None;
         }
         let symmetric = |&mode: &usize| whole.modes[mode].family == ModeFamily::Symmetric;
         let modes: Vec<usize> = (0..whole.modes.len()).filter(symmetric).collect();
-        let mut model = whole.select(&modes);
-        let mirror = Mirror::of(&model);
-        let engines = mirror.engine_images(&model.engines)?;
-        let images = mirror.images(&model.strips)?;
-        let pairs = model.strips.iter().zip(&images);
-        let controls =
-            EvenControls::new(pairs.map(|(strip, image)| (&model.strips[image.of], strip, image.sign)));
+        let model = whole.select(&modes);
+        let reflection = Reflection::of(&model);
+        let engines = reflection.engine_images(&model.engines)?;
+        let images = reflection.images(&model.strips)?;
+        let controls = even_controls(&model.strips, &images);
         if trim_control(&model).is_some_and(|control| !controls.leave_free(control)) {
             return None;
         }
-        let (mut kept, mut edge_on) = (Vec::new(), Vec::new());
-        let mut places = vec![None; images.len()];
-        for (index, strip) in model.strips.iter().enumerate().filter(|(index, _)| images[*index].of == *index)
-        {
-            if images[index].is_edge_on() {
-                places[index] = Some(Counterpart::EdgeOn(edge_on.len()));
-                edge_on.push(strip.clone());
-            } else {
-                kept.push((index, half_strip(strip, images[index].is_in_plane, &controls)));
-            }
-        }
-        // Those in the plane last, so that they are computed together.
-        kept.sort_by_key(|(index, _)| images[*index].is_in_plane);
-        for (place, (index, _)) in kept.iter().enumerate() {
-            places[*index] = Some(Counterpart::Lifting { index: place, sign: images[*index].sign });
-        }
-        model.strips = kept.into_iter().map(|(_, strip)| strip).collect();
-        let counterpart = |image: &Image| match places[image.of]? {
-            Counterpart::Lifting { index, .. } => Some(Counterpart::Lifting { index, sign: image.sign }),
-            edge_on @ Counterpart::EdgeOn(_) => Some(edge_on),
-        };
-        let strips = images.iter().map(counterpart).collect::<Option<_>>()?;
-        Some(SymmetricHalf { model, edge_on, modes, strips, engines, controls })
+        let [lifting, edge_on] = kept_strips(&images);
+        let strips = counterparts(&images, [&lifting, &edge_on])?;
+        let stands_for = lifting.iter().chain(&edge_on).map(|&strip| first_of(&images, strip)).collect();
+        let half = |&strip: &usize| half_strip(&model.strips[strip], images[strip].is_in_plane, &controls);
+        let lifting = lifting.iter().map(half).collect();
+        let edge_on = edge_on.iter().map(|&strip| model.strips[strip].clone()).collect();
+        let model = ReducedModel { strips: lifting, ..model };
+        Some(SymmetricHalf { model, edge_on, modes, strips, stands_for, engines, controls })
     }
 
     /// The equations of symmetric motion, under controls that act alike on both sides and without wind from the side.
     pub fn equations(&self, configuration: &Configuration) -> EquationsOfMotion {
         EquationsOfMotion::in_plane(&self.model, &self.edge_on, configuration)
     }
+}
+
+/// Whether mass and modes are symmetric and, of a clamped aircraft, the mount.
+fn body_is_symmetric(whole: &ReducedModel) -> bool {
+    let has_families = whole.modes.iter().all(|mode| mode.family != ModeFamily::Unsymmetric);
+    has_families && mass_is_symmetric(whole) && (whole.mount.x, whole.mount.z) == (0.0, 0.0)
+}
+
+/// When the controls act alike on strips and their images.
+fn even_controls(strips: &[ReducedStrip], images: &[Image]) -> EvenControls {
+    let pairs = strips.iter().zip(images);
+    EvenControls::new(pairs.map(|(strip, image)| (&strips[image.of], strip, image.sign)))
+}
+
+/// The strips on the right and in the plane: those that lift, in the plane last, so that they are computed together; and
+/// those that the flow meets edge-on.
+fn kept_strips(images: &[Image]) -> [Vec<usize>; 2] {
+    let kept = (0..images.len()).filter(|&strip| images[strip].of == strip);
+    let (edge_on, mut lifting): (Vec<_>, Vec<_>) = kept.partition(|&strip| images[strip].is_edge_on());
+    lifting.sort_by_key(|&strip| images[strip].is_in_plane);
+    [lifting, edge_on]
+}
+
+/// For each strip that of the kept ones that moves as it does or as its mirror image.
+fn counterparts(images: &[Image], [lifting, edge_on]: [&[usize]; 2]) -> Option<Vec<Counterpart>> {
+    let place = |kept: &[usize], image: &Image| kept.iter().position(|&strip| strip == image.of);
+    let counterpart = |image: &Image| match place(lifting, image) {
+        Some(index) => Some(Counterpart::Lifting { index, sign: image.sign }),
+        None => place(edge_on, image).map(Counterpart::EdgeOn),
+    };
+    images.iter().map(counterpart).collect()
+}
+
+/// The first strip that is a kept one or its mirror image.
+fn first_of(images: &[Image], kept: usize) -> usize {
+    // It is itself one of them: none comes before it, or one does.
+    images[..kept].iter().position(|image| image.of == kept).unwrap_or(kept)
 }
 
 /// The control that holds the pitch of a free aircraft.
@@ -112,7 +132,7 @@ fn trim_control(model: &ReducedModel) -> Option<usize> {
 fn half_strip(strip: &ReducedStrip, is_in_plane: bool, controls: &EvenControls) -> ReducedStrip {
     let mut strip = strip.clone();
     if is_in_plane {
-        lay_in_plane(&mut strip);
+        strip.lay_in_plane();
     } else {
         strip.width *= 2.0;
     }
@@ -121,17 +141,6 @@ fn half_strip(strip: &ReducedStrip, is_in_plane: bool, controls: &EvenControls) 
         *gain = if controls.hold_at_zero(control) { 0.0 } else { *gain };
     }
     strip
-}
-
-/// Takes off what symmetry up to rounding has left across the plane [theory: symmetry.in-plane].
-fn lay_in_plane(strip: &mut ReducedStrip) {
-    let ReducedStrip { position, forward, span, shapes: ModeShapes { translation, rotation }, .. } = strip;
-    (position.y, forward.y) = (0.0, 0.0);
-    *span = Vector3::new(0.0, span.y.signum(), 0.0);
-    let n = translation.len() / 3;
-    translation[n..2 * n].fill(0.0);
-    rotation[..n].fill(0.0);
-    rotation[2 * n..].fill(0.0);
 }
 
 /// The strip on the right or in the plane that is a strip or its mirror image.
@@ -157,21 +166,20 @@ fn mass_is_symmetric(model: &ReducedModel) -> bool {
 }
 
 /// The reflection in y = 0 of an aircraft's symmetric modes.
-struct Mirror {
+struct Reflection {
     /// Largest distance of a strip from O, m.
     size: f64,
     /// Largest displacement or rotation of a strip per unit coordinate.
     shape: f64,
 }
 
-impl Mirror {
+impl Reflection {
     fn of(model: &ReducedModel) -> Self {
-        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, |a, b| a.max(b.abs()));
         let shapes = model.strips.iter().map(|strip| &strip.shapes);
-        Mirror {
-            size: largest(&mut model.strips.iter().map(|strip| strip.position.norm())),
+        Reflection {
+            size: largest(model.strips.iter().map(|strip| strip.position.norm())),
             shape: largest(
-                &mut shapes.flat_map(|shapes| shapes.translation.iter().chain(&shapes.rotation)).copied(),
+                shapes.flat_map(|shapes| shapes.translation.iter().chain(&shapes.rotation)).copied(),
             ),
         }
     }
@@ -249,9 +257,9 @@ impl Mirror {
                 strip.leading_edge_suction,
             ]
         };
-        let alike = numbers(strip).into_iter().zip(numbers(image)).all(|(a, b)| are_alike(a, b))
-            && are_alike(strip.zero_lift_offset, sign * image.zero_lift_offset)
-            && are_alike(strip.zero_lift_moment, sign * image.zero_lift_moment)
+        let alike = numbers(strip).into_iter().zip(numbers(image)).all(|(a, b)| are_alike(a, b, SYMMETRIC))
+            && are_alike(strip.zero_lift_offset, sign * image.zero_lift_offset, SYMMETRIC)
+            && are_alike(strip.zero_lift_moment, sign * image.zero_lift_moment, SYMMETRIC)
             && self.maps_shapes(shapes, &image.shapes);
         alike.then_some(sign)
     }
@@ -263,12 +271,9 @@ impl Mirror {
     }
 
     fn maps_shapes(&self, shapes: &ModeShapes, image: &ModeShapes) -> bool {
-        let n = shapes.translation.len() / 3;
-        let column = |rows: &[f64], mode: usize| Vector3::new(rows[mode], rows[n + mode], rows[2 * n + mode]);
-        (0..n).all(|mode| {
-            let pair = |rows: &[f64], images: &[f64]| (column(rows, mode), column(images, mode));
-            let (translation, moved) = pair(&shapes.translation, &image.translation);
-            let (rotation, turned) = pair(&shapes.rotation, &image.rotation);
+        (0..shapes.modes()).all(|mode| {
+            let [translation, rotation] = shapes.of_mode(mode);
+            let [moved, turned] = image.of_mode(mode);
             self.maps(&translation, &moved, self.shape) && maps_axial(&rotation, &turned, self.shape)
         })
     }
@@ -284,14 +289,10 @@ fn maps_axial(axis: &Vector3<f64>, image: &Vector3<f64>, size: f64) -> bool {
     (Vector3::new(-axis.x, axis.y, -axis.z) - image).amax() <= SYMMETRIC * size
 }
 
-fn are_alike(a: f64, b: f64) -> bool {
-    (a - b).abs() <= SYMMETRIC * a.abs().max(b.abs())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::variables::tests::jet;
+    use crate::structure::test_jet::jet;
 
     #[test]
     fn the_jet_has_a_half_of_its_right_strips_and_those_in_the_plane() {

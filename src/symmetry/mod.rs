@@ -1,12 +1,17 @@
 //! Symmetry: the one room that knows that half the aircraft can fly for the whole [theory: symmetry.half].
 
 mod even_controls;
+mod flying;
 mod forms;
 mod half;
 mod plants;
 mod unfolding;
 
 pub use even_controls::EvenControls;
+pub(crate) use flying::{ActivePlant, FlyingPlant};
 pub use forms::{Form, Forms};
 pub use half::{Counterpart, SymmetricHalf};
 pub use plants::{Actions, Plants, Trimmed};
+
+#[cfg(test)]
+mod tests;

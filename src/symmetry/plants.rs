@@ -5,42 +5,47 @@
 
 use nalgebra::Vector3;
 
-use crate::equations::Configuration;
-use crate::plant::{Plant, ROUNDING, Trim, TrimCondition, TrimError};
+use crate::equations::{Configuration, Controls, EquationsOfMotion};
+use crate::math::are_alike;
+use crate::plant::{
+    Course, Outputs, Packaged, PackagedStrip, Plant, PlantSettings, ROUNDING, SettingError, Trim,
+    TrimCondition, TrimError,
+};
 use crate::structure::ReducedModel;
 
 use super::even_controls::EvenControls;
 use super::forms::{Form, Forms};
-use super::half::{Counterpart, SymmetricHalf};
+use super::half::SymmetricHalf;
 use super::unfolding::Unfolding;
 
 /// The plant of each form of an aircraft.
 ///
 /// ```
-/// use flexible_aircraft::flight::Settings;
-/// use flexible_aircraft::symmetry::Form;
+/// use flexible_aircraft::plant::PlantSettings;
+/// use flexible_aircraft::symmetry::Plants;
 /// # use flexible_aircraft::{Aircraft, ReducedModel};
 ///
 /// let jet = ReducedModel::new(&Aircraft::read("aircraft/generic-business-jet.toml")?, 4)?;
-/// let settings = Settings::of(&jet);
-/// let plants = settings.plants(&jet)?;
+/// let settings = PlantSettings::of(&jet);
+/// let plants = Plants::under(&jet, &settings)?;
 /// let half = plants.half().ok_or("the jet has a mirror plane")?;
 /// assert!(half.layout().len() < plants.whole().layout().len());
 /// // The trim is found with the half and stands for the whole.
 /// let trimmed = plants.trim(&settings.trim_condition())?;
 /// assert!(trimmed.form.is_symmetric());
-/// assert_eq!(trimmed.trims.of(Form::of_symmetric(false)).state.len(), plants.whole().layout().len());
+/// let whole = plants.form(false).ok_or("every aircraft has one")?;
+/// assert_eq!(trimmed.trims.of(whole).state.len(), plants.whole().layout().len());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Plants {
     plants: Forms<Plant>,
-    mirror: Option<Mirror>,
+    halving: Option<Halving>,
 }
 
 /// What relates the half to the whole.
 #[derive(Clone, Debug)]
-struct Mirror {
+struct Halving {
     unfolding: Unfolding,
     /// For each engine its mirror image.
     engines: Vec<usize>,
@@ -69,26 +74,39 @@ pub trait Actions {
 
 impl Plants {
     /// Of a model with these of its modes.
-    pub fn new(model: &ReducedModel, modes: Vec<usize>, configuration: &Configuration) -> Self {
-        let reduced = model.select(&modes);
+    pub fn new(model: &ReducedModel, configuration: &Configuration, modes: &[usize]) -> Self {
+        let reduced = model.select(modes);
         let half = SymmetricHalf::find(&reduced);
         let halved = half.as_ref().map(|half| {
-            let packaged = half.modes.iter().map(|&mode| modes[mode]).collect();
-            let equations = half.equations(configuration);
-            let strips = packaged_strips(half, equations.strip_count());
-            Plant::of_equations(equations, &half.model, packaged, strips)
+            let strips = half.stands_for.iter().map(|&strip| PackagedStrip::of(&reduced, strip));
+            let packaged = Packaged {
+                mode_count: model.modes.len(),
+                modes: half.modes.iter().map(|&mode| modes[mode]).collect(),
+                strips: strips.collect(),
+            };
+            Plant::of_equations(half.equations(configuration), &half.model, packaged)
         });
-        let whole = Plant::of_selected(&reduced, configuration, modes);
-        let mirror = half.zip(halved.as_ref()).map(|(half, halved)| Mirror {
+        let equations = EquationsOfMotion::new(&reduced, configuration);
+        let whole = Plant::of_equations(equations, &reduced, Packaged::whole(model, modes));
+        let halving = half.zip(halved.as_ref()).map(|(half, halved)| Halving {
             unfolding: Unfolding::new(&half, halved.layout(), whole.layout()),
             engines: half.engines,
             controls: half.controls,
         });
-        Plants { plants: Forms::new(whole, halved), mirror }
+        Plants { plants: Forms::new(whole, halved), halving }
+    }
+
+    /// Of a model under some settings.
+    ///
+    /// # Errors
+    /// When a setting is out of range.
+    pub fn under(model: &ReducedModel, settings: &PlantSettings) -> Result<Self, SettingError> {
+        let modes = settings.choose_modes(model)?;
+        Ok(Plants::new(model, &settings.configuration(model.support), &modes))
     }
 
     /// The plant of each form.
-    pub fn forms(&self) -> &Forms<Plant> {
+    pub(super) fn forms(&self) -> &Forms<Plant> {
         &self.plants
     }
 
@@ -104,17 +122,31 @@ impl Plants {
 
     /// The same plants, each changed alike.
     pub(crate) fn map(&self, change: impl FnMut(&Plant) -> Plant) -> Self {
-        Plants { plants: self.plants.map(change), mirror: self.mirror.clone() }
+        Plants { plants: self.plants.map(change), halving: self.halving.clone() }
+    }
+
+    /// The form of symmetric motion, if the aircraft has it, or that of any motion.
+    pub fn form(&self, is_symmetric: bool) -> Option<Form> {
+        match (is_symmetric, &self.halving) {
+            (false, _) => Some(Form::WHOLE),
+            (true, Some(_)) => Some(Form::HALF),
+            (true, None) => None,
+        }
     }
 
     /// The most states that any form has.
-    pub fn most_states(&self) -> usize {
+    pub(crate) fn most_states(&self) -> usize {
         self.plants.iter().fold(0, |most, plant| most.max(plant.layout().len()))
     }
 
     /// The form with the fewest states.
-    pub fn simplest_form(&self) -> Form {
-        if self.mirror.is_some() { Form::HALF } else { Form::WHOLE }
+    fn simplest_form(&self) -> Form {
+        if self.halving.is_some() { Form::HALF } else { Form::WHOLE }
+    }
+
+    /// The plant with the fewest states, with which trims are found.
+    pub(crate) fn simplest(&self) -> &Plant {
+        self.plants.of(self.simplest_form())
     }
 
     /// Trims the aircraft in its simplest form. Allocates.
@@ -122,9 +154,8 @@ impl Plants {
     /// # Errors
     /// When there is no trim.
     pub fn trim(&self, condition: &TrimCondition) -> Result<Trimmed, Box<TrimError>> {
-        let form = self.simplest_form();
-        let trim = self.plants.of(form).trim(condition)?;
-        let Some(Mirror { unfolding, .. }) = &self.mirror else {
+        let (form, trim) = (self.simplest_form(), self.simplest().trim(condition)?);
+        let Some(Halving { unfolding, .. }) = &self.halving else {
             return Ok(Trimmed { form, trims: Forms::new(trim, None) });
         };
         let mut unfolded = Trim { state: Vec::new(), ..trim.clone() };
@@ -132,27 +163,67 @@ impl Plants {
         Ok(Trimmed { form, trims: Forms::new(unfolded, Some(trim)) })
     }
 
-    /// The form that a state must have before something acts: that which it has, unless that is the half and what acts is
-    /// not alike on both sides, but for rounding, or will not be.
-    pub fn form_under(&self, form: Form, actions: &impl Actions) -> Form {
-        match &self.mirror {
-            Some(mirror) if form == Form::HALF && !mirror.are_symmetric(actions) => Form::WHOLE,
-            _ => form,
-        }
+    /// The outputs at a trim of the [simplest](Self::simplest) plant under other actions, in axes along a course. Allocates.
+    pub(crate) fn outputs_at_trim(
+        &self,
+        trim: &Trim,
+        actions: &impl Actions,
+        controls: &Controls,
+        course: Course,
+    ) -> Outputs {
+        self.outputs_under(self.simplest_form(), actions, &trim.state, controls, course)
     }
 
-    /// Writes a state in the form that [`form_under`](Self::form_under) has asked for, another one than it has.
-    pub fn convert(&self, state: &[f64], converted: &mut Vec<f64>) {
-        if let Some(Mirror { unfolding, .. }) = &self.mirror {
-            unfolding.unfold(state, converted);
+    /// The same at a state of some form.
+    pub(super) fn outputs_under(
+        &self,
+        form: Form,
+        actions: &impl Actions,
+        state: &[f64],
+        controls: &Controls,
+        course: Course,
+    ) -> Outputs {
+        let mut unfolded = Vec::new();
+        let (form, state) = self.taken(form, state, actions, &mut unfolded);
+        let plant = self.plants.of(form);
+        plant.outputs_along(course, state, controls, &mut plant.workspace())
+    }
+
+    /// Into which form what acts unfolds a state, and how; none where it may keep the one it has. The half is left where
+    /// something does not act alike on both sides, but for rounding, or will not.
+    pub(super) fn unfolding_under(&self, form: Form, actions: &impl Actions) -> Option<(Form, &Unfolding)> {
+        let halving = self.halving.as_ref().filter(|_| form == Form::HALF)?;
+        (!halving.are_symmetric(actions)).then_some((Form::WHOLE, &halving.unfolding))
+    }
+
+    /// The form that a state must have before something acts, and the state in it; `room` has place for another form's.
+    pub(super) fn taken<'s>(
+        &self,
+        form: Form,
+        state: &'s [f64],
+        actions: &impl Actions,
+        room: &'s mut Vec<f64>,
+    ) -> (Form, &'s [f64]) {
+        match self.unfolding_under(form, actions) {
+            None => (form, state),
+            Some((form, unfolding)) => {
+                unfolding.unfold(state, room);
+                (form, room)
+            }
         }
     }
 }
 
-impl Mirror {
+impl Trimmed {
+    /// The trim as it was found.
+    pub fn trim(&self) -> &Trim {
+        self.trims.of(self.form)
+    }
+}
+
+impl Halving {
     /// Whether everything acts alike on both sides, but for rounding, and will [theory: symmetry.unfolding].
     fn are_symmetric(&self, actions: &impl Actions) -> bool {
-        let are_alike = |a: f64, b: f64| (a - b).abs() <= ROUNDING * a.abs().max(b.abs());
         let mut engines = self.engines.iter().enumerate();
         let angles = self.controls.sums(|control| actions.angle(control)[0]);
         let rates = self.controls.sums(|control| actions.angle(control)[1]);
@@ -163,19 +234,80 @@ impl Mirror {
             && actions.winds().into_iter().all(|wind| wind.y == 0.0)
             && engines.all(|(engine, &image)| {
                 let pairs = actions.thrust(engine).into_iter().zip(actions.thrust(image));
-                pairs.into_iter().all(|(thrust, other)| are_alike(thrust, other))
+                pairs.into_iter().all(|(thrust, other)| are_alike(thrust, other, ROUNDING))
             })
     }
 }
 
-/// For each strip of a half, the lifting ones and those edge-on, the first of the whole aircraft that it is or stands for.
-fn packaged_strips(half: &SymmetricHalf, lifting: usize) -> Vec<usize> {
-    let stands_for = |strip: usize| {
-        let is_it = |counterpart: &Counterpart| match *counterpart {
-            Counterpart::Lifting { index, .. } => index == strip,
-            Counterpart::EdgeOn(index) => lifting + index == strip,
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What acts on two controls that are to move together and two engines.
+    #[derive(Clone, Default)]
+    struct Acting {
+        angles: [[f64; 2]; 2],
+        thrusts: [[f64; 2]; 2],
+        winds: [Vector3<f64>; 3],
+    }
+
+    impl Actions for Acting {
+        fn angle(&self, control: usize) -> [f64; 2] {
+            self.angles[control]
+        }
+        fn thrust(&self, engine: usize) -> [f64; 2] {
+            self.thrusts[engine]
+        }
+        fn winds(&self) -> [Vector3<f64>; 3] {
+            self.winds
+        }
+    }
+
+    fn are_symmetric(acting: &Acting) -> bool {
+        let layout = crate::equations::StateLayout::new(0, crate::strips::InflowLayout::new(0, 0, 0));
+        let halving = Halving {
+            unfolding: Unfolding::at_rest(&layout),
+            engines: vec![1, 0],
+            controls: EvenControls::of_rows(vec![vec![1.0, -1.0]]),
         };
-        half.strips.iter().position(is_it).unwrap_or(strip)
-    };
-    (0..lifting + half.edge_on.len()).map(stands_for).collect()
+        halving.are_symmetric(acting)
+    }
+
+    /// Both a little less than the rounding that is allowed and a little more.
+    fn is_the_limit(allowed: f64, acting: impl Fn(f64) -> Acting) -> bool {
+        let allows = |share: f64| are_symmetric(&acting(share * allowed));
+        allows(0.0) && allows(0.9) && allows(-0.9) && !allows(1.1) && !allows(-1.1)
+    }
+
+    #[test]
+    fn what_differs_by_sixteen_roundings_is_alike_and_by_more_is_not() {
+        assert_eq!(ROUNDING, 16.0 * f64::EPSILON);
+        // Angles count as shares of a radian where they are small, of their magnitudes where they are large; rates only so.
+        let angles = |apart: f64| Acting { angles: [[0.25 + apart, 0.0], [0.25, 0.0]], ..Acting::default() };
+        assert!(is_the_limit(ROUNDING, angles));
+        let large = |apart: f64| Acting { angles: [[8.0 + apart, 0.0], [8.0, 0.0]], ..Acting::default() };
+        assert!(is_the_limit(16.0 * ROUNDING, large));
+        let rates = |apart: f64| Acting { angles: [[0.0, 0.25 + apart], [0.0, 0.25]], ..Acting::default() };
+        assert!(is_the_limit(0.5 * ROUNDING, rates));
+        // Thrusts and their rates count as shares of the larger one.
+        for place in [0, 1] {
+            let thrusts = |apart: f64| {
+                let mut acting = Acting::default();
+                (acting.thrusts[0][place], acting.thrusts[1][place]) = (4096.0 + apart, 4096.0);
+                acting
+            };
+            assert!(is_the_limit(4096.0 * ROUNDING, thrusts));
+        }
+    }
+
+    #[test]
+    fn wind_across_the_course_is_never_alike() {
+        for place in 0..3 {
+            let mut acting = Acting::default();
+            acting.winds[place] = Vector3::new(3.0, 0.0, -2.0);
+            assert!(are_symmetric(&acting));
+            acting.winds[place].y = f64::MIN_POSITIVE;
+            assert!(!are_symmetric(&acting));
+        }
+    }
 }

@@ -31,6 +31,12 @@ impl Unfolding {
         Unfolding { sources }
     }
 
+    /// To states of a layout that are all at rest.
+    #[cfg(test)]
+    pub fn at_rest(to: &StateLayout) -> Self {
+        Unfolding { sources: vec![None; to.len()] }
+    }
+
     /// Writes a state of the half as one of the whole.
     pub fn unfold(&self, half: &[f64], whole: &mut Vec<f64>) {
         let number = |source: &Option<(usize, f64)>| source.map_or(0.0, |(place, sign)| sign * half[place]);

@@ -5,15 +5,19 @@
 //! all types, so that a reference used with the wrong type is noticed.
 
 mod dependence;
+mod nearest;
 mod slot;
+mod surface_angle;
 mod table;
 mod unit;
 mod variable;
 
+pub use nearest::{nearest, probably_meant};
 pub use slot::{
     AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot,
     Value,
 };
+pub use surface_angle::instead_of_degrees;
 pub use unit::{BaseUnit, DisplayUnit, Unit};
 pub use variable::{Type, Variability, Variable};
 
@@ -87,4 +91,4 @@ impl VariableTable {
 }
 
 #[cfg(test)]
-pub(crate) mod tests;
+mod tests;

@@ -2,8 +2,8 @@
 
 use crate::aircraft::TrimRole;
 use crate::equations::Fidelity;
-use crate::flight::{InputReference, Inputs, ModeSelection, Settings};
-use crate::plant::{Outputs, TrimPoint};
+use crate::flight::{InputReference, Inputs, Settings};
+use crate::plant::{ModeSelection, Outputs, TrimPoint};
 
 /// The value of a variable.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,7 +44,7 @@ impl EnumerationType {
     pub fn description(self) -> &'static str {
         match self {
             EnumerationType::Model => "Fidelity level of the equations of motion",
-            EnumerationType::InputReference => "Meaning of the surface and thrust inputs",
+            EnumerationType::InputReference => "Meaning of the inputs of controls and thrusts",
             EnumerationType::ModeFamily => "Families of natural modes",
         }
     }
@@ -225,15 +225,15 @@ impl ParameterSlot {
     pub fn get(self, settings: &Settings) -> Value {
         match self {
             ParameterSlot::InputReference => Value::Integer(settings.input_reference as i32 + 1),
-            ParameterSlot::Model => Value::Integer(settings.fidelity as i32 + 1),
-            ParameterSlot::Airspeed => Value::Real(settings.airspeed),
-            ParameterSlot::Altitude => Value::Real(settings.altitude),
-            ParameterSlot::Heading => Value::Real(settings.heading),
-            ParameterSlot::StiffnessScale => Value::Real(settings.stiffness_scale),
-            ParameterSlot::StructuralDamping => Value::Real(settings.structural_damping),
-            ParameterSlot::ModeFamily => Value::Integer(settings.mode_selection as i32 + 1),
-            ParameterSlot::ModeCount => Value::Integer(saturating(settings.mode_count)),
-            ParameterSlot::InflowStates => Value::Integer(saturating(settings.inflow_states)),
+            ParameterSlot::Model => Value::Integer(settings.plant.fidelity as i32 + 1),
+            ParameterSlot::Airspeed => Value::Real(settings.plant.airspeed),
+            ParameterSlot::Altitude => Value::Real(settings.plant.altitude),
+            ParameterSlot::Heading => Value::Real(settings.plant.heading),
+            ParameterSlot::StiffnessScale => Value::Real(settings.plant.stiffness_scale),
+            ParameterSlot::StructuralDamping => Value::Real(settings.plant.structural_damping),
+            ParameterSlot::ModeFamily => Value::Integer(settings.plant.mode_selection as i32 + 1),
+            ParameterSlot::ModeCount => Value::Integer(saturating(settings.plant.mode_count)),
+            ParameterSlot::InflowStates => Value::Integer(saturating(settings.plant.inflow_states)),
             ParameterSlot::Tolerance => Value::Real(settings.tolerance),
         }
     }
@@ -249,23 +249,25 @@ impl ParameterSlot {
             }
             (ParameterSlot::Model, Value::Integer(i)) => {
                 let level = usize::try_from(i).ok().and_then(|i| Fidelity::ALL.get(i.checked_sub(1)?));
-                settings.fidelity = level.copied().unwrap_or(settings.fidelity);
+                settings.plant.fidelity = level.copied().unwrap_or(settings.plant.fidelity);
             }
-            (ParameterSlot::ModeFamily, Value::Integer(1)) => settings.mode_selection = ModeSelection::All,
+            (ParameterSlot::ModeFamily, Value::Integer(1)) => {
+                settings.plant.mode_selection = ModeSelection::All;
+            }
             (ParameterSlot::ModeFamily, Value::Integer(2)) => {
-                settings.mode_selection = ModeSelection::Symmetric;
+                settings.plant.mode_selection = ModeSelection::Symmetric;
             }
             (ParameterSlot::ModeCount, Value::Integer(i)) => {
-                settings.mode_count = usize::try_from(i).unwrap_or(settings.mode_count);
+                settings.plant.mode_count = usize::try_from(i).unwrap_or(settings.plant.mode_count);
             }
             (ParameterSlot::InflowStates, Value::Integer(i)) => {
-                settings.inflow_states = usize::try_from(i).unwrap_or(settings.inflow_states);
+                settings.plant.inflow_states = usize::try_from(i).unwrap_or(settings.plant.inflow_states);
             }
-            (ParameterSlot::Airspeed, Value::Real(x)) => settings.airspeed = x,
-            (ParameterSlot::Altitude, Value::Real(x)) => settings.altitude = x,
-            (ParameterSlot::Heading, Value::Real(x)) => settings.heading = x,
-            (ParameterSlot::StiffnessScale, Value::Real(x)) => settings.stiffness_scale = x,
-            (ParameterSlot::StructuralDamping, Value::Real(x)) => settings.structural_damping = x,
+            (ParameterSlot::Airspeed, Value::Real(x)) => settings.plant.airspeed = x,
+            (ParameterSlot::Altitude, Value::Real(x)) => settings.plant.altitude = x,
+            (ParameterSlot::Heading, Value::Real(x)) => settings.plant.heading = x,
+            (ParameterSlot::StiffnessScale, Value::Real(x)) => settings.plant.stiffness_scale = x,
+            (ParameterSlot::StructuralDamping, Value::Real(x)) => settings.plant.structural_damping = x,
             (ParameterSlot::Tolerance, Value::Real(x)) => settings.tolerance = x,
             _ => {}
         }

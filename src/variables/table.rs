@@ -2,7 +2,7 @@
 
 use crate::aircraft::{ALTITUDES, Control, Support, TrimRole};
 use crate::flight::Settings;
-use crate::strips::PetersInflow;
+use crate::plant::PlantSettings;
 use crate::structure::ReducedModel;
 
 use super::{
@@ -25,8 +25,9 @@ pub(super) fn rows(model: &ReducedModel) -> Vec<Variable> {
 
 fn inputs(model: &ReducedModel) -> Vec<Variable> {
     let mut rows = Vec::new();
-    for (i, Control { name, description, positive, .. }) in model.controls.iter().enumerate() {
-        let text = format!("{description}, positive {positive}");
+    for (i, control) in model.controls.iter().enumerate() {
+        let Control { name, description, positive, .. } = control;
+        let text = format!("{description}, positive {positive}; {}", control.facts().join("; "));
         rows.push(input(name, Unit::Radian, InputSlot::Control(i), &text));
     }
     for (i, engine) in model.engines.iter().enumerate() {
@@ -65,7 +66,7 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
             "input_reference",
             P::InputReference,
             EnumerationType::InputReference,
-            "Whether surface and thrust inputs add to the trim values or replace them",
+            "Whether the inputs of controls and thrusts add to the trim values or replace them",
         ),
         choice("model", P::Model, EnumerationType::Model, "Fidelity level"),
         real(
@@ -93,7 +94,7 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
         count(
             "inflow_states",
             P::InflowStates,
-            PetersInflow::MAX_STATES,
+            PlantSettings::MOST_INFLOW_STATES,
             "Peters inflow states per strip; 0 is steady aerodynamics",
         ),
         real("tolerance", P::Tolerance, Unit::One, "Relative tolerance of the internal integrator")
@@ -231,7 +232,10 @@ fn modal_coordinates(model: &ReducedModel) -> Vec<Variable> {
 fn controls_and_trim(model: &ReducedModel) -> Vec<Variable> {
     let mut rows = Vec::new();
     for (i, Control { name, description, .. }) in model.controls.iter().enumerate() {
-        let text = format!("Acting {}, trim included", within_a_sentence(description));
+        let description = within_a_sentence(description);
+        let text = format!(
+            "Acting {description}, trim included; a flap turns by the sum of gain times angle over the controls that move it"
+        );
         rows.push(output(format!("surface.{name}"), Unit::Radian, OutputSlot::Control(i), text));
     }
     for (i, engine) in model.engines.iter().enumerate() {

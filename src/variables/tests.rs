@@ -1,30 +1,12 @@
 use std::collections::HashSet;
-use std::sync::OnceLock;
 
-use crate::aircraft::{Aircraft, TAKEN, TAKEN_BY_TRIM, TrimRole};
+use crate::aircraft::{TAKEN, TAKEN_BY_TRIM, TrimRole};
 use crate::equations::Fidelity;
 use crate::flight::{Inputs, Settings};
+use crate::plant::PlantSettings;
+use crate::structure::test_jet::jet;
 
 use super::*;
-
-/// Places of the jet's controls among its inputs.
-pub(crate) const ELEVATOR: usize = 0;
-pub(crate) const AILERON: usize = 1;
-pub(crate) const AILERON_SYMMETRIC: usize = 2;
-pub(crate) const RUDDER: usize = 3;
-
-/// The shipped jet.
-pub(crate) fn jet() -> &'static ReducedModel {
-    static JET: OnceLock<ReducedModel> = OnceLock::new();
-    JET.get_or_init(|| {
-        let text = include_str!("../../aircraft/generic-business-jet.toml");
-        ReducedModel::new(
-            &Aircraft::parse(text, "generic-business-jet.toml").unwrap(),
-            ReducedModel::USUAL_MODES,
-        )
-        .unwrap()
-    })
-}
 
 fn table() -> VariableTable {
     VariableTable::new(jet())
@@ -94,10 +76,24 @@ fn controls_bring_variables_by_their_names_and_only_those_with_roles_stand_in_th
     let table = VariableTable::new(&model);
     let described =
         |name: &str| table.reference(name).map(|reference| table.get(reference).unwrap().description.clone());
-    assert_eq!(described("canard").as_deref(), Some("V-tail angle, positive nose-up"));
-    assert_eq!(described("surface.canard").as_deref(), Some("Acting V-tail angle, trim included"));
+    assert_eq!(
+        described("canard").as_deref(),
+        Some(
+            "V-tail angle, positive nose-up; acts with opposite signs on the two sides; holds pitch in trim; has the usual limits of \
+         -30 to 30 deg, which change no flight"
+        )
+    );
+    assert_eq!(
+        described("surface.canard").unwrap().split(';').next(),
+        Some("Acting V-tail angle, trim included")
+    );
     assert_eq!(described("trim.canard").as_deref(), Some("V-tail angle of the trim found at initialisation"));
-    assert_eq!(described("surface.elevator").as_deref(), Some("Acting elevator deflection, trim included"));
+    assert_eq!(
+        described("surface.elevator").as_deref(),
+        Some(
+            "Acting elevator deflection, trim included; a flap turns by the sum of gain times angle over the controls that move it"
+        )
+    );
     for gone in ["aileron", "surface.aileron", "trim.elevator", "trim.aileron", "trim.rudder"] {
         assert_eq!(described(gone), None, "{gone}");
     }
@@ -178,7 +174,7 @@ fn airspeed_and_altitude_start_where_the_aircraft_file_says() {
 fn settings_start_from_the_aircrafts_own_flight_condition() {
     let model =
         ReducedModel { airspeed: 35.0, altitude: 1000.0, inflow_states: 3, ..jet().select(&[0, 1, 2]) };
-    let Settings { airspeed, altitude, inflow_states, mode_count, .. } = Settings::of(&model);
+    let PlantSettings { airspeed, altitude, inflow_states, mode_count, .. } = PlantSettings::of(&model);
     assert_eq!((airspeed, altitude, inflow_states, mode_count), (35.0, 1000.0, 3, 3));
 }
 
@@ -201,7 +197,7 @@ fn every_parameter_reads_back_what_was_set() {
         slot.set(&mut settings, value);
         assert_eq!(slot.get(&settings), value, "{}", variable.name);
     }
-    assert_eq!(settings.fidelity, Fidelity::Rigid);
+    assert_eq!(settings.plant.fidelity, Fidelity::Rigid);
 }
 
 #[test]

@@ -115,7 +115,7 @@ fn station_on_an_unknown_component() {
     assert_messages(
         &[("component = \"wing_left\"", "component = \"wing\"")],
         &[
-            "small.toml:71:13: station.tip.component: found \"wing\", which is not a component; allowed: wing_right, wing_left, fuselage, fin",
+            "small.toml:71:13: station.tip.component: found \"wing\", which is not a component; allowed: wing_right, wing_left, fuselage, fin, tail_right, tail_left",
         ],
     );
 }
@@ -340,6 +340,7 @@ fn mirrored_component_on_a_parent_off_the_plane() {
         ],
         &[
             "small.toml:55:29: component.fin.attached_to.component: found \"fuselage\", which is off the plane y = 0 and has no mirror image; a mirrored component is allowed on a parent in the plane or one that is mirrored too",
+            "small.toml:99:29: component.tail_right.attached_to.component: found \"fuselage\", which is off the plane y = 0 and has no mirror image; a mirrored component is allowed on a parent in the plane or one that is mirrored too",
         ],
     );
 }

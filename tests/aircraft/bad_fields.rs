@@ -153,7 +153,7 @@ fn name_that_no_variable_can_have() {
     assert_messages(
         &[("name = \"tip\"", "name = \"left tip\"")],
         &[
-            "small.toml:70:8: station.left tip.name: found the text \"left tip\"; a name of letters, digits and underscores that does not begin with a digit is allowed",
+            "small.toml:70:8: station[1].name: found the text \"left tip\"; a name of letters, digits and underscores that does not begin with a digit is allowed",
         ],
     );
 }
@@ -286,7 +286,7 @@ fn limits_of_nothing_beyond_all_or_upside_down() {
     let error = super::edited(&edits).expect_err("bad limits").to_string();
     for message in [
         "limits.maximum_mach: found 0; a Mach number above 0 up to 10 is allowed",
-        "control.elevator.maximum_deg: found minimum_deg = 20 and maximum_deg = -20; maximum_deg > minimum_deg is allowed",
+        "79:15: control.elevator.maximum_deg: found minimum_deg = 20 and maximum_deg = -20, in degrees; maximum_deg > minimum_deg is allowed",
         "control.rudder.maximum_deg: found 91; an angle in degrees from -90 to 90 is allowed",
         "limits.maximum_alpha: found the unknown field \"maximum_alpha\"; allowed here: minimum_angle_of_attack_deg, ",
     ] {

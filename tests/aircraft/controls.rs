@@ -33,8 +33,7 @@ fn a_control_is_what_its_table_says() {
 #[test]
 fn gains_pass_to_mirror_images_as_the_control_says() {
     for (mirror, sign) in [("same", 1.0), ("opposite", -1.0)] {
-        let edit =
-            ("mirror = \"opposite\"\ntrim = \"roll\"", format!("mirror = \"{mirror}\"\ntrim = \"roll\""));
+        let edit = ("mirror = \"opposite\"\ntrim = \"roll\"", format!("mirror = \"{mirror}\""));
         let aircraft = edited(&[(edit.0, &edit.1)]).unwrap();
         assert_eq!(gains(&aircraft, "wing_right"), [0.0, -1.0, 0.0], "{mirror}");
         assert_eq!(gains(&aircraft, "wing_left")[AILERON], -sign, "{mirror}");
@@ -81,11 +80,18 @@ fn a_component_without_mirror_image_has_all_controls_without_a_side() {
 fn an_aircraft_may_have_no_control_or_many() {
     let none = Aircraft::parse(&without_controls(), "none.toml").unwrap_or_else(|error| panic!("{error}"));
     assert!(none.controls.is_empty());
+    let used = "\n[[component.surface.control]]\ninput = \"tab\"\ngain = 0.1\n";
     let more = |number: usize| {
-        format!("\n[[control]]\nname = \"tab_{number}\"\npositive = \"down\"\nmirror = \"same\"\n")
+        let control = "\n[[control]]\nname = \"tab\"\npositive = \"down\"\nmirror = \"same\"\n";
+        [used, control].map(|text| text.replace("tab", &format!("tab_{number}")))
     };
-    let many: String = (0..50).map(more).collect();
-    assert_eq!(Aircraft::parse(&format!("{GOOD}{many}"), "many.toml").unwrap().controls.len(), 53);
+    let (uses, controls): (Vec<_>, Vec<_>) = (0..50).map(more).map(|[used, control]| (used, control)).unzip();
+    let good = GOOD.replacen(
+        "\n[[component]]\nname = \"fuselage\"",
+        &(uses.concat() + "\n[[component]]\nname = \"fuselage\""),
+        1,
+    );
+    assert_eq!(Aircraft::parse(&(good + &controls.concat()), "many.toml").unwrap().controls.len(), 53);
 }
 
 #[test]
@@ -120,34 +126,42 @@ fn sides_where_they_make_no_sense_are_refused() {
     );
 }
 
+/// The elevator by another name.
+fn named(name: &str) -> [(&'static str, &'static str); 2] {
+    let edited = |text: &'static str| (text, &*text.replace("elevator", name).leak());
+    ["name = \"elevator\"", "input = \"elevator\""].map(edited)
+}
+
 #[test]
 fn names_that_other_variables_have_are_refused_with_their_line() {
-    for (name, variable) in [("model", "model"), ("wind_north", "wind_north"), ("thrust_only", "thrust_only")]
-    {
-        assert_messages(
-            &[("name = \"elevator\"", &format!("name = \"{name}\""))],
-            &[&format!(
-                "small.toml:75:8: control.{name}.name: found the name \"{name}\", and `{variable}` is another variable; \
-                 a name that no variable has is allowed"
-            )],
+    for (name, what) in [
+        ("model", "a variable of every aircraft"),
+        ("wind_north", "a variable of every aircraft"),
+        ("thrust_only", "the thrust of an engine of this aircraft"),
+        ("time", "what every table of a flight begins with"),
+    ] {
+        let error = edited(&named(name)).unwrap_err().to_string();
+        let expected = format!(
+            "small.toml:75:8: control.{name}.name: found the name \"{name}\", and `{name}` is {what}; another name is allowed"
         );
+        assert_eq!(error, expected);
     }
     // An output of a control with a role stands beside what else a trim is.
-    let error = edited(&[("name = \"elevator\"", "name = \"pitch\"")]).unwrap_err().to_string();
-    assert!(error.contains("found the name \"pitch\", and `trim.pitch` is another variable"), "{error}");
-    let roleless = [
-        ("name = \"elevator\"", "name = \"pitch\""),
-        ("mirror = \"same\"\ntrim = \"pitch\"", "mirror = \"same\""),
-    ];
-    assert!(edited(&roleless).is_ok());
+    let error = edited(&named("pitch")).unwrap_err().to_string();
+    assert!(
+        error.contains("found the name \"pitch\", and `trim.pitch` is a variable of every trim"),
+        "{error}"
+    );
+    let [control, used] = named("pitch");
+    assert!(edited(&[control, used, ("mirror = \"same\"\ntrim = \"pitch\"", "mirror = \"same\"")]).is_ok());
     // Another aircraft's engine.
-    assert!(edited(&[("name = \"elevator\"", "name = \"thrust_left\"")]).is_ok());
+    assert!(edited(&named("thrust_left")).is_ok());
 }
 
 #[test]
 fn names_and_roles_are_given_once() {
     assert_messages(
-        &[("name = \"rudder\"", "name = \"elevator\"")],
+        &[("name = \"rudder\"", "name = \"elevator\""), (", { input = \"rudder\", gain = 1 }", "")],
         &[
             "small.toml:90:8: control.elevator.name: found the name \"elevator\" a second time; a name that no other control \
            has is allowed",
@@ -169,7 +183,18 @@ fn a_table_lacks_nothing_and_says_nothing_unknown() {
         ("mirror = \"same\"\n", "", "control.elevator.mirror: the field \"mirror\" is missing"),
         ("mirror = \"same\"", "mirror = \"both\"", "\"same\" or \"opposite\" or \"none\" is allowed"),
         ("trim = \"pitch\"", "trim = \"lift\"", "\"pitch\" or \"roll\" or \"yaw\" is allowed"),
-        ("name = \"elevator\"", "name = \"ele vator\"", "a name of letters, digits and underscores"),
+        (
+            "name = \"elevator\"",
+            "name = \"ele vator\"",
+            "control[1].name: found the text \"ele vator\"; a name of letters",
+        ),
+        ("name = \"elevator\"", "name = \"\"", "control[1].name: found the text \"\"; a name of letters"),
+        ("positive = \"nose-down\"", "positive = \" . \"", "a text that is not empty is allowed"),
+        (
+            "\"Aileron deflection\"",
+            "\"\"",
+            "control.aileron.description: found the text \"\"; a text that is not empty",
+        ),
         ("trim = \"pitch\"", "role = \"pitch\"", "found the unknown field \"role\""),
         (
             "input = \"aileron\"",
@@ -182,31 +207,176 @@ fn a_table_lacks_nothing_and_says_nothing_unknown() {
     }
 }
 
+#[test]
+fn a_full_stop_at_the_end_of_a_text_is_left_out() {
+    let edits = [("\"nose-down\"", "\"nose-down. \""), ("\"Aileron deflection\"", "\"Aileron deflection.\"")];
+    let controls = edited(&edits).unwrap().controls;
+    assert_eq!([&controls[0].positive, &controls[AILERON].description], ["nose-down", "Aileron deflection"]);
+}
+
+#[test]
+fn a_control_that_no_surface_names_is_refused_and_one_with_gain_0_is_not() {
+    assert_messages(
+        &[("{ input = \"elevator\", gain = 1 }, ", "")],
+        &[
+            "small.toml:75:8: control.elevator.name: found \"elevator\", which moves no flap: no surface names it; a control is \
+             allowed that a surface has as input, or no [[control]] of this name",
+        ],
+    );
+    assert!(edited(&[("{ input = \"elevator\", gain = 1 }", "{ input = \"elevator\", gain = 0 }")]).is_ok());
+}
+
+#[test]
+fn a_role_is_refused_that_the_flaps_cannot_play() {
+    let opposite = ("mirror = \"same\"\ntrim = \"pitch\"", "mirror = \"opposite\"\ntrim = \"pitch\"");
+    let error = edited(&[opposite]).unwrap_err().to_string();
+    assert!(
+        error.starts_with(
+            "small.toml:78:8: control.elevator.trim: found the role of pitch for \"elevator\", whose flaps on both sides act \
+             against each other: it cannot pitch; "
+        ),
+        "{error}"
+    );
+    for (role, name) in [("roll", "aileron"), ("yaw", "rudder")] {
+        let edit = |mirror: &str| format!("mirror = \"{mirror}\"\ntrim = \"{role}\"");
+        let (from, to) = (edit("opposite"), edit("same"));
+        let error = edited(&[(&from, &to)]).unwrap_err().to_string();
+        let expected = format!(
+            "control.{name}.trim: found the role of {role} for \"{name}\", whose flaps act alike on both sides: it can neither \
+             roll nor yaw"
+        );
+        assert!(error.contains(&expected), "{error}");
+    }
+}
+
+/// A trim with it goes aside, which is worth a warning; an aircraft that is lopsided by itself is trimmed so in any case.
+#[test]
+fn a_pitch_control_on_one_side_of_a_symmetric_aircraft_is_noticed() {
+    let one_side = [
+        ("mirror = \"same\"\ntrim = \"pitch\"", "mirror = \"none\"\ntrim = \"pitch\""),
+        ("{ input = \"elevator\", gain = 1 }", "{ input = \"elevator\", gain = 1, side = \"right\" }"),
+    ];
+    let noticed = |aircraft: &Aircraft| aircraft.lopsided_pitch_control().map(|control| control.name.clone());
+    assert_eq!(noticed(&edited(&one_side).unwrap()).as_deref(), Some("elevator"));
+    let both_sides = [
+        one_side[0],
+        (
+            one_side[1].0,
+            "{ input = \"elevator\", gain = 1, side = \"right\" }, { input = \"elevator\", gain = 1, side = \"left\" }",
+        ),
+    ];
+    assert_eq!(noticed(&edited(&both_sides).unwrap()), None);
+    let lopsided = [
+        one_side[0],
+        one_side[1],
+        ("symmetric = true", "symmetric = false"),
+        ("mirror = \"wing_left\"\n", ""),
+        ("component = \"wing_left\"", "component = \"wing_right\""),
+    ];
+    assert_eq!(noticed(&edited(&lopsided).unwrap()), None);
+}
+
+#[test]
+fn a_control_moves_a_stretch_once() {
+    for again in ["input = \"aileron\"\ngain = 1", "input = \"aileron\"\ngain = 1\nfrom = 0.9"] {
+        let twice = format!("gain = -1\nfrom = 0.5\n\n[[component.surface.control]]\n{again}\n");
+        let error = edited(&[("gain = -1\nfrom = 0.5\n", &twice)]).unwrap_err().to_string();
+        let expected = "surface[1].control[2].input: found \"aileron\" a second time on a stretch that it moves from 0.5 to 1; a \
+                        control is allowed once on each stretch: the sum of the gains";
+        assert!(error.contains(expected), "{error}");
+    }
+    let beside = "gain = -1\nfrom = 0.5\n\n[[component.surface.control]]\ninput = \"aileron\"\ngain = -0.5\nto = 0.5\n";
+    assert!(edited(&[("gain = -1\nfrom = 0.5\n", beside)]).is_ok());
+}
+
+#[test]
+fn a_control_without_role_is_neutral_within_its_limits() {
+    let limits = ("minimum_deg = -20\nmaximum_deg = 20", "minimum_deg = 5\nmaximum_deg = 20");
+    assert!(edited(&[limits]).is_ok(), "with a role a trim may stand there");
+    let error = edited(&[limits, ("trim = \"roll\"\n", "")]).unwrap_err().to_string();
+    assert!(
+        error.starts_with("small.toml:85:15: control.aileron.minimum_deg: found a limit that excludes 0"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_mistake_in_a_control_hides_no_other() {
+    let edits = [
+        ("mirror = \"same\"\ntrim = \"pitch\"", "mirror = \"sam\"\ntrim = \"pitch\""),
+        ("input = \"aileron\"", "input = \"ailerons\""),
+    ];
+    let error = edited(&edits).unwrap_err();
+    let fields: Vec<&str> = error.diagnostics().iter().map(|d| d.field.as_str()).collect();
+    assert_eq!(fields, ["component.wing_right.surface[1].control[1].input", "control.elevator.mirror"]);
+    // Where names are unknown, none is called wrong.
+    for (from, to) in [("name = \"elevator\"", "name = \"\""), ("gain = -1", "gain = -1\nside = \"top\"")] {
+        assert_eq!(edited(&[(from, to)]).unwrap_err().diagnostics().len(), 1, "{to}");
+    }
+    let single = without_controls()
+        + "\n[control]\nname = \"elevator\"\npositive = \"nose-down\"\nmirror = \"same\"\n";
+    let single = single
+        .replace("hinge = 0.75 }\n", "hinge = 0.75 }\ncontrol = [{ input = \"elevator\", gain = 1 }]\n");
+    let error = Aircraft::parse(&single, "single.toml").unwrap_err().to_string();
+    assert!(error.ends_with("control: found a table; a list of tables ([[control]]) is allowed"), "{error}");
+    assert_eq!(error.lines().count(), 1);
+}
+
 /// Before controls had tables, four inputs stood for themselves.
 #[test]
 fn old_files_are_told_what_to_write() {
     let start = GOOD.find("\n[[control]]").unwrap();
-    let old = GOOD[..start].replace(
-        "inflow_states = 5\n",
-        "inflow_states = 5\nlimits = { surface = { elevator = { minimum_deg = -25 } } }\n",
-    );
+    let limits =
+        "limits = { surface = { aileron = { minimum_deg = -25, maximum_deg = 15 }, rudder = {} } }\n";
+    let old = GOOD[..start].replace("inflow_states = 5\n", &format!("inflow_states = 5\n{limits}"));
     let error = Aircraft::parse(&old, "old.toml").unwrap_err().to_string();
     let expected = [
-        "old.toml:7:22: limits.surface: found limits of surfaces; each control has its own: minimum_deg and maximum_deg are \
-         allowed in its [[control]]",
+        "old.toml:7:24: limits.surface.aileron: found limits of \"aileron\" outside its [[control]]; move minimum_deg = -25, \
+         maximum_deg = 15 of aileron into its [[control]]",
+        "old.toml:7:75: limits.surface.rudder: found limits of \"rudder\" outside its [[control]]; minimum_deg and maximum_deg \
+         are allowed in the [[control]] of rudder",
         "old.toml:33:9: component.wing_right.surface[1].control[1].input: found \"aileron\", which is no [[control]]; controls \
-         have tables of their own now: [[control]] with name = \"aileron\", positive = \"rolls right\", mirror = \"opposite\", \
-         trim = \"roll\" is needed",
+         have tables of their own now: add these lines at the end of the file, or anywhere at its top level before another \
+         table in double brackets",
+        "",
+        "[[control]]",
+        "name = \"aileron\"",
+        "positive = \"rolls right\"",
+        "mirror = \"opposite\"",
+        "trim = \"roll\"",
+        "minimum_deg = -25",
+        "maximum_deg = 15",
+        "",
     ];
     assert_eq!(error, expected.join("\n"));
-    for input in ["elevator", "aileron_symmetric", "rudder"] {
-        let old = old.replace("\"aileron\"", &format!("\"{input}\""));
-        let error = Aircraft::parse(&old, "old.toml").unwrap_err().to_string();
+    for inputs in ["elevator", "aileron_symmetric", "rudder", "elevator rudder"] {
+        let inputs: Vec<&str> = inputs.split(' ').collect();
+        let flap = "\n[[component.surface.control]]\ninput = \"X\"\ngain = -1\nfrom = 0.5\n";
+        let flaps: String = inputs.iter().map(|input| flap.replace('X', input)).collect();
+        let old = old.replace(limits, "").replace(&flap[1..].replace('X', "aileron"), &flaps);
+        let error = Aircraft::parse(&old, "old.toml").unwrap_err();
+        let [diagnostic] = error.diagnostics() else { panic!("{error}") };
         // What the message says makes the file a good one.
-        let fields =
-            error.split("[[control]] with ").nth(1).unwrap().replace(" is needed", "").replace(", ", "\n");
-        let limits = "limits = { surface = { elevator = { minimum_deg = -25 } } }\n";
-        let new = format!("{}\n[[control]]\n{fields}\n", old.replace(limits, ""));
-        assert_eq!(Aircraft::parse(&new, "new.toml").unwrap().controls[0].name, input);
+        let new = format!("{old}\n{}", diagnostic.allowed.split_once('\n').unwrap().1);
+        let names = match Aircraft::parse(&new, "new.toml") {
+            Ok(aircraft) => aircraft.controls.iter().map(|control| control.name.clone()).collect::<Vec<_>>(),
+            Err(error) => panic!("{error}"),
+        };
+        assert_eq!(names, inputs);
     }
+}
+
+#[test]
+fn a_former_name_in_a_file_with_controls_is_like_any_other() {
+    let error = edited(&[("name = \"elevator\"", "name = \"tailplane\"")]).unwrap_err().to_string();
+    assert!(
+        error.ends_with("found \"elevator\", which is no [[control]]; allowed: tailplane, aileron, rudder"),
+        "{error}"
+    );
+    let limits = (
+        "inflow_states = 5\n",
+        "inflow_states = 5\nlimits = { surface = { aileron = { minimum_deg = -25 } } }\n",
+    );
+    let error = edited(&[limits]).unwrap_err().to_string();
+    assert!(error.ends_with("move minimum_deg = -25 of aileron into its [[control]]"), "{error}");
 }

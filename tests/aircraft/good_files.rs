@@ -21,8 +21,8 @@ fn strips<'a>(aircraft: &'a Aircraft, component: &str) -> Vec<&'a Strip> {
 #[test]
 fn small_aircraft_has_the_parts_that_it_lists() {
     let aircraft = aircraft(&[]);
-    assert_eq!((aircraft.nodes.len(), aircraft.beams.len()), (14, 13));
-    assert_eq!((aircraft.bays.len(), aircraft.strips.len()), (10, 8));
+    assert_eq!((aircraft.nodes.len(), aircraft.beams.len()), (18, 17));
+    assert_eq!((aircraft.bays.len(), aircraft.strips.len()), (10, 12));
     assert_eq!((aircraft.engines.len(), aircraft.stations.len()), (1, 1));
 }
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use flexible_aircraft::aircraft::{Aircraft, Strip};
 use flexible_aircraft::flight::{Settings, Simulation};
+use flexible_aircraft::plant::PlantSettings;
 use flexible_aircraft::structure::ReducedModel;
 
 use super::{AILERON, assert_messages, edited};
@@ -15,9 +16,15 @@ const SURFACE: &str = "[[component.surface]]\nelastic_axis = 0.35\nlift_slope_pe
                        flap = { lift_slope_per_rad = 3, hinge = 0.75 }\n\
                        [[component.surface.control]]\ninput = \"aileron\"\ngain = -1\nfrom = 0.5\n";
 
+/// Somewhere else for the ailerons to be, where the wing has none.
+const TAILERONS: (&str, &str) = (
+    "{ input = \"rudder\", gain = 1 }",
+    "{ input = \"rudder\", gain = 1 }, { input = \"aileron\", gain = 1 }",
+);
+
 /// The small aircraft with these surfaces on its wing of 5 m.
 fn with_surfaces(surfaces: &str) -> Aircraft {
-    edited(&[FIVE, (SURFACE, surfaces)]).unwrap_or_else(|error| panic!("{error}"))
+    edited(&[FIVE, TAILERONS, (SURFACE, surfaces)]).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn surface(more: &str) -> String {
@@ -63,9 +70,14 @@ fn adjacent_surfaces_share_no_strip_and_leave_none_out() {
 #[test]
 fn a_wing_of_two_surfaces_bends_as_a_wing_of_one() {
     let bent = |surfaces: &str| {
-        let clamped = [FIVE, (SURFACE, surfaces), ("\"free\"", "\"clamped\"")];
+        let clamped = [FIVE, TAILERONS, (SURFACE, surfaces), ("\"free\"", "\"clamped\"")];
         let model = ReducedModel::new(&edited(&clamped).unwrap(), 8).unwrap();
-        let settings = Settings { airspeed: 60.0, altitude: 0.0, mode_count: 8, ..Settings::of(&model) };
+        let settings = Settings::from(PlantSettings {
+            airspeed: 60.0,
+            altitude: 0.0,
+            mode_count: 8,
+            ..PlantSettings::of(&model)
+        });
         let mut flight = Simulation::new(Arc::new(model), &settings, 0.0).unwrap();
         flight.outputs().deflections[0].displacement.z
     };
@@ -186,7 +198,8 @@ fn surfaces_that_cross_may_share_a_stretch() {
 
 #[test]
 fn a_stretch_too_thin_to_hold_anything_is_refused() {
-    let error = edited(&[(SURFACE, &surface("from = 0.4\nto = 0.4000001"))]).unwrap_err().to_string();
+    let error =
+        edited(&[TAILERONS, (SURFACE, &surface("from = 0.4\nto = 0.4000001"))]).unwrap_err().to_string();
     assert!(error.contains("found no strip from 0.4 to 0.4000001"), "{error}");
     let parts = "parts = [{ total_kg = 100, from = 0.4, to = 0.4000001 }]";
     let error = edited(&[("parts = [{ total_kg = 100, chord_power = 2 }]", parts)]).unwrap_err().to_string();

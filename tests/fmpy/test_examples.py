@@ -119,6 +119,13 @@ def test_fly_in_python_without_a_master(fly_fmu, fmu):
     assert_prints_the_pulse(run.stdout, fly_fmu())
 
 
+def test_fly_in_python_without_an_fmu_says_how_it_is_called():
+    command = [sys.executable, "-I", "-S", ROOT / "examples/fly_without_master.py"]
+    for arguments in ([], [ROOT / "README.md"]):
+        run = subprocess.run([*command, *arguments], capture_output=True, text=True)
+        assert run.returncode == 1 and run.stderr.startswith("usage: fly_without_master.py FMU"), run.stderr
+
+
 def assert_prints_the_pulse(printed, aircraft):
     rows = [numbers(line) for line in printed.splitlines()]
     assert [row[0] for row in rows] == [0.5 * (i + 1) for i in range(8)]

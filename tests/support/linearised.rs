@@ -2,7 +2,7 @@
 
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::Settings;
-use flexible_aircraft::plant::{Plant, Trim};
+use flexible_aircraft::plant::{Plant, PlantSettings, Trim};
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{eight_symmetric, jet};
@@ -20,9 +20,15 @@ pub fn trimmed(
     airspeed: f64,
     inflow_states: usize,
 ) -> (Plant, Trim) {
-    let settings = Settings { fidelity, stiffness_scale, airspeed, inflow_states, ..eight_symmetric() };
-    let plant = settings.plant(&jet()).unwrap();
-    let trim = plant.trim(&settings.trim_condition()).unwrap();
+    let settings = Settings::from(PlantSettings {
+        fidelity,
+        stiffness_scale,
+        airspeed,
+        inflow_states,
+        ..eight_symmetric().plant
+    });
+    let plant = Plant::under(&jet(), &settings.plant).unwrap();
+    let trim = plant.trim(&settings.plant.trim_condition()).unwrap();
     (plant, trim)
 }
 

@@ -1,6 +1,7 @@
 //! The jet and its flights, shared by the tests.
 
 pub mod beams;
+pub mod kane;
 pub mod linearised;
 pub mod plain_loads;
 pub mod ritz;
@@ -10,9 +11,11 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::flight::{Inputs, ModeSelection, Settings, Simulation};
-use flexible_aircraft::plant::Outputs;
+use flexible_aircraft::equations::{Configuration, Fidelity};
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+use flexible_aircraft::plant::{ModeSelection, Outputs, PlantSettings};
 use flexible_aircraft::structure::ReducedModel;
+use nalgebra::Vector3;
 
 /// The generic business jet with as many modes as its FMU has.
 pub fn jet() -> Arc<ReducedModel> {
@@ -50,7 +53,22 @@ pub fn up(outputs: &Outputs, name: &str) -> f64 {
 
 /// Longitudinal cases use the eight lowest symmetric modes [theory: structure.mode-count].
 pub fn eight_symmetric() -> Settings {
-    Settings { mode_selection: ModeSelection::Symmetric, mode_count: 8, ..Settings::of(&jet()) }
+    Settings::from(PlantSettings {
+        mode_selection: ModeSelection::Symmetric,
+        mode_count: 8,
+        ..PlantSettings::of(&jet())
+    })
+}
+
+/// One-tenth of the stiffness, at which the jet bends by metres, in steady inflow.
+pub fn soft(fidelity: Fidelity) -> Configuration {
+    Configuration {
+        fidelity,
+        stiffness_scale: 0.1,
+        structural_damping: 0.0,
+        inflow_states: 0,
+        tunnel_flow: Vector3::zeros(),
+    }
 }
 
 /// The 2-3-1-1 of [theory: thesis-runs.inputs] at a time, before its filter: 0.05 rad, unit 0.7 s, from 1 s, nose-up first.

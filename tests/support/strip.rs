@@ -1,7 +1,7 @@
 //! One aerofoil strip on an aircraft without mass or modes, whose motion a test prescribes: loads are the forces
 //! on ν = [v; ω; q̇] without the part that is proportional to accelerations.
 
-use flexible_aircraft::aircraft::{Bounds, Control, Flap, Limits, Support};
+use flexible_aircraft::aircraft::{Bounds, Control, Flap, Limits, Mirroring, Support};
 use flexible_aircraft::equations::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{ModalIntegrals, ModeShapes, ReducedModel, ReducedStrip, StrainEnergy};
 use nalgebra::{Matrix3, Vector3};
@@ -104,6 +104,7 @@ fn control(name: &str) -> Control {
         positive: "trailing edge down".to_owned(),
         limits: Bounds::of_usual_control(),
         role: None,
+        mirroring: Mirroring::Same,
     }
 }
 

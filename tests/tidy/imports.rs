@@ -4,193 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
+use super::modules::{Crate, ItemPath};
 use super::{Source, sources};
-
-/// Where an item is: the names from the root of the crate to it.
-type ItemPath = Vec<String>;
-
-/// A file as a module that uses others.
-#[derive(Debug, Default)]
-struct Module {
-    /// All paths in its code but those that it only hands on.
-    used: Vec<ItemPath>,
-    /// `pub use`: the name here, the path there.
-    handed_on: BTreeMap<String, ItemPath>,
-}
-
-/// The modules of a crate by their paths.
-struct Crate(BTreeMap<ItemPath, Module>);
-
-impl Crate {
-    /// Of the files below a folder.
-    fn new<'s>(folder: &str, sources: impl Iterator<Item = &'s Source>) -> Self {
-        let modules = sources.filter(|source| !source.is_tests()).map(|source| {
-            let name = source.path.strip_prefix(folder).unwrap().strip_suffix(".rs").unwrap();
-            let mut path: ItemPath =
-                name.split('/').filter(|part| !part.is_empty()).map(str::to_owned).collect();
-            path.pop_if(|last| ["mod", "lib", "main"].contains(&last.as_str()));
-            let code: String = source.code().flat_map(|(_, line)| [line, "\n"]).collect();
-            (path, Module::of(&tokens(&code)))
-        });
-        Crate(modules.collect())
-    }
-
-    /// The module in which an item that another one names is written.
-    fn home(&self, from: &[String], path: &[String], hops: usize) -> Option<ItemPath> {
-        let mut here = from.to_vec();
-        let mut rest = path;
-        match rest.first()?.as_str() {
-            "crate" => {
-                here.clear();
-                rest = &rest[1..];
-            }
-            "self" => rest = &rest[1..],
-            "super" => {
-                while rest.first().is_some_and(|part| part == "super") {
-                    here.pop();
-                    rest = &rest[1..];
-                }
-            }
-            // The name of a child, or of something from elsewhere.
-            name => drop(self.child(&here, name)?),
-        }
-        while let Some(name) = rest.first() {
-            match self.child(&here, name) {
-                Some(child) => here = child,
-                None => {
-                    let handed_on = self.0.get(&here).and_then(|module| module.handed_on.get(name));
-                    return match handed_on {
-                        Some(there) if hops > 0 => self.home(&here, there, hops - 1),
-                        _ => Some(here),
-                    };
-                }
-            }
-            rest = &rest[1..];
-        }
-        Some(here)
-    }
-
-    fn child(&self, parent: &[String], name: &str) -> Option<ItemPath> {
-        let path = [parent, &[name.to_owned()]].concat();
-        self.0.contains_key(&path).then_some(path)
-    }
-
-    /// Which modules each one uses, itself and the root of the crate left out.
-    fn uses(&self) -> BTreeMap<ItemPath, BTreeSet<ItemPath>> {
-        let uses = self.0.iter().map(|(path, module)| {
-            let homes = module.used.iter().filter_map(|used| self.home(path, used, 8));
-            (path.clone(), homes.filter(|home| home != path && !home.is_empty()).collect())
-        });
-        uses.collect()
-    }
-}
-
-impl Module {
-    fn of(tokens: &[&str]) -> Self {
-        let mut module = Module::default();
-        let mut at = 0;
-        while at < tokens.len() {
-            let token = tokens[at];
-            let before = at.checked_sub(1).map(|before| tokens[before]);
-            if token == "use" {
-                let mut paths = Vec::new();
-                at = use_tree(tokens, at + 1, &[], &mut paths);
-                if matches!(before, Some("pub" | ")")) {
-                    let named = paths.into_iter().filter_map(|path| Some((path.last()?.clone(), path)));
-                    module.handed_on.extend(named);
-                } else {
-                    module.used.extend(paths);
-                }
-            } else if is_name(token) && before != Some("::") {
-                let mut path = vec![token.to_owned()];
-                while tokens.get(at + 1) == Some(&"::")
-                    && tokens.get(at + 2).is_some_and(|next| is_name(next))
-                {
-                    path.push(tokens[at + 2].to_owned());
-                    at += 2;
-                }
-                if path.len() > 1 {
-                    module.used.push(path);
-                }
-            }
-            at += 1;
-        }
-        module
-    }
-}
-
-/// Reads `a::{b, c::d as e}` from a place on, and says where it ends.
-fn use_tree(tokens: &[&str], mut at: usize, prefix: &[String], paths: &mut Vec<ItemPath>) -> usize {
-    let mut path = prefix.to_vec();
-    while let Some(&token) = tokens.get(at) {
-        match token {
-            "{" => {
-                while tokens.get(at).is_some_and(|token| *token != "}") {
-                    at = use_tree(tokens, at + 1, &path, paths);
-                }
-                return at + 1;
-            }
-            "," | "}" | ";" => break,
-            "as" => at += 1,
-            "::" | "*" => {}
-            name => path.push(name.to_owned()),
-        }
-        at += 1;
-    }
-    if path.len() > prefix.len() {
-        paths.push(path);
-    }
-    at
-}
-
-fn is_name(token: &str) -> bool {
-    token.starts_with(|c: char| c.is_alphabetic() || c == '_')
-}
-
-/// Names, `::` and single marks; without comments, strings and characters.
-fn tokens(code: &str) -> Vec<&str> {
-    let mut tokens = Vec::new();
-    let mut rest = code;
-    while let Some(first) = rest.chars().next() {
-        let is_part = |c: char| c.is_alphanumeric() || c == '_';
-        let length = if is_part(first) {
-            rest.find(|c| !is_part(c)).unwrap_or(rest.len())
-        } else if rest.starts_with("::") {
-            2
-        } else if rest.starts_with("//") {
-            rest = &rest[rest.find('\n').unwrap_or(rest.len())..];
-            continue;
-        } else if let Some(literal) = literal(rest) {
-            rest = &rest[literal..];
-            continue;
-        } else {
-            first.len_utf8()
-        };
-        if !first.is_whitespace() {
-            tokens.push(&rest[..length]);
-        }
-        rest = &rest[length..];
-    }
-    tokens
-}
-
-/// Length of the string or character that begins here; a lifetime is neither.
-fn literal(text: &str) -> Option<usize> {
-    let quote = text.chars().next().filter(|c| ['"', '\''].contains(c))?;
-    let mut is_escaped = false;
-    for (at, c) in text.char_indices().skip(1) {
-        if c == quote && !is_escaped {
-            return Some(at + 1);
-        }
-        is_escaped = c == '\\' && !is_escaped;
-        let is_lifetime =
-            quote == '\'' && at == 1 && c != '\\' && !text[1 + c.len_utf8()..].starts_with('\'');
-        if is_lifetime {
-            return None;
-        }
-    }
-    None
-}
 
 /// Whether following `uses` from a module, within its room, leads back to it.
 fn is_in_a_circle(module: &ItemPath, uses: &BTreeMap<ItemPath, BTreeSet<ItemPath>>) -> bool {
@@ -256,6 +71,23 @@ fn data_flows_one_way_between_the_modules_of_the_library() {
 }
 
 #[test]
+fn unit_tests_look_no_higher_than_what_they_test() {
+    let sources = sources(&["src"]);
+    let krate = Crate::with_tests("src", sources.iter());
+    let found = against_the_order(&krate, &order_of_the_modules());
+    super::assert_none(&found, "a unit test uses only what stands left of it; others are in tests/");
+}
+
+#[test]
+fn what_a_module_hands_on_has_a_name() {
+    let sources = sources(&["src"]);
+    let krate = Crate::new("src", sources.iter());
+    let whole = krate.0.iter().filter(|(_, module)| !module.handed_on_whole.is_empty());
+    let whole: Vec<String> = whole.map(|(path, _)| path.join("/")).collect();
+    super::assert_none(&whole, "`pub use …::*` hides from where names come");
+}
+
+#[test]
 fn the_files_of_a_module_form_no_circles() {
     let sources = sources(&["src"]);
     let uses = Crate::new("src", sources.iter()).uses();
@@ -264,30 +96,47 @@ fn the_files_of_a_module_form_no_circles() {
     super::assert_none(&in_circles, "files that lead back to themselves within their module");
 }
 
+/// A crate of two rooms, `left` and `right`, of which `left` has two files, `part` with a given text and `other`.
+fn two_rooms(part: &str) -> [Source; 5] {
+    let other = "use super::{Thing, Renamed};\npub struct X;\npub struct Y;\n";
+    [
+        ("src/lib.rs", "mod left;\nmod right;\n"),
+        (
+            "src/left/mod.rs",
+            "mod part;\nmod other;\npub use other::Y;\npub use part::{Thing, Else as Renamed};\n",
+        ),
+        ("src/left/part.rs", part),
+        ("src/left/other.rs", other),
+        ("src/right.rs", "pub struct R;\nfn f() -> crate::left::Thing {}\n"),
+    ]
+    .map(|(path, text)| Source { path: path.into(), text: text.into() })
+}
+
+/// What is against the order, and whether `part` leads back to itself.
+fn found_in(krate: &Crate) -> (Vec<String>, bool) {
+    let order = ["left", "right"].map(str::to_owned);
+    let circle = is_in_a_circle(&vec!["left".into(), "part".into()], &krate.uses());
+    (against_the_order(krate, &order), circle)
+}
+
 #[test]
 fn what_one_module_uses_of_another_is_seen_however_it_is_written() {
-    let source = |path: &str, text: &str| Source { path: path.into(), text: text.into() };
-    let all = |text: &str| {
-        let sources = [
-            source("src/lib.rs", "mod left;\nmod right;\n"),
-            source("src/left/mod.rs", "mod part;\nmod other;\npub use part::{Thing, Else as Renamed};\n"),
-            source("src/left/part.rs", text),
-            source("src/left/other.rs", "use super::Thing;\n"),
-            source("src/right.rs", "pub struct R;\nfn f() -> crate::left::Thing {}\n"),
-        ];
-        let krate = Crate::new("src", sources.iter());
-        let order = ["left", "right"].map(str::to_owned);
-        let circle = is_in_a_circle(&vec!["left".into(), "part".into()], &krate.uses());
-        (against_the_order(&krate, &order), circle)
-    };
+    let all = |text: &str| found_in(&Crate::new("src", two_rooms(text).iter()));
     assert_eq!(all("fn f() {}\n"), (vec![], false));
     let wrong = vec!["left/part uses right".to_owned()];
     for text in [
         "use crate::right::R;\n",
         "use crate::{\n    a::B,\n    right::{self, R},\n};\n",
+        "use crate::right::{self};\n",
+        "use crate::right::*;\n",
         "fn f<'a>(c: char) { if c == '\"' { crate::right::R } }\n",
         "use super::super::right::R;\n",
         "fn f() { format!(\"{}\", crate::right::R) }\n",
+        "mod inner {\n    fn f() { super::super::super::right::R }\n}\n",
+        "mod inner {}\nuse super::super::right::R;\n",
+        "pub use crate::right::R;\n",
+        "pub(super) use crate::right::R as Renamed;\n",
+        "pub use crate::right::*;\n",
     ] {
         assert_eq!(all(text), (wrong.clone(), false), "{text}");
     }
@@ -296,7 +145,41 @@ fn what_one_module_uses_of_another_is_seen_however_it_is_written() {
     {
         assert_eq!(all(text), (vec![], false), "{text}");
     }
-    for text in ["use super::other::X;\n", "fn f() { super::other::g() }\n"] {
+    for text in [
+        "use super::other::X;\n",
+        "fn f() { super::other::g() }\n",
+        "use super::Y;\n",
+        "pub(super) use super::other::X;\n",
+        "pub use super::other::X as Else;\n",
+    ] {
         assert_eq!(all(text), (vec![], true), "{text}");
     }
+}
+
+#[test]
+fn a_name_is_followed_to_where_it_was_given() {
+    let [root, parent, part, _, right] = two_rooms("use super::other::X;\n");
+    for (text, leads_to_part) in [("use super::Renamed;\n", true), ("use super::Else;\n", false)] {
+        let other = Source { path: "src/left/other.rs".into(), text: text.into() };
+        let krate = Crate::new("src", [&root, &parent, &part, &other, &right].into_iter());
+        assert_eq!(found_in(&krate).1, leads_to_part, "{text}");
+    }
+    let krate = Crate::new("src", two_rooms("pub use super::other::*;\n").iter());
+    assert_eq!(krate.0[&["left", "part"].map(str::to_owned)[..]].handed_on_whole.len(), 1);
+}
+
+#[test]
+fn what_unit_tests_use_is_seen_too() {
+    let all = |text: &str| found_in(&Crate::with_tests("src", two_rooms(text).iter())).0;
+    for text in [
+        "#[cfg(test)]\nuse crate::right::R;\n",
+        "#[cfg(test)]\nmod tests {\n    use crate::right::R;\n}\n",
+        "#[cfg(test)]\nmod tests {\n    use super::super::super::right::R;\n}\n",
+    ] {
+        assert_eq!(all(text), ["left/part uses right"], "{text}");
+    }
+    assert_eq!(
+        all("#[cfg(test)]\nmod tests {\n    use super::*;\n    use super::super::other::X;\n}\n"),
+        [""; 0]
+    );
 }

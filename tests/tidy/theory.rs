@@ -3,7 +3,7 @@
 //! A label stands as `<a id="page.name"></a>**[page.name]**` before what it names. A citation is one line's
 //! `theory: page.name, page.name; thesis eq. 2.3` in square brackets; what begins with the semicolon may be left out.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use super::{Source, assert_none, files, has_word};
@@ -15,7 +15,8 @@ const PAGES: &str = "docs/theory/";
 const HERE: &str = "tests/tidy/theory.rs";
 
 /// Documents that a reader of the repository does not have.
-const ELSEWHERE: [&str; 3] = ["physics.md", "architecture.md", "analyses.md"];
+const ELSEWHERE: [&str; 6] =
+    ["physics.md", "architecture.md", "analyses.md", "large-deflections.md", "fmi3-me.md", "fmu.md"];
 
 /// Pages and the labels on them.
 struct Theory {
@@ -189,6 +190,27 @@ fn what_is_cited_is_in_the_theory() {
 }
 
 #[test]
+fn every_label_is_cited_or_linked_somewhere() {
+    let theory = Theory::of_repository();
+    let used: BTreeSet<String> = everything().flat_map(|source| used_labels(&source)).collect();
+    let unused = theory.labels.iter().filter(|(label, _)| !used.contains(*label));
+    let unused: Vec<String> = unused.map(|(label, page)| format!("{page}: {label}")).collect();
+    assert_none(&unused, "labels that nothing needs");
+}
+
+/// What a file cites, and to what of the pages it links.
+fn used_labels(source: &Source) -> Vec<String> {
+    let mut used = Vec::new();
+    for (_, line) in lines(source) {
+        let citations = starts(line, "[theory:").filter_map(|rest| rest.split([']', ';']).next());
+        let cited = citations.flat_map(|labels| labels.split(',')).map(str::trim);
+        let links = starts(line, "](").filter_map(|rest| rest.split(')').next()?.split_once('#'));
+        used.extend(cited.chain(links.map(|(_, anchor)| anchor)).map(str::to_owned));
+    }
+    used
+}
+
+#[test]
 fn links_to_and_between_the_pages_of_the_theory_lead_somewhere() {
     let theory = Theory::of_repository();
     let documents = everything().filter(|source| source.path.ends_with(".md"));
@@ -256,6 +278,13 @@ fn a_citation_of_what_is_not_there_is_found_with_its_line() {
     ] {
         assert_eq!(theory.wrong_citations(&source("a.rs", text)), [wrong], "{text}");
     }
+}
+
+#[test]
+fn a_label_is_used_by_citations_and_links_and_not_by_its_own_anchor() {
+    let text = "[theory: kites.lift, tails.length; thesis 4.1] [x](docs/theory/kites.md#kites.drag)\n";
+    assert_eq!(used_labels(&source("a.rs", text)), ["kites.lift", "tails.length", "kites.drag"]);
+    assert_eq!(used_labels(&source("docs/theory/tails.md", TAILS)), [""; 0]);
 }
 
 #[test]

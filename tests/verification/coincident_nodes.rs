@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::flight::{Inputs, ModeSelection, Settings, Simulation};
-use flexible_aircraft::plant::Outputs;
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+use flexible_aircraft::plant::{ModeSelection, Outputs, PlantSettings};
 use flexible_aircraft::structure::{ModeFamily, ReducedModel};
 use flexible_aircraft::symmetry::{Counterpart, SymmetricHalf};
 
@@ -40,7 +40,10 @@ fn coincident_nodes_leave_the_mirror_plane() {
 }
 
 fn settings(model: &ReducedModel, mode_selection: ModeSelection, mode_count: usize) -> Settings {
-    Settings { mode_selection, mode_count, tolerance: 1e-8, ..Settings::of(model) }
+    Settings {
+        tolerance: 1e-8,
+        ..PlantSettings { mode_selection, mode_count, ..PlantSettings::of(model) }.into()
+    }
 }
 
 #[test]

@@ -1,10 +1,10 @@
 //! In vacuum and without gravity E and I conserve energy and momentum, CL and RL do not [theory: equations-of-motion.conservation].
 
-use flexible_aircraft::equations::{Configuration, EquationsOfMotion, Fidelity, Mechanics, Workspace};
+use flexible_aircraft::equations::{EquationsOfMotion, Fidelity, Mechanics, Workspace};
 use flexible_aircraft::structure::ReducedModel;
 use nalgebra::Vector3;
 
-use crate::support::{jet, station};
+use crate::support::{jet, soft, station};
 
 use super::record::Record;
 
@@ -12,14 +12,7 @@ use super::record::Record;
 fn in_vacuum(fidelity: Fidelity) -> EquationsOfMotion {
     let jet = jet();
     let model = ReducedModel { gravity: 0.0, strips: Vec::new(), ..jet.select(&(0..12).collect::<Vec<_>>()) };
-    let configuration = Configuration {
-        fidelity,
-        stiffness_scale: 0.1,
-        structural_damping: 0.0,
-        inflow_states: 0,
-        tunnel_flow: Vector3::zeros(),
-    };
-    EquationsOfMotion::new(&model, &configuration)
+    EquationsOfMotion::new(&model, &soft(fidelity))
 }
 
 /// Tip motions of metres, rates of half a radian per second.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use flexible_aircraft::aircraft::{Aircraft, TrimRole};
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
-use flexible_aircraft::plant::Outputs;
+use flexible_aircraft::plant::{Outputs, Plant};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::symmetry::SymmetricHalf;
 use nalgebra::Vector3;
@@ -16,8 +16,9 @@ const V_TAIL: &str = include_str!("../data/v-tail.toml");
 const ELEVONS: &str = include_str!("../data/elevons.toml");
 const EIGHT_FLAPS: &str = include_str!("../data/eight-flaps.toml");
 
-/// An angle so small that it moves nothing, but more than rounding: the whole aircraft flies.
-const NOTHING: f64 = 1e-14;
+/// An angle so small that it moves nothing, but three times as much as counts as rounding [theory: symmetry.unfolding]: the
+/// whole aircraft flies.
+const NOTHING: f64 = 3.0 * 16.0 * f64::EPSILON;
 
 fn reduced(text: &str) -> Arc<ReducedModel> {
     let aircraft = Aircraft::parse(text, "controls.toml").unwrap_or_else(|error| panic!("{error}"));
@@ -76,12 +77,12 @@ fn ruddervators_pitch_together_and_yaw_against_each_other() {
 fn controls_on_the_same_flap_add_up() {
     let model = reduced(V_TAIL);
     let settings = Settings::of(&model);
-    let trim = settings.plant(&model).unwrap().trim(&settings.trim_condition()).unwrap();
+    let trim = Plant::under(&model, &settings.plant).unwrap().trim(&settings.plant.trim_condition()).unwrap();
     let mut right = (*model).clone();
     for strip in right.strips.iter_mut().filter(|strip| strip.component == "tail_left") {
         strip.flap.as_mut().unwrap().gains.fill(0.0);
     }
-    let plant = settings.plant(&right).unwrap();
+    let plant = Plant::under(&right, &settings.plant).unwrap();
     let turning = |moved: &[(&str, f64)]| {
         let mut controls = trim.controls.clone();
         controls
@@ -206,7 +207,7 @@ fn pairs_of_flaps_fly_half_the_aircraft_as_the_whole_one() {
 #[test]
 fn a_flap_on_one_side_alone_leaves_symmetry_when_it_moves() {
     let lonely = "    { input = \"flap_left_2\", side = \"left\", gain = 1, from = 0.32, to = 0.54 },\n";
-    let model = reduced(&edited(EIGHT_FLAPS, lonely, ""));
+    let model = reduced(&edited(EIGHT_FLAPS, lonely, &lonely.replace("gain = 1", "gain = 0")));
     assert!(SymmetricHalf::find(&model).is_some());
     assert!(moved(&model, &[("elevator", 0.01), ("flap_left_2", 0.1)]).is_symmetric());
     assert!(!moved(&model, &[("flap_right_2", 0.1)]).is_symmetric());
@@ -256,7 +257,54 @@ fn the_description_of_a_trim_and_its_warnings_use_the_names_of_the_file() {
 
 #[test]
 fn without_a_control_for_pitch_the_refusal_says_what_is_missing() {
-    let model = reduced(&edited(ELEVONS, "trim = \"pitch\"\n", ""));
-    let error = Simulation::new(Arc::clone(&model), &Settings::of(&model), 0.0).unwrap_err().to_string();
-    assert!(error.contains("a control with trim = \"pitch\""), "{error}");
+    let refused = |text: &str| {
+        let model = reduced(text);
+        Simulation::new(Arc::clone(&model), &Settings::of(&model), 0.0).unwrap_err().to_string()
+    };
+    assert_eq!(
+        refused(&edited(ELEVONS, "trim = \"pitch\"\n", "")),
+        "no steady level flight: no control has trim = \"pitch\"; give it to one of: elevator"
+    );
+    assert_eq!(
+        refused(&edited(ELEVONS, "{ input = \"elevator\", gain = 1", "{ input = \"elevator\", gain = 0")),
+        "no steady level flight: elevator has trim = \"pitch\" and moves no flap"
+    );
+    let start = ELEVONS.find("[[control]]").unwrap();
+    let (end, moves) = (ELEVONS.find("[[component]]").unwrap(), ELEVONS.find("control = [").unwrap());
+    let after_moves = moves + ELEVONS[moves..].find("\n]").unwrap() + 2;
+    let none = [&ELEVONS[..start], &ELEVONS[end..moves], &ELEVONS[after_moves..]].concat();
+    assert_eq!(
+        refused(&none),
+        "no steady level flight: no control has trim = \"pitch\"; there are no controls: add a [[control]] for it"
+    );
+}
+
+/// The recipe of the format's description.
+#[test]
+fn elevons_that_move_by_themselves_are_trimmed_by_a_stick_beside_them() {
+    let page = include_str!("../../aircraft/README.md");
+    let blocks: Vec<&str> =
+        page.split("```toml\n").skip(1).filter_map(|block| block.split("```").next()).collect();
+    let recipe =
+        |of: &str| *blocks.iter().find(|block| block.contains(of) && block.contains("stick")).unwrap();
+    let (controls, moves) = (recipe("[[control]]"), recipe("control = ["));
+    let start = ELEVONS.find("[[control]]").unwrap();
+    let (end, old) = (ELEVONS.find("[[component]]").unwrap(), ELEVONS.find("control = [").unwrap());
+    let after_old = old + ELEVONS[old..].find("\n]").unwrap() + 2;
+    let text = [&ELEVONS[..start], controls, &ELEVONS[end..old], moves, &ELEVONS[after_old..]].concat();
+
+    let with_elevator = flight(&reduced(ELEVONS)).trim().pitch_control;
+    let model = reduced(&text);
+    let mut flight = flight(&model);
+    let trimmed: Vec<f64> = flight.trim().angles(&model.controls).collect();
+    assert!((trimmed[0] - with_elevator).abs() < 1e-12 && trimmed[1..] == [0.0; 2], "{trimmed:?}");
+    // Both elevons alike fly as the stick, and the half for the whole.
+    let alike = Inputs { controls: vec![0.0, 0.01, 0.01], ..Inputs::zero(&model) };
+    flight.set_inputs(&alike, &Inputs::zero(&model));
+    flight.advance_to(0.5).unwrap();
+    assert!(flight.is_symmetric() && flight.outputs().rate.y < 0.0);
+    let right = Inputs { controls: vec![0.0, 0.01, 0.0], ..Inputs::zero(&model) };
+    flight.set_inputs(&right, &Inputs::zero(&model));
+    flight.advance_to(0.7).unwrap();
+    assert!(flight.outputs().rate.x < 0.0, "a right trailing edge down lifts the right wing");
 }

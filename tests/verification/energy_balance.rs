@@ -6,14 +6,14 @@
 //! The work is summed strip by strip as the theory writes the loads, apparent mass included
 //! (`support/plain_loads.rs`).
 
-use flexible_aircraft::equations::{Configuration, Controls, EquationsOfMotion, Fidelity, Mechanics};
+use flexible_aircraft::equations::{Controls, EquationsOfMotion, Fidelity, Mechanics};
 use flexible_aircraft::math::Attitude;
 use flexible_aircraft::plant::{Plant, TrimCondition};
 use flexible_aircraft::structure::{ReducedEngine, ReducedModel};
 use nalgebra::{DVector, DVectorView, Vector3};
 
 use crate::support::plain_loads::{Instant, point};
-use crate::support::{AILERON, AILERON_SYMMETRIC, ELEVATOR, RUDDER, derivative, jet, random};
+use crate::support::{AILERON, AILERON_SYMMETRIC, ELEVATOR, RUDDER, derivative, jet, random, soft};
 
 use super::record::Record;
 
@@ -59,14 +59,7 @@ fn power(
 /// The jet with twelve modes of both families at one-tenth stiffness in steady inflow.
 fn soft_jet(fidelity: Fidelity) -> (ReducedModel, Plant) {
     let model = jet().select(&(0..12).collect::<Vec<_>>());
-    let configuration = Configuration {
-        fidelity,
-        stiffness_scale: 0.1,
-        structural_damping: 0.0,
-        inflow_states: 0,
-        tunnel_flow: Vector3::zeros(),
-    };
-    let plant = Plant::new(&model, &configuration);
+    let plant = Plant::new(&model, &soft(fidelity));
     (model, plant)
 }
 

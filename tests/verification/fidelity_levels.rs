@@ -2,6 +2,7 @@
 
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Inputs, Settings};
+use flexible_aircraft::plant::PlantSettings;
 use nalgebra::Complex;
 
 use crate::support::linearised::{eigenvalue_near, state_matrix};
@@ -26,7 +27,10 @@ fn differences_to_rigid(fidelity: Fidelity, mode_count: usize, seconds: f64) -> 
     let flight = |fidelity, stiffness_scale| {
         // The integrator's errors are to be far below what is compared.
         let tolerance = 1e-8;
-        let settings = Settings { fidelity, stiffness_scale, mode_count, tolerance, ..Settings::of(&jet()) };
+        let settings = Settings {
+            tolerance,
+            ..PlantSettings { fidelity, stiffness_scale, mode_count, ..PlantSettings::of(&jet()) }.into()
+        };
         fly(&settings, seconds, |_| -0.05, elevator)
     };
     let (rigid, flexible) = (flight(Fidelity::Rigid, 1.0), flight(fidelity, 1e6));
@@ -62,7 +66,8 @@ fn a_million_times_stiffer_every_level_flies_like_the_rigid_aircraft() {
 #[test]
 fn at_one_tenth_stiffness_the_exact_wing_deflects_least() {
     let peaks = FLEXIBLE.map(|fidelity| {
-        let settings = Settings { fidelity, stiffness_scale: 0.1, ..eight_symmetric() };
+        let settings =
+            Settings::from(PlantSettings { fidelity, stiffness_scale: 0.1, ..eight_symmetric().plant });
         let history = fly(&settings, 8.0, two_three_one_one, elevator);
         history.iter().map(|outputs| up(outputs, "wing_tip_right")).fold(0.0, f64::max)
     });

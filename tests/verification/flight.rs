@@ -2,7 +2,7 @@
 
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{InputReference, Inputs, Settings, Simulation};
-use flexible_aircraft::plant::Outputs;
+use flexible_aircraft::plant::{Outputs, PlantSettings};
 use nalgebra::Vector3;
 
 use crate::support::{
@@ -14,7 +14,7 @@ use super::record::Record;
 #[test]
 fn a_mirrored_rudder_gives_the_mirrored_flight() {
     let flight = |sign: f64| {
-        let settings = Settings { stiffness_scale: 0.1, ..Settings::of(&jet()) };
+        let settings = Settings::from(PlantSettings { stiffness_scale: 0.1, ..PlantSettings::of(&jet()) });
         fly(&settings, 8.0, doublet, |inputs, angle| inputs.controls[RUDDER] = sign * angle)
     };
     let mut largest = [0.0_f64; 5];
@@ -77,7 +77,7 @@ fn without_input_every_level_stays_trimmed_for_a_minute() {
         "steady level flight is a solution",
     );
     for fidelity in Fidelity::ALL {
-        let settings = Settings { fidelity, ..Settings::of(&jet()) };
+        let settings = Settings::from(PlantSettings { fidelity, ..PlantSettings::of(&jet()) });
         let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
         let pitch = flight.trim().pitch;
         flight.advance_to(60.0).unwrap();
@@ -107,7 +107,7 @@ fn absolute_inputs_at_the_trim_values_are_the_trimmed_flight() {
 fn the_heading_only_turns_the_flight() {
     let north =
         fly(&Settings::of(&jet()), 4.0, two_three_one_one, |inputs, angle| inputs.controls[ELEVATOR] = angle);
-    let settings = Settings { heading: 2.0, ..Settings::of(&jet()) };
+    let settings = Settings::from(PlantSettings { heading: 2.0, ..PlantSettings::of(&jet()) });
     let turned = fly(&settings, 4.0, two_three_one_one, |inputs, angle| inputs.controls[ELEVATOR] = angle);
     let (sin, cos) = libm::sincos(2.0);
     let (mut position, mut velocity) = (0.0_f64, 0.0_f64);
@@ -176,8 +176,12 @@ fn a_restored_snapshot_continues_with_the_same_bits_and_damage_is_refused() {
         assert!(other.restore(&damaged).is_err(), "byte {place}");
     }
     assert!(other.restore(&bytes[..bytes.len() - 1]).is_err());
-    let mut stiffer =
-        Simulation::new(jet(), &Settings { stiffness_scale: 2.0, ..Settings::of(&jet()) }, 0.0).unwrap();
+    let mut stiffer = Simulation::new(
+        jet(),
+        &Settings::from(PlantSettings { stiffness_scale: 2.0, ..PlantSettings::of(&jet()) }),
+        0.0,
+    )
+    .unwrap();
     assert!(stiffer.restore(&bytes).unwrap_err().to_string().contains("other parameters"));
     assert_eq!(*other.outputs(), before);
 }
@@ -247,7 +251,7 @@ fn leaving_the_models_validity_is_an_error_and_leaves_the_flight_as_it_was() {
 #[test]
 fn every_number_of_inflow_states_flies_and_they_converge() {
     let flight = |inflow_states| {
-        let settings = Settings { inflow_states, ..Settings::of(&jet()) };
+        let settings = Settings::from(PlantSettings { inflow_states, ..PlantSettings::of(&jet()) });
         let history =
             fly(&settings, 4.0, two_three_one_one, |inputs, angle| inputs.controls[ELEVATOR] = angle);
         history.iter().map(|outputs| outputs.load_factor.z).fold(0.0, f64::max)

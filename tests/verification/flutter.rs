@@ -4,8 +4,7 @@ use std::path::Path;
 
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::flight::Settings;
-use flexible_aircraft::plant::StateMatrix;
+use flexible_aircraft::plant::{Plant, PlantSettings, StateMatrix};
 use flexible_aircraft::stability::{CrossingKind, LossKind, Onset, Sweep};
 use flexible_aircraft::structure::ReducedModel;
 use nalgebra::{Complex, Matrix2, Vector2};
@@ -18,7 +17,7 @@ use super::record::Record;
 const PATILS_ALTITUDE: f64 = 19_938.0;
 
 /// The roots of a shipped wing over a range of `points` airspeeds.
-fn sweep(file: &str, settings: &Settings, [from, to]: [f64; 2], points: usize) -> Sweep {
+fn sweep(file: &str, settings: &PlantSettings, [from, to]: [f64; 2], points: usize) -> Sweep {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft").join(file);
     let model = ReducedModel::new(&Aircraft::read(&path).unwrap(), settings.mode_count).unwrap();
     let step = (to - from) / (points - 1) as f64;
@@ -26,8 +25,8 @@ fn sweep(file: &str, settings: &Settings, [from, to]: [f64; 2], points: usize) -
     Sweep::new(&model, settings, &airspeeds).unwrap()
 }
 
-fn settings(altitude: f64, mode_count: usize, inflow_states: usize) -> Settings {
-    Settings { altitude, mode_count, inflow_states, ..Settings::of(&jet()) }
+fn settings(altitude: f64, mode_count: usize, inflow_states: usize) -> PlantSettings {
+    PlantSettings { altitude, mode_count, inflow_states, ..PlantSettings::of(&jet()) }
 }
 
 /// The lowest onset of a kind: airspeed, m/s, and angular frequency, rad/s.
@@ -187,7 +186,7 @@ fn branches_are_distinct_roots_at_every_speed() {
 
 #[test]
 fn a_speed_at_which_a_free_aircraft_has_no_trim_is_skipped_and_the_others_are_not() {
-    let sweep = Sweep::new(&jet(), &eight_symmetric(), &[3.0, 127.0, 130.0]).unwrap();
+    let sweep = Sweep::new(&jet(), &eight_symmetric().plant, &[3.0, 127.0, 130.0]).unwrap();
     let [skipped] = sweep.skipped.as_slice() else { panic!("{:?}", sweep.skipped) };
     assert_eq!(skipped.airspeed, 3.0);
     assert!(skipped.reason.to_string().contains("no steady level flight found at 3 m/s"));
@@ -236,9 +235,9 @@ fn forward_swept(incidence_deg: f64) -> ReducedModel {
     ReducedModel::new(&Aircraft::parse(&text, "forward-swept.toml").unwrap(), 6).unwrap()
 }
 
-fn linearised(model: &ReducedModel, settings: &Settings, airspeed: f64) -> Option<StateMatrix> {
-    let settings = Settings { airspeed, ..settings.clone() };
-    let equations = settings.plant(model).unwrap();
+fn linearised(model: &ReducedModel, settings: &PlantSettings, airspeed: f64) -> Option<StateMatrix> {
+    let settings = PlantSettings { airspeed, ..*settings };
+    let equations = Plant::under(model, &settings).unwrap();
     let trim = equations.trim(&settings.trim_condition()).ok()?;
     Some(equations.linearise(&trim))
 }
@@ -269,7 +268,7 @@ fn every_speed_with_an_unstable_root_is_reported_though_none_crosses() {
         (Fidelity::ConsistentlyLinearised, 0.02, 1.01),
         (Fidelity::Inconsistent, 0.02, 1.01),
     ] {
-        let settings = Settings { fidelity, ..settings(0.0, 6, 5) };
+        let settings = PlantSettings { fidelity, ..settings(0.0, 6, 5) };
         let model = forward_swept(incidence);
         let sweep = Sweep::new(&model, &settings, &airspeeds).unwrap();
         let case = format!("{fidelity:?} {incidence}: {:?} {:?}", sweep.losses, sweep.unstable);
@@ -295,7 +294,7 @@ fn every_speed_with_an_unstable_root_is_reported_though_none_crosses() {
 /// The cubic energy of the consistently linearised model has another equilibrium there, metres away.
 #[test]
 fn a_jump_to_another_equilibrium_is_named_with_what_moves() {
-    let settings = Settings { fidelity: Fidelity::ConsistentlyLinearised, ..settings(0.0, 6, 5) };
+    let settings = PlantSettings { fidelity: Fidelity::ConsistentlyLinearised, ..settings(0.0, 6, 5) };
     let model = forward_swept(0.05);
     let sweep = Sweep::new(&model, &settings, &[60.0, 64.0, 66.0, 68.0]).unwrap();
     let [loss] = sweep.losses.as_slice() else { panic!("{:?}", sweep.losses) };
@@ -307,8 +306,8 @@ fn a_jump_to_another_equilibrium_is_named_with_what_moves() {
     );
     // The trims at the two airspeeds, a hundred-thousandth apart.
     let [below, above] = loss.between.map(|airspeed| {
-        let settings = Settings { airspeed, ..settings.clone() };
-        let equations = settings.plant(&model).unwrap();
+        let settings = PlantSettings { airspeed, ..settings };
+        let equations = Plant::under(&model, &settings).unwrap();
         let trim = equations.trim(&settings.trim_condition()).unwrap();
         trim.state[equations.layout().coordinates()][0]
     });

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Settings, Simulation};
+use flexible_aircraft::plant::PlantSettings;
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::VariableTable;
 
@@ -25,7 +26,7 @@ fn without_engine(text: &str) -> &str {
 fn an_aircraft_without_engine_glides_at_the_angle_that_its_drag_asks_for() {
     let glider = glider(false);
     for fidelity in Fidelity::ALL {
-        let settings = Settings { fidelity, ..Settings::of(&glider) };
+        let settings = Settings::from(PlantSettings { fidelity, ..PlantSettings::of(&glider) });
         let mut flight = Simulation::new(Arc::clone(&glider), &settings, 0.0).unwrap();
         let trim = *flight.trim();
         assert!(trim.climb_angle < -0.01 && trim.climb_angle > -0.2, "{trim:?}");

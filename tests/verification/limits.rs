@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::{Bound, Bounds, Support, TunnelAir};
-use flexible_aircraft::flight::{LimitExceeded, LimitedQuantity, Settings, Simulation};
+use flexible_aircraft::flight::{Settings, Simulation};
+use flexible_aircraft::plant::{LimitExceeded, LimitedQuantity, PlantSettings};
 
 use crate::support::{ELEVATOR, eight_symmetric, jet};
 
@@ -21,7 +22,7 @@ fn warnings(settings: &Settings) -> Vec<(LimitedQuantity, String)> {
 #[test]
 fn a_trim_that_nobody_could_fly_is_warned_of_and_stands() {
     assert_eq!(warnings(&Settings::of(&jet())), []);
-    let slow = Settings { airspeed: 55.0, ..Settings::of(&jet()) };
+    let slow = Settings::from(PlantSettings { airspeed: 55.0, ..PlantSettings::of(&jet()) });
     let mut flight = Simulation::new(jet(), &slow, 0.0).unwrap();
     let elevator = flight.trim().pitch_control;
     let expected = format!(
@@ -38,7 +39,8 @@ fn a_trim_that_nobody_could_fly_is_warned_of_and_stands() {
 #[test]
 fn mach_0_7_is_worth_a_warning() {
     let warned = |airspeed: f64| {
-        let warnings = warnings(&Settings { airspeed, mode_count: 4, ..Settings::of(&jet()) });
+        let warnings =
+            warnings(&Settings::from(PlantSettings { airspeed, mode_count: 4, ..PlantSettings::of(&jet()) }));
         warnings.into_iter().any(|(quantity, text)| {
             quantity == LimitedQuantity::Mach
                 && text.starts_with("Mach number 0.7")
@@ -90,17 +92,17 @@ fn a_clamped_aircraft_is_warned_of_the_flow_alone() {
     (clamped.limits.thrust.minimum, clamped.controls[ELEVATOR].limits.minimum) =
         (Bound::Given(100.0), Bound::Given(0.1));
     clamped.tunnel_air = Some(TunnelAir { density: 1.2, temperature: 288.15 });
-    let settings = Settings { airspeed: 60.0, ..Settings::of(&clamped) };
+    let settings = Settings::from(PlantSettings { airspeed: 60.0, ..PlantSettings::of(&clamped) });
     let flight = Simulation::new(Arc::new(clamped.clone()), &settings, 0.0).unwrap();
     let exceeded = flight.limits_exceeded();
     assert_eq!(
         exceeded.iter().map(|exceeded| exceeded.quantity.clone()).collect::<Vec<_>>(),
         [LimitedQuantity::AngleOfAttack]
     );
-    let warning = LimitExceeded::warning(exceeded, &clamped, &settings).unwrap();
+    let warning = LimitExceeded::warning(exceeded, &clamped, &settings.plant).unwrap();
     assert!(
         warning.starts_with("the trim at 60 m/s in air of 1.2 kg/m³ stands, but angle of attack 0.3000 rad"),
         "{warning}"
     );
-    assert_eq!(LimitExceeded::warning(&[], &clamped, &settings), None);
+    assert_eq!(LimitExceeded::warning(&[], &clamped, &settings.plant), None);
 }

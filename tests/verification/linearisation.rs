@@ -1,15 +1,17 @@
 //! The state matrix of a trimmed aircraft: kinematics that are known exactly, and what it leaves out.
 
 use flexible_aircraft::flight::Settings;
-use flexible_aircraft::plant::{StateMatrix, Unknown};
+use flexible_aircraft::plant::{Plant, PlantSettings, StateMatrix, Unknown};
+use flexible_aircraft::symmetry::Plants;
+use nalgebra::Complex;
 
 use crate::support::{eight_symmetric, jet};
 
 /// The jet with 8 symmetric modes at 127 m/s, and its pitch angle.
 fn trimmed() -> (StateMatrix, f64) {
     let settings = eight_symmetric();
-    let equations = settings.plant(&jet()).unwrap();
-    let trim = equations.trim(&settings.trim_condition()).unwrap();
+    let equations = Plant::under(&jet(), &settings.plant).unwrap();
+    let trim = equations.trim(&settings.plant.trim_condition()).unwrap();
     (equations.linearise(&trim), trim.point.pitch)
 }
 
@@ -54,9 +56,10 @@ fn longitudinal_and_lateral_motion_do_not_couple() {
 #[test]
 fn a_free_aircraft_keeps_nine_rigid_unknowns_and_a_clamped_one_none() {
     let unknowns = |model: &flexible_aircraft::structure::ReducedModel| {
-        let settings = Settings { mode_count: 4, inflow_states: 3, ..Settings::of(model) };
-        let equations = settings.plant(model).unwrap();
-        equations.linearise(&equations.trim(&settings.trim_condition()).unwrap()).unknowns
+        let settings =
+            Settings::from(PlantSettings { mode_count: 4, inflow_states: 3, ..PlantSettings::of(model) });
+        let equations = Plant::under(model, &settings.plant).unwrap();
+        equations.linearise(&equations.trim(&settings.plant.trim_condition()).unwrap()).unknowns
     };
     let strips = 3 * jet().strips.len();
     assert_eq!(unknowns(&jet()).len(), 9 + 2 * 4 + strips);
@@ -64,4 +67,37 @@ fn a_free_aircraft_keeps_nine_rigid_unknowns_and_a_clamped_one_none() {
     held.support = flexible_aircraft::aircraft::Support::Clamped;
     let held = unknowns(&held);
     assert_eq!((held.len(), held[0]), (2 * 4 + strips, Unknown::Coordinate(0)));
+}
+
+/// The jet's half and the whole: (unknowns, eigenvalues) of each, with six modes of which some are antisymmetric.
+fn half_and_whole() -> [(Vec<Unknown>, Vec<Complex<f64>>); 2] {
+    let settings = PlantSettings { mode_count: 6, inflow_states: 2, ..PlantSettings::of(&jet()) };
+    let plants = Plants::under(&jet(), &settings).unwrap();
+    [plants.half().unwrap(), plants.whole()].map(|plant| {
+        let matrix = plant.linearise(&plant.trim(&settings.trim_condition()).unwrap());
+        let eigenvalues = matrix.eigenvalues().unwrap();
+        (matrix.unknowns, eigenvalues)
+    })
+}
+
+#[test]
+fn half_an_aircraft_has_the_eigenvalues_of_the_symmetric_motion_of_the_whole_and_no_others() {
+    let [(unknowns, half), (_, mut whole)] = half_and_whole();
+    let in_plane = [
+        Unknown::Down,
+        Unknown::Pitch,
+        Unknown::Velocity(0),
+        Unknown::Velocity(2),
+        Unknown::Rate(1),
+        Unknown::Coordinate(0),
+    ];
+    assert_eq!(unknowns[..6], in_plane);
+    // Each is one of the whole's, none of them twice: a spurious zero would find none left.
+    for eigenvalue in half {
+        let distance = |other: &Complex<f64>| (other - eigenvalue).norm();
+        let nearest =
+            (0..whole.len()).min_by(|&a, &b| distance(&whole[a]).total_cmp(&distance(&whole[b]))).unwrap();
+        let far = distance(&whole.swap_remove(nearest));
+        assert!(far < 1e-6 * (1.0 + eigenvalue.norm()), "{eigenvalue}: {far:e}");
+    }
 }

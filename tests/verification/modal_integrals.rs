@@ -4,11 +4,11 @@
 //! [theory: structure.integrals, equations-of-motion.deformed-integrals; thesis §2.2]
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::equations::{Configuration, EquationsOfMotion, Fidelity, Mechanics};
+use flexible_aircraft::equations::{EquationsOfMotion, Fidelity, Mechanics};
 use flexible_aircraft::structure::{ModalBasis, ReducedModel, Structure};
 use nalgebra::{DMatrix, Matrix3xX, Vector3};
 
-use crate::support::random;
+use crate::support::{random, soft};
 
 use super::record::Record;
 
@@ -50,14 +50,7 @@ pub fn jet_and_particles(fidelity: Fidelity) -> (EquationsOfMotion, Particles) {
     });
     let particles = Particles(particles.collect());
     let model = ReducedModel::new(&aircraft, 12).unwrap();
-    let configuration = Configuration {
-        fidelity,
-        stiffness_scale: 0.1,
-        structural_damping: 0.0,
-        inflow_states: 0,
-        tunnel_flow: Vector3::zeros(),
-    };
-    (EquationsOfMotion::new(&model, &configuration), particles)
+    (EquationsOfMotion::new(&model, &soft(fidelity)), particles)
 }
 
 /// A state of large amplitude: tip motions of metres, all rates up to 1 rad/s, in any attitude.
@@ -139,7 +132,7 @@ fn the_mass_matrix_is_that_of_the_particles_and_positive_definite() {
     let mut record = Record::new(
         "mass-matrix",
         "The mass matrix of the same jet and states, entries relative to their diagonals",
-        "Σ m JᵀJ with J = [1, −R×, ψ], symmetric and positive definite by construction",
+        "Σ m JᵀJ with J = [1, −R×, ψ], self-adjoint and positive definite by construction",
     );
     record.rounding("largest difference of an entry", 1e-12, difference);
     record.at_least("smallest eigenvalue", 1e-4, smallest);

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::flight::{ModeSelection, Settings, Simulation};
+use flexible_aircraft::flight::{Settings, Simulation};
+use flexible_aircraft::plant::{ModeSelection, PlantSettings};
 use flexible_aircraft::structure::{ModeCount, ModeFamily, ModeKind, ReducedModel, StructureError};
 
 use crate::support::{ELEVATOR, jet};
@@ -23,9 +24,12 @@ fn refusal(model: ReducedModel, settings: &Settings) -> String {
 #[test]
 fn a_wing_softer_on_one_side_has_no_symmetric_modes() {
     let model = ReducedModel::new(&small(|_| ()), 6).unwrap();
-    let symmetric =
-        Settings { mode_selection: ModeSelection::Symmetric, mode_count: 1, ..Settings::of(&model) };
-    assert!(symmetric.choose_modes(&model).is_ok());
+    let symmetric = Settings::from(PlantSettings {
+        mode_selection: ModeSelection::Symmetric,
+        mode_count: 1,
+        ..PlantSettings::of(&model)
+    });
+    assert!(symmetric.plant.choose_modes(&model).is_ok());
     let lopsided = small(|aircraft| {
         let left = aircraft.beams.iter_mut().find(|beam| beam.component.ends_with("left"));
         left.unwrap().bending_stiffness_y *= 0.999;
@@ -37,8 +41,9 @@ fn a_wing_softer_on_one_side_has_no_symmetric_modes() {
 #[test]
 fn an_aircraft_without_surfaces_is_told_what_it_lacks() {
     let model = ReducedModel { strips: Vec::new(), ..jet().select(&[]) };
-    let message = refusal(model, &Settings { mode_count: 0, ..Settings::of(&jet()) });
-    assert!(message.contains("does not act independently"), "{message}");
+    let message =
+        refusal(model, &Settings::from(PlantSettings { mode_count: 0, ..PlantSettings::of(&jet()) }));
+    assert!(message.contains("elevator has trim = \"pitch\" and moves no flap"), "{message}");
 }
 
 #[test]
@@ -53,7 +58,7 @@ fn a_count_that_a_structure_cannot_give_is_named_by_one_rule() {
     let small = small(|_| ());
     let Err(StructureError::TooFewModes { wanted: 1000, available, .. }) = ReducedModel::new(&small, 1000)
     else {
-        panic!("a structure of 13 elements has no 1000 modes");
+        panic!("a structure of 17 elements has no 1000 modes");
     };
     let message = ReducedModel::new(&small, available + 1).unwrap_err().to_string();
     assert_eq!(message, format!("{} modes were asked for, the structure has {available}", available + 1));

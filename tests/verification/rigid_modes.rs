@@ -63,29 +63,8 @@ fn phugoid_and_short_period_are_those_of_the_textbooks() {
     let block = Matrix2::from_fn(|i, j| matrix[(3 + i, 3 + j)]);
     let constant_speed = oscillation(block.complex_eigenvalues().iter().copied());
     both(&mut record, "short period at constant speed", constant_speed, [0.003, 0.01], short_period);
-
-    let gravity = jet().gravity;
-    let weight = plant.equations().integrals().mass * gravity;
-    let (sin, cos) = libm::sincos(trim.point.pitch);
-    let drag_over_lift = 2.0 * trim.point.thrust * cos / (weight - 2.0 * trim.point.thrust * sin);
-    let lanchester = Complex::new(-gravity / SPEED * drag_over_lift, libm::sqrt(2.0) * gravity / SPEED);
-    both(&mut record, "phugoid, Lanchester", lanchester, [0.15, 0.06], phugoid);
-    // ISA: ρ′/ρ = −(g₀/R − 0.0065)/T.
-    let gradient = -(9.80665 / 287.05287 - 0.0065) / (288.15 - 0.0065 * ALTITUDE);
-    let rising = libm::sqrt(2.0 * (gravity / SPEED).powi(2) - gravity * gradient);
-    record.relative("phugoid with the fall of density: frequency", rising, 0.012, phugoid.im);
-
-    let part = |rows: std::ops::Range<usize>, columns: std::ops::Range<usize>| {
-        matrix.view((rows.start, columns.start), (rows.len(), columns.len())).into_owned()
-    };
-    let fast = part(3..5, 3..5).try_inverse().unwrap();
-    let coupling = part(0..3, 3..5) * &fast;
-    let slow = part(0..3, 0..3) - &coupling * part(3..5, 0..3);
-    let in_equilibrium = slowest(&slow);
-    record.relative("phugoid, w and q in equilibrium: frequency", in_equilibrium.im, 0.01, phugoid.im);
-    let lag = DMatrix::identity(3, 3) + coupling * &fast * part(3..5, 0..3);
-    let lagging = slowest(&(lag.try_inverse().unwrap() * slow));
-    both(&mut record, "phugoid, w and q following with their lag", lagging, [1e-3, 4e-3], phugoid);
+    against_lanchester(&mut record, &plant, &trim, phugoid);
+    with_fast_motion_eliminated(&mut record, &matrix, phugoid);
 
     let (unsteady, trim) = trimmed(Fidelity::Rigid, 1.0, SPEED, 5);
     let unsteady = unsteady.linearise(&trim).matrix;
@@ -110,6 +89,35 @@ fn phugoid_and_short_period_are_those_of_the_textbooks() {
          approximation at constant speed is good to 1 %; the wake (N = 5) makes it faster and the phugoid less damped.",
     );
     record.finish();
+}
+
+/// Lanchester's phugoid, and the same in air that thins with height.
+fn against_lanchester(record: &mut Record, plant: &Plant, trim: &Trim, phugoid: Complex<f64>) {
+    let gravity = jet().gravity;
+    let weight = plant.equations().integrals().mass * gravity;
+    let (sin, cos) = libm::sincos(trim.point.pitch);
+    let drag_over_lift = 2.0 * trim.point.thrust * cos / (weight - 2.0 * trim.point.thrust * sin);
+    let lanchester = Complex::new(-gravity / SPEED * drag_over_lift, libm::sqrt(2.0) * gravity / SPEED);
+    both(record, "phugoid, Lanchester", lanchester, [0.15, 0.06], phugoid);
+    // ISA: ρ′/ρ = −(g₀/R − 0.0065)/T.
+    let gradient = -(9.80665 / 287.05287 - 0.0065) / (288.15 - 0.0065 * ALTITUDE);
+    let rising = libm::sqrt(2.0 * (gravity / SPEED).powi(2) - gravity * gradient);
+    record.relative("phugoid with the fall of density: frequency", rising, 0.012, phugoid.im);
+}
+
+/// The phugoid with w and q in equilibrium, and following late.
+fn with_fast_motion_eliminated(record: &mut Record, matrix: &DMatrix<f64>, phugoid: Complex<f64>) {
+    let part = |rows: std::ops::Range<usize>, columns: std::ops::Range<usize>| {
+        matrix.view((rows.start, columns.start), (rows.len(), columns.len())).into_owned()
+    };
+    let fast = part(3..5, 3..5).try_inverse().unwrap();
+    let coupling = part(0..3, 3..5) * &fast;
+    let slow = part(0..3, 0..3) - &coupling * part(3..5, 0..3);
+    let in_equilibrium = slowest(&slow);
+    record.relative("phugoid, w and q in equilibrium: frequency", in_equilibrium.im, 0.01, phugoid.im);
+    let lag = DMatrix::identity(3, 3) + coupling * &fast * part(3..5, 0..3);
+    let lagging = slowest(&(lag.try_inverse().unwrap() * slow));
+    both(record, "phugoid, w and q following with their lag", lagging, [1e-3, 4e-3], phugoid);
 }
 
 /// Real and imaginary part.

@@ -2,7 +2,7 @@
 //! of its path less gravity, and the spin of its axes, both found here by differentiating the flight's history.
 
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
-use flexible_aircraft::plant::Outputs;
+use flexible_aircraft::plant::{Outputs, PlantSettings};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::support::{AILERON, ELEVATOR, RUDDER, jet, station};
@@ -40,7 +40,10 @@ impl Sample {
 /// Flies a manoeuvre about all axes at a tenth of the stiffness, so that wing tips move by metres; returns the
 /// outputs at five neighbouring instants.
 fn five_instants() -> Vec<Outputs> {
-    let settings = Settings { stiffness_scale: 0.1, tolerance: 1e-11, ..Settings::of(&jet()) };
+    let settings = Settings {
+        tolerance: 1e-11,
+        ..PlantSettings { stiffness_scale: 0.1, ..PlantSettings::of(&jet()) }.into()
+    };
     let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
     let mut inputs = Inputs::zero(&jet());
     (inputs.controls[ELEVATOR], inputs.controls[AILERON], inputs.controls[RUDDER]) = (-0.05, 0.03, 0.02);

@@ -1,12 +1,12 @@
 //! The loads of all strips are those of the formulas, summed plainly, and ẇ and Ω̇ in them are the true rates of w and Ω
 //! [theory: air-loads.distribution, air-loads.rates; thesis §4.1].
 
-use flexible_aircraft::equations::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
+use flexible_aircraft::equations::{Controls, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
 use nalgebra::Vector3;
 
 use crate::support::plain_loads::{Instant, point};
-use crate::support::{AILERON, AILERON_SYMMETRIC, ELEVATOR, RUDDER, derivative, jet, random};
+use crate::support::{AILERON, AILERON_SYMMETRIC, ELEVATOR, RUDDER, derivative, jet, random, soft};
 
 use super::record::Record;
 
@@ -32,14 +32,7 @@ fn aircraft(altered: bool) -> ReducedModel {
 
 /// The equations of a model in steady inflow at one-tenth stiffness.
 fn equations(model: &ReducedModel, fidelity: Fidelity) -> EquationsOfMotion {
-    let configuration = Configuration {
-        fidelity,
-        stiffness_scale: 0.1,
-        structural_damping: 0.0,
-        inflow_states: 0,
-        tunnel_flow: Vector3::zeros(),
-    };
-    EquationsOfMotion::new(model, &configuration)
+    EquationsOfMotion::new(model, &soft(fidelity))
 }
 
 /// A flight with sections turned by up to about 1 rad, and controls and wind that act everywhere.

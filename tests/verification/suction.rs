@@ -141,7 +141,7 @@ fn yaw_of_ailerons(suction: f64) -> f64 {
     };
     // The same state for every suction.
     let trimmed = Plant::new(&jet(), &configuration);
-    let trim = trimmed.trim(&Settings::of(&jet()).trim_condition()).unwrap();
+    let trim = trimmed.trim(&Settings::of(&jet()).plant.trim_condition()).unwrap();
     let equations = EquationsOfMotion::new(&with_camber(suction, 0.0), &configuration);
     let (sin, cos) = libm::sincos(trim.point.pitch);
     let mut controls = trim.controls.clone();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use flexible_aircraft::aircraft::Support;
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
-use flexible_aircraft::plant::Outputs;
+use flexible_aircraft::plant::{Outputs, PlantSettings};
 use flexible_aircraft::structure::ReducedModel;
 
 use crate::support::{AILERON, AILERON_SYMMETRIC, ELEVATOR, RUDDER, fly, jet, two_three_one_one, up};
@@ -34,11 +34,9 @@ fn half_the_aircraft_flies_as_the_whole_one_does() {
     // The bounds are about ten times the most that any level shows: 4e-14, 1.2e-11, 7e-13, 3e-12, 5e-12.
     for fidelity in Fidelity::ALL {
         let settings = Settings {
-            fidelity,
-            stiffness_scale: 0.3,
-            heading: 1.0,
             tolerance: 1e-8,
-            ..Settings::of(&jet())
+            ..PlantSettings { fidelity, stiffness_scale: 0.3, heading: 1.0, ..PlantSettings::of(&jet()) }
+                .into()
         };
         let (half, whole) = (manoeuvre(&settings, 0.0), manoeuvre(&settings, NOTHING));
         let largest = |difference: fn(&Outputs, &Outputs) -> f64| {
@@ -155,7 +153,11 @@ fn the_whole_aircraft_goes_on_where_the_half_stood() {
 fn a_snapshot_of_the_half_brings_it_back_when_the_whole_aircraft_flies() {
     bring_the_half_back(&Settings::of(&jet()), true);
     // Half and whole have as many states.
-    let settings = Settings { fidelity: Fidelity::Rigid, inflow_states: 0, ..Settings::of(&jet()) };
+    let settings = Settings::from(PlantSettings {
+        fidelity: Fidelity::Rigid,
+        inflow_states: 0,
+        ..PlantSettings::of(&jet())
+    });
     bring_the_half_back(&settings, false);
 }
 
@@ -183,7 +185,10 @@ fn bring_the_half_back(settings: &Settings, grows: bool) {
 #[test]
 fn half_of_a_clamped_aircraft_swings_as_the_whole_one_does() {
     let model = Arc::new(ReducedModel { support: Support::Clamped, ..(*jet()).clone() });
-    let settings = Settings { airspeed: 60.0, heading: 2.0, tolerance: 1e-8, ..Settings::of(&jet()) };
+    let settings = Settings {
+        tolerance: 1e-8,
+        ..PlantSettings { airspeed: 60.0, heading: 2.0, ..PlantSettings::of(&jet()) }.into()
+    };
     let swing = |aileron: f64| {
         let mut flight = Simulation::new(Arc::clone(&model), &settings, 0.0).unwrap();
         set(&mut flight, |inputs| (inputs.wind.z, inputs.controls[AILERON]) = (-3.0, aileron));

@@ -4,6 +4,7 @@
 
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Settings, Simulation};
+use flexible_aircraft::plant::PlantSettings;
 
 use crate::support::{eight_symmetric, jet, up};
 
@@ -70,8 +71,11 @@ fn deflections_pitch_and_elevator_of_the_trimmed_jet_are_those_of_table_5_1() {
         "[theory: thesis-runs.trims], which reproduces Table 5.1 of the thesis; the tolerance is 0.6 units of the last digit, of 2.831 m and the like",
     );
     for row in TABLE {
-        let settings =
-            Settings { fidelity: row.fidelity, stiffness_scale: row.stiffness_scale, ..eight_symmetric() };
+        let settings = Settings::from(PlantSettings {
+            fidelity: row.fidelity,
+            stiffness_scale: row.stiffness_scale,
+            ..eight_symmetric().plant
+        });
         let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
         let trim = *flight.trim();
         let outputs = flight.outputs();
@@ -92,7 +96,12 @@ fn every_level_inflow_and_stiffness_has_a_trim_and_the_inflow_does_not_change_it
     for fidelity in Fidelity::ALL {
         for stiffness_scale in [0.1, 1.0, 10.0] {
             let trim = |inflow_states| {
-                let settings = Settings { fidelity, stiffness_scale, inflow_states, ..Settings::of(&jet()) };
+                let settings = Settings::from(PlantSettings {
+                    fidelity,
+                    stiffness_scale,
+                    inflow_states,
+                    ..PlantSettings::of(&jet())
+                });
                 *Simulation::new(jet(), &settings, 0.0).unwrap().trim()
             };
             let steady = trim(0);
@@ -109,7 +118,7 @@ fn every_level_inflow_and_stiffness_has_a_trim_and_the_inflow_does_not_change_it
 
 #[test]
 fn a_speed_at_which_nothing_balances_is_refused_with_what_remained() {
-    let settings = Settings { airspeed: 3.0, ..Settings::of(&jet()) };
+    let settings = Settings::from(PlantSettings { airspeed: 3.0, ..PlantSettings::of(&jet()) });
     let message = Simulation::new(jet(), &settings, 0.0).unwrap_err().to_string();
     assert!(message.contains("no steady level flight found at 3 m/s"), "{message}");
     assert!(message.contains("imbalance"), "{message}");

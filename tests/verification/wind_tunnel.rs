@@ -5,6 +5,7 @@ use std::sync::Arc;
 use flexible_aircraft::aircraft::{Aircraft, Support};
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+use flexible_aircraft::plant::{Plant, PlantSettings};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::VariableTable;
 use nalgebra::Vector3;
@@ -61,7 +62,7 @@ fn wing_in(tunnel: &str) -> Arc<ReducedModel> {
 }
 
 fn settings(airspeed: f64) -> Settings {
-    Settings { airspeed, altitude: 0.0, mode_count: 6, ..Settings::of(&wing()) }
+    Settings::from(PlantSettings { airspeed, altitude: 0.0, mode_count: 6, ..PlantSettings::of(&wing()) })
 }
 
 #[test]
@@ -116,7 +117,7 @@ fn a_gust_shakes_the_wing_and_it_settles_again() {
 
 /// As a linear beam: the membrane stiffness of the exact one holds it straight.
 fn linear(model: &ReducedModel) -> Settings {
-    Settings { fidelity: Fidelity::Inconsistent, ..Settings::of(model) }
+    Settings::from(PlantSettings { fidelity: Fidelity::Inconsistent, ..PlantSettings::of(model) })
 }
 
 /// Deflection of the tip at rest, m.
@@ -130,7 +131,7 @@ fn tip_at_rest(model: &Arc<ReducedModel>) -> Vector3<f64> {
 fn a_wing_in_still_air_sags_as_a_beam_does_and_stays_so() {
     let still = wing_in("airspeed_m_s = 0\naltitude_m = 0\ngravity_m_s2 = 9.81");
     let settings = linear(&still);
-    assert_eq!(settings.airspeed, 0.0);
+    assert_eq!(settings.plant.airspeed, 0.0);
     let mut flight = Simulation::new(Arc::clone(&still), &settings, 0.0).unwrap();
     let sag = flight.outputs().deflections[0].displacement.z;
     // mgL³/8EI of a uniform cantilever; the air does nothing to it at rest.
@@ -148,8 +149,8 @@ fn a_wing_in_still_air_swings_with_the_mass_of_the_air_around_it() {
     // First bending: 3.516 √(EI/mL⁴) with m + πρb² in place of m, ρ = 1.225 kg/m³.
     let mass = 60.0 / 6.0 + std::f64::consts::PI * 1.225 * 0.25;
     let expected = 3.5160 * libm::sqrt(1e5 / (mass * 1296.0));
-    let equations = settings.plant(&still).unwrap();
-    let matrix = equations.linearise(&equations.trim(&settings.trim_condition()).unwrap());
+    let equations = Plant::under(&still, &settings.plant).unwrap();
+    let matrix = equations.linearise(&equations.trim(&settings.plant.trim_condition()).unwrap());
     let eigenvalues = matrix.eigenvalues().unwrap();
     let first = eigenvalues.iter().filter(|root| root.im > 1.0).min_by(|a, b| a.im.total_cmp(&b.im)).unwrap();
     assert!((first.im / expected - 1.0).abs() < 5e-3, "{first} {expected}");
@@ -182,7 +183,7 @@ fn a_wing_in_still_air_swings_with_the_mass_of_the_air_around_it() {
 fn a_free_aircraft_does_not_fly_at_airspeed_zero() {
     let mut free = (*wing()).clone();
     free.support = Support::Free;
-    let settings = Settings { airspeed: 0.0, ..settings(0.0) };
+    let settings = Settings::from(PlantSettings { airspeed: 0.0, ..settings(0.0).plant });
     let error = Simulation::new(Arc::new(free), &settings, 0.0).unwrap_err().to_string();
     assert_eq!(error, "airspeed: found 0, allowed is 1 to 400 (m/s)");
 }
@@ -240,7 +241,7 @@ fn the_mount_turns_gravity_and_the_flow_about_the_wing() {
     assert!((outputs.attitude.y - f64::to_radians(3.0)).abs() < 1e-14 && outputs.acceleration.norm() == 0.0);
     let set = WING.replace("incidence_deg = 2.0", "incidence_deg = 5.0");
     let set = Arc::new(ReducedModel::new(&Aircraft::parse(&set, "wing.toml").unwrap(), 6).unwrap());
-    let by_sections = Settings { airspeed: 20.0, altitude: 0.0, ..linear(&set) };
+    let by_sections = Settings::from(PlantSettings { airspeed: 20.0, altitude: 0.0, ..linear(&set).plant });
     let mut level = Simulation::new(set, &by_sections, 0.0).unwrap();
     let (twist, expected) = (outputs.deflections[0].twist, level.outputs().deflections[0].twist);
     assert!((twist / expected - 1.0).abs() < 2e-3, "{twist} {expected}");
@@ -250,7 +251,7 @@ fn the_mount_turns_gravity_and_the_flow_about_the_wing() {
 fn an_aircraft_that_hangs_askew_does_not_fly_as_half_of_itself() {
     let is_half = |mount: Vector3<f64>| {
         let model = ReducedModel { support: Support::Clamped, mount, ..(*jet()).clone() };
-        let settings = Settings { airspeed: 60.0, ..Settings::of(&model) };
+        let settings = Settings::from(PlantSettings { airspeed: 60.0, ..PlantSettings::of(&model) });
         let mut flight = Simulation::new(Arc::new(model), &settings, 0.0).unwrap();
         flight.advance_to(0.05).unwrap();
         (flight.is_symmetric(), flight.outputs().attitude)

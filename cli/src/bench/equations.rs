@@ -3,9 +3,9 @@
 
 use flexible_aircraft::aircraft::TrimRole;
 use flexible_aircraft::equations::Controls;
-use flexible_aircraft::flight::Settings;
-use flexible_aircraft::plant::Plant;
+use flexible_aircraft::plant::{Plant, PlantSettings};
 use flexible_aircraft::structure::ReducedModel;
+use flexible_aircraft::symmetry::Plants;
 
 use crate::manoeuvre::Manoeuvre;
 
@@ -44,8 +44,8 @@ impl EquationCosts {
     /// Measures about the trim.
     pub fn measure(model: &ReducedModel) -> Result<Self, BenchError> {
         let moved = pitch_control(model)?;
-        let settings = Settings::of(model);
-        let plants = settings.plants(model)?;
+        let settings = PlantSettings::of(model);
+        let plants = Plants::under(model, &settings)?;
         let whole = plants.whole();
         let half = plants.half().ok_or_else(|| BenchError::NoMirrorPlane(model.name.clone()))?;
         let narrow = whole.clone().one_strip_at_a_time();
@@ -59,7 +59,7 @@ impl EquationCosts {
 }
 
 impl RightHandSide {
-    fn measure(plant: &Plant, settings: &Settings) -> Result<Self, BenchError> {
+    fn measure(plant: &Plant, settings: &PlantSettings) -> Result<Self, BenchError> {
         let (state, controls) = trimmed(plant, settings)?;
         Ok(RightHandSide {
             time: time_of(plant, settings)?,
@@ -75,14 +75,13 @@ pub fn pitch_control(model: &ReducedModel) -> Result<usize, BenchError> {
 }
 
 /// The state of the trimmed flight and its controls.
-fn trimmed(plant: &Plant, settings: &Settings) -> Result<(Vec<f64>, Controls), BenchError> {
-    let trim =
-        plant.trim(&settings.trim_condition()).map_err(flexible_aircraft::flight::SimulationError::from)?;
+fn trimmed(plant: &Plant, settings: &PlantSettings) -> Result<(Vec<f64>, Controls), BenchError> {
+    let trim = plant.trim(&settings.trim_condition())?;
     Ok((trim.state, trim.controls))
 }
 
 /// s for one evaluation at the trim.
-pub fn time_of(plant: &Plant, settings: &Settings) -> Result<f64, BenchError> {
+pub fn time_of(plant: &Plant, settings: &PlantSettings) -> Result<f64, BenchError> {
     let (state, controls) = trimmed(plant, settings)?;
     let (mut rates, mut workspace) = (vec![0.0; state.len()], plant.workspace());
     let time = least_time(20, || {
@@ -95,7 +94,7 @@ pub fn time_of(plant: &Plant, settings: &Settings) -> Result<f64, BenchError> {
 }
 
 /// The standard flight by the classical Runge–Kutta method, one control moving.
-fn fly_plainly(plant: &Plant, moved: usize, settings: &Settings) -> Result<Vec<f64>, BenchError> {
+fn fly_plainly(plant: &Plant, moved: usize, settings: &PlantSettings) -> Result<Vec<f64>, BenchError> {
     let (mut y, mut controls) = trimmed(plant, settings)?;
     let trimmed = controls.angles[moved];
     let manoeuvre = Manoeuvre::two_three_one_one(-0.05, 0.7, 1.0, 0.05);

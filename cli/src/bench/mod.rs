@@ -12,9 +12,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::Args;
-use flexible_aircraft::aircraft::{Aircraft, Support};
-use flexible_aircraft::flight::{Settings, SimulationError};
+use flexible_aircraft::aircraft::Support;
+use flexible_aircraft::flight::SimulationError;
+use flexible_aircraft::plant::{PlantSettings, SettingError, TrimError};
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
+use flexible_aircraft::symmetry::Plants;
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{FileError, FmuError};
 
@@ -28,7 +30,7 @@ use standard_flight::{Flown, StandardFlight};
 /// Options of `flexair bench`.
 #[derive(Args)]
 #[command(
-    after_help = "The aircraft has to be free, with a control for pitch, a station wing_tip_right, and a mirror plane y = 0: \
+    after_help = "The aircraft has to be free, with a control for pitch, a station (wing_tip_right, if there is one), and a mirror plane y = 0: \
 the flight is a 2-3-1-1 of that control, and half of the aircraft is timed against the whole"
 )]
 pub struct BenchOptions {
@@ -58,6 +60,12 @@ pub enum BenchError {
     /// Its structure.
     #[error(transparent)]
     Structure(#[from] StructureError),
+    /// A plant in the library.
+    #[error(transparent)]
+    Setting(#[from] SettingError),
+    /// Its trim.
+    #[error(transparent)]
+    Trim(#[from] Box<TrimError>),
     /// The flight in the library.
     #[error(transparent)]
     Simulation(#[from] SimulationError),
@@ -75,8 +83,7 @@ pub enum BenchError {
     NoPitchControl(String),
     /// The FMU lacks what the standard flight moves or watches.
     #[error(
-        "{}: the FMU has no variable `{missing}`; the standard flight needs the aircraft's control for pitch and a \
-         station wing_tip_right",
+        "{}: the FMU has no variable `{missing}`; the standard flight needs the aircraft's control for pitch and a station",
         fmu.display()
     )]
     NoStandardFlight { fmu: PathBuf, missing: String },
@@ -105,6 +112,9 @@ impl BenchError {
     }
 }
 
+/// The station that is watched where there is one of this name.
+const WING_TIP: &str = "wing_tip_right";
+
 /// Measures and writes.
 ///
 /// # Errors
@@ -113,19 +123,21 @@ pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
     let inputs = [options.fmu.as_path(), &options.aircraft];
     let outputs = [options.output.as_path(), &options.plot];
     refuse_overwriting(&outputs, inputs)?;
-    let aircraft = Aircraft::read(&options.aircraft)?;
+    let aircraft = diagnostics::read_aircraft(&options.aircraft)?;
     if aircraft.support == Support::Clamped {
         return Err(BenchError::Clamped(aircraft.name));
     }
     let model = Arc::new(ReducedModel::new(&aircraft, ModeCount::Usual(ReducedModel::USUAL_MODES))?);
-    if Settings::of(&model).plants(&model)?.half().is_none() {
+    if Plants::under(&model, &PlantSettings::of(&model))?.half().is_none() {
         return Err(BenchError::NoMirrorPlane(aircraft.name));
     }
     let fmu = Fmu::open(&options.fmu)?;
     let control = &model.controls[pitch_control(&model)?];
-    let flown = Flown { fmu: &fmu, control: &control.name };
+    let mut names = model.stations.iter().map(|station| station.name.as_str());
+    let first = names.clone().next();
+    let station = names.find(|name| *name == WING_TIP).or(first).unwrap_or(WING_TIP);
+    let flown = Flown { fmu: &fmu, control: &control.name, station };
     if let Some(missing) = flown.missing_variable() {
-        let missing = missing.to_owned();
         return Err(BenchError::NoStandardFlight { fmu: options.fmu.clone(), missing });
     }
     let drafts = Drafts::new(outputs)?;

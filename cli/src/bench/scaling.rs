@@ -5,7 +5,9 @@ use std::sync::Arc;
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+use flexible_aircraft::plant::PlantSettings;
 use flexible_aircraft::structure::{ModeCount, ReducedModel, ReducedStrip};
+use flexible_aircraft::symmetry::Plants;
 
 use crate::progress::Progress;
 
@@ -62,7 +64,7 @@ impl Scaling {
             measured
         };
         let modes = counts.into_iter().map(|mode_count| {
-            let settings = Settings { mode_count, ..standard.clone() };
+            let settings = Settings::from(PlantSettings { mode_count, ..standard.plant });
             point(&most, &settings, format!("{mode_count} modes"), mode_count)
         });
         let strips = PARTS.map(|parts| {
@@ -70,11 +72,11 @@ impl Scaling {
             point(&model, &standard, format!("{} strips", model.strips.len()), model.strips.len())
         });
         let inflow_states = INFLOW_STATES.map(|inflow_states| {
-            let settings = Settings { inflow_states, ..standard.clone() };
+            let settings = Settings::from(PlantSettings { inflow_states, ..standard.plant });
             point(model, &settings, format!("{inflow_states} inflow states"), inflow_states)
         });
         let fidelity = Fidelity::ALL.map(|fidelity| {
-            let settings = Settings { fidelity, ..standard.clone() };
+            let settings = Settings::from(PlantSettings { fidelity, ..standard.plant });
             point(model, &settings, format!("{fidelity:?}"), fidelity as usize)
         });
         Ok(Scaling {
@@ -93,18 +95,18 @@ fn point(
     label: String,
     size: usize,
 ) -> Result<Point, BenchError> {
-    let plants = settings.plants(model)?;
+    let plants = Plants::under(model, &settings.plant)?;
     let half = plants.half().ok_or_else(|| BenchError::NoMirrorPlane(model.name.clone()))?;
     let trimmed = Simulation::new(Arc::clone(model), settings, 0.0)?;
     Ok(Point {
         label,
         size,
         half: Costs {
-            right_hand_side: time_of(half, settings)?,
+            right_hand_side: time_of(half, &settings.plant)?,
             time_per_second: flight_time(&trimmed, model, 0.0)?,
         },
         whole: Costs {
-            right_hand_side: time_of(plants.whole(), settings)?,
+            right_hand_side: time_of(plants.whole(), &settings.plant)?,
             time_per_second: flight_time(&trimmed, model, UNNOTICEABLE)?,
         },
     })

@@ -24,22 +24,26 @@ const TOLERANCES: [f64; 4] = [1e-4, 1e-5, 1e-6, 1e-7];
 /// The FMU's own.
 const USUAL_TOLERANCE: f64 = 1e-5;
 
-/// What is compared: pitch, a wing tip, the load factor.
-const WATCHED: [&str; 3] = ["attitude.pitch", "deflection.wing_tip_right.up", "load_factor.z"];
-
 /// What flies.
 #[derive(Clone, Copy)]
 pub struct Flown<'f> {
     pub fmu: &'f Fmu,
     /// The control that moves.
     pub control: &'f str,
+    /// The station whose deflection is watched: a wing tip.
+    pub station: &'f str,
 }
 
 impl Flown<'_> {
     /// A variable that the flight moves or watches and the FMU lacks.
-    pub fn missing_variable(&self) -> Option<&str> {
-        let needed = std::iter::once(self.control).chain(WATCHED);
+    pub fn missing_variable(&self) -> Option<String> {
+        let needed = std::iter::once(self.control.to_owned()).chain(self.watched());
         needed.into_iter().find(|name| self.fmu.variable(name).is_err())
+    }
+
+    /// What is compared: pitch, a wing tip, the load factor.
+    fn watched(&self) -> [String; 3] {
+        ["attitude.pitch".to_owned(), format!("deflection.{}.up", self.station), "load_factor.z".to_owned()]
     }
 }
 
@@ -142,8 +146,8 @@ pub struct Flight {
 /// Flies with so many communication steps in 10 ms, at the beginning of which the control moves, and tells `timed` how
 /// long each step took, s.
 pub fn fly(flown: Flown, tolerance: f64, parts: u32, mut timed: impl FnMut(f64)) -> Result<Flight, FmuError> {
-    let Flown { fmu, control } = flown;
-    let (control, watched) = ([fmu.variable(control)?], fmu.variables(&WATCHED)?);
+    let Flown { fmu, control, .. } = flown;
+    let (control, watched) = ([fmu.variable(control)?], fmu.variables(&flown.watched())?);
     let manoeuvre = Manoeuvre::two_three_one_one(-0.05, 0.7, 1.0, 0.05);
     let mut aircraft = fmu.instantiate("bench")?;
     aircraft.initialise(0.0, Some(tolerance))?;

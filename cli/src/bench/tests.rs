@@ -25,7 +25,7 @@ fn jet() -> (tempfile::TempDir, Fmu) {
 #[test]
 fn the_standard_flight_keeps_its_tolerance_and_its_bits() {
     let (_folder, fmu) = jet();
-    let flown = Flown { fmu: &fmu, control: "elevator" };
+    let flown = Flown { fmu: &fmu, control: "elevator", station: "wing_tip_right" };
     let exact = fly(flown, 1e-10, 1, |_| {}).unwrap();
     let usual = fly(flown, TOLERANCE, 1, |_| {}).unwrap();
     let found = errors(&usual.history, &exact.history);

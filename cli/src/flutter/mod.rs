@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use flexible_aircraft::air::Air;
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Support};
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::flight::{ModeSelection, Settings, SimulationError};
+use flexible_aircraft::plant::{ModeSelection, PlantSettings, SettingError};
 use flexible_aircraft::stability::Sweep;
 use flexible_aircraft::structure::{ModeCount, ModeFamily, ModeKind, ReducedModel, StructureError};
 use flexible_aircraft_packaging::FileError;
@@ -108,10 +108,8 @@ pub enum Error {
     Aircraft(#[from] AircraftFileError),
     #[error(transparent)]
     Structure(#[from] StructureError),
-    #[error("{}: found {found}, allowed is {allowed}", option(setting))]
-    Setting { setting: &'static str, found: String, allowed: String },
-    #[error(transparent)]
-    Simulation(SimulationError),
+    #[error("{}: found {}, allowed is {}", option(.0.setting), .0.found, .0.allowed)]
+    Setting(#[from] SettingError),
     #[error("{option}: found {}, allowed is {} to {} m/s", Plain(*found), allowed.start(), allowed.end())]
     Airspeed { option: &'static str, found: f64, allowed: RangeInclusive<f64> },
     #[error(
@@ -143,17 +141,6 @@ impl Error {
     }
 }
 
-impl From<SimulationError> for Error {
-    fn from(error: SimulationError) -> Self {
-        match error {
-            SimulationError::Setting { setting, found, allowed } => {
-                Error::Setting { setting, found, allowed }
-            }
-            other => Error::Simulation(other),
-        }
-    }
-}
-
 /// The option with which a parameter of the FMU is set here.
 fn option(setting: &str) -> String {
     match setting {
@@ -167,7 +154,7 @@ struct Analysis {
     model: ReducedModel,
     /// Fidelity level for people.
     level: String,
-    settings: Settings,
+    settings: PlantSettings,
     /// Lowest and highest airspeed asked for, m/s.
     range: [f64; 2],
     sweep: Sweep,
@@ -201,14 +188,14 @@ pub fn run(options: &FlutterOptions) -> Result<(), Error> {
 }
 
 fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
-    let aircraft = Aircraft::read(&options.aircraft)?;
+    let aircraft = diagnostics::read_aircraft(&options.aircraft)?;
     let airspeeds = airspeeds(options, aircraft.support)?;
     if let (Some(altitude), Some(_)) = (options.altitude, &aircraft.tunnel_air) {
         return Err(Error::TunnelAltitude { altitude, aircraft: options.aircraft.display().to_string() });
     }
     let (model, mode_count) = reduce(&aircraft, options)?;
     check_mobility(aircraft.support, options)?;
-    let settings = Settings {
+    let settings = PlantSettings {
         fidelity: options.model.fidelity(),
         altitude: options.altitude.unwrap_or(aircraft.altitude),
         stiffness_scale: options.stiffness_scale,
@@ -216,7 +203,7 @@ fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
         mode_selection: options.mode_family.selection(),
         mode_count,
         inflow_states: options.inflow_states.unwrap_or(aircraft.inflow_states),
-        ..Settings::of(&model)
+        ..PlantSettings::of(&model)
     };
     let progress = Progress::new(airspeeds.len(), "airspeeds");
     let sweep = Sweep::watched(&model, &settings, &airspeeds, &|| progress.advance())?;

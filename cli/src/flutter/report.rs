@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use flexible_aircraft::aircraft::{Bound, Support};
-use flexible_aircraft::flight::{LimitExceeded, LimitedQuantity};
+use flexible_aircraft::plant::{LimitExceeded, LimitedQuantity};
 use flexible_aircraft::stability::{Crossing, CrossingKind, EquilibriumLoss, LossKind, Onset, UnstableRange};
 
 use crate::numbers::Plain;

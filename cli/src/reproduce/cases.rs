@@ -6,8 +6,10 @@
 //! and start are ours. What it captions 203 m/s has V_x ≈ 178 m/s on its axes and was flown
 //! at 177.8 m/s, 1.4 × 127.
 
+use flexible_aircraft::aircraft::TrimRole;
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::flight::{ModeSelection, Settings};
+use flexible_aircraft::flight::Settings;
+use flexible_aircraft::plant::{ModeSelection, PlantSettings};
 use flexible_aircraft::structure::ReducedModel;
 
 use crate::manoeuvre::Manoeuvre;
@@ -57,6 +59,14 @@ pub struct Flight {
 }
 
 impl Surface {
+    /// What the control that moves it holds in trim.
+    pub fn role(self) -> TrimRole {
+        match self {
+            Surface::Elevator => TrimRole::Pitch,
+            Surface::Rudder => TrimRole::Yaw,
+        }
+    }
+
     /// Its angle about the trim as a function of time, rad and s.
     pub fn manoeuvre(self) -> Manoeuvre {
         match self {
@@ -146,7 +156,7 @@ impl Flight {
     /// The parameters of the simulation of an aircraft.
     pub fn settings(&self, model: &ReducedModel) -> Settings {
         let (mode_count, mode_selection) = self.case.modes();
-        Settings {
+        Settings::from(PlantSettings {
             fidelity: self.fidelity,
             airspeed: self.case.airspeed(),
             altitude: 7620.0,
@@ -154,8 +164,8 @@ impl Flight {
             mode_selection,
             mode_count,
             inflow_states: self.inflow_states,
-            ..Settings::of(model)
-        }
+            ..PlantSettings::of(model)
+        })
     }
 
     /// For file names.

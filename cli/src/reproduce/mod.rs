@@ -80,7 +80,7 @@ struct Section {
 
 /// Flies, draws and writes everything.
 pub fn run(options: &ReproduceOptions) -> Result<(), Error> {
-    let aircraft = Aircraft::read(&options.aircraft)?;
+    let aircraft = diagnostics::read_aircraft(&options.aircraft)?;
     if aircraft.support == Support::Clamped {
         return Err(Error::Clamped(aircraft.name));
     }
@@ -122,7 +122,8 @@ impl Reproduction {
         Reproduction {
             name: aircraft.name.clone(),
             table: Table::new(is_shipped(aircraft), histories),
-            inputs: INPUTS.map(|(number, surface)| (number, plots::input(surface))),
+            inputs: INPUTS
+                .map(|(number, surface)| (number, plots::input(surface, name_of(surface, aircraft)))),
             sections: GROUPS.iter().map(section).collect(),
             ended: ended.collect(),
         }
@@ -163,6 +164,14 @@ fn file_names() -> Vec<String> {
         .chain(figures.map(|figure| format!("figures/{}", figure.file_name())))
         .chain(flights.map(|flight| format!("flights/{}.csv", flight.slug())))
         .collect()
+}
+
+/// The control of an aircraft that moves in place of a surface.
+fn name_of(surface: Surface, aircraft: &Aircraft) -> &str {
+    let mut controls = aircraft.controls.iter();
+    controls
+        .find(|control| control.role == Some(surface.role()))
+        .map_or("no control", |control| &control.name)
 }
 
 /// What is in them, in the same order.

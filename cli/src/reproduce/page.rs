@@ -186,10 +186,10 @@ fn conditions(comparison: Comparison) -> String {
     };
     let (case, flights) = (comparison.case(), comparison.flights());
     let family = match case.modes() {
-        (count, flexible_aircraft::flight::ModeSelection::All) => {
+        (count, flexible_aircraft::plant::ModeSelection::All) => {
             format!("{count} modes of both families")
         }
-        (count, flexible_aircraft::flight::ModeSelection::Symmetric) => {
+        (count, flexible_aircraft::plant::ModeSelection::Symmetric) => {
             format!("{count} symmetric modes")
         }
     };

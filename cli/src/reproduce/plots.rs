@@ -69,20 +69,20 @@ fn shown(figure: &Figure, ours: &Window) -> Window {
     Window::new(window.min - ticks(window.min - ours.min), window.max + ticks(ours.max - window.max))
 }
 
-/// Figures 5.1 and 5.33: an input, with the window that the thesis shows of it.
-pub fn input(surface: Surface) -> String {
+/// Figures 5.1 and 5.33: an input by the name of the control that it moves, with the window that the thesis shows of it.
+pub fn input(surface: Surface, control: &str) -> String {
     let manoeuvre = surface.manoeuvre();
     let times = (0..=3000).map(|step| DURATION / 3000.0 * f64::from(step));
     let (number, symbol, name) = match surface {
-        Surface::Elevator => (1, "δe (rad)", "elevator about its trim"),
-        Surface::Rudder => (33, "δr (rad)", "rudder"),
+        Surface::Elevator => (1, "δe (rad)", format!("{control} about its trim")),
+        Surface::Rudder => (33, "δr (rad)", control.to_owned()),
     };
     let chart = Chart {
         title: format!("Figure 5.{number}: {name}"),
         x: time_axis(),
         y: Axis { tick: Some(0.05), ..Axis::new(symbol, Window::new(-0.05, 0.05)) },
         curves: vec![Curve {
-            label: name.to_owned(),
+            label: name,
             points: times.map(|time| (time, manoeuvre.value(time))).collect(),
         }],
         marks: Vec::new(),

@@ -3,7 +3,8 @@
 use std::io::{self, Write};
 use std::sync::Arc;
 
-use flexible_aircraft::flight::{Inputs, LimitExceeded, Settings, Simulation, SimulationError};
+use flexible_aircraft::flight::{Inputs, Settings, Simulation, SimulationError};
+use flexible_aircraft::plant::LimitExceeded;
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::{OutputSlot, Slot, VariableTable};
 
@@ -53,7 +54,8 @@ impl<'s> Flight<'s> {
         let [mut inputs, mut rates] = [Inputs::zero(&model), Inputs::zero(&model)];
         let reduced = Arc::clone(&model);
         let mut simulation = Simulation::new(model, settings, schedule.start())?;
-        if let Some(warning) = LimitExceeded::warning(simulation.limits_exceeded(), &reduced, settings) {
+        if let Some(warning) = LimitExceeded::warning(simulation.limits_exceeded(), &reduced, &settings.plant)
+        {
             diagnostics::warn(&warning);
         }
         schedule.write(0, &mut inputs, &mut rates);
@@ -100,6 +102,7 @@ mod tests {
     use std::path::Path;
 
     use flexible_aircraft::aircraft::Aircraft;
+    use flexible_aircraft::plant::PlantSettings;
 
     use super::*;
 
@@ -108,7 +111,7 @@ mod tests {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft/generic-business-jet.toml");
         let model = Arc::new(ReducedModel::new(&Aircraft::read(&path).unwrap(), 4).unwrap());
         let variables = VariableTable::new(&model);
-        let settings = Settings { mode_count: 4, ..Settings::of(&model) };
+        let settings = Settings::from(PlantSettings { mode_count: 4, ..PlantSettings::of(&model) });
         let schedule = Schedule::parse(inputs.as_bytes(), &variables).unwrap();
         let mut flight = Flight::new(model, &settings, &schedule, &variables).unwrap();
         let mut table = NumberTable::new(Vec::new(), flight.names()).unwrap();

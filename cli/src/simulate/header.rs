@@ -1,7 +1,7 @@
 //! The line of names at the head of a table of inputs: what its columns are.
 
+use flexible_aircraft::variables::probably_meant;
 use flexible_aircraft::variables::{InputSlot, Slot, Unit, VariableTable};
-use flexible_aircraft_packaging::probably_meant;
 
 use super::parameter::did_you_mean;
 use super::schedule::Mistake;

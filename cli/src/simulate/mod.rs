@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::Args;
-use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
+use flexible_aircraft::aircraft::AircraftFileError;
 use flexible_aircraft::flight::SimulationError;
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft::variables::VariableTable;
@@ -112,7 +112,7 @@ pub fn run(options: &SimulateOptions) -> Result<(), Error> {
     let outputs = if output == Path::new(STANDARD) { vec![&**output] } else { vec![&**output, &unfinished] };
     refuse_overwriting(&outputs, [inputs.as_path(), &options.aircraft])?;
     let count = ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES);
-    let model = Arc::new(ReducedModel::new(&Aircraft::read(&options.aircraft)?, count)?);
+    let model = Arc::new(ReducedModel::new(&diagnostics::read_aircraft(&options.aircraft)?, count)?);
     let variables = VariableTable::new(&model);
     let settings = parameter::settings(&options.set, &variables, &model)?;
     let schedule = Schedule::parse(&read(inputs)?, &variables)

@@ -1,9 +1,11 @@
 //! Parameters of the FMU, given as text.
 
-use flexible_aircraft::flight::{ModeSelection, Settings};
+use flexible_aircraft::flight::Settings;
+use flexible_aircraft::plant::ModeSelection;
 use flexible_aircraft::structure::{ModeFamily, ReducedModel};
-use flexible_aircraft::variables::{ParameterSlot, Slot, Type, Value, Variable, VariableTable};
-use flexible_aircraft_packaging::probably_meant;
+use flexible_aircraft::variables::{
+    ParameterSlot, Slot, Type, Value, Variable, VariableTable, probably_meant,
+};
 
 /// What is wrong with an assignment.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -40,9 +42,9 @@ pub fn settings(
     let mut settings = Settings::of(model);
     set_all(assignments, variables, &mut settings)?;
     let is_asked_for = assignments.iter().any(|assignment| name(assignment) == "mode_count");
-    if !is_asked_for && settings.mode_selection == ModeSelection::Symmetric {
+    if !is_asked_for && settings.plant.mode_selection == ModeSelection::Symmetric {
         let symmetric = model.modes.iter().filter(|mode| mode.family == ModeFamily::Symmetric).count();
-        settings.mode_count = settings.mode_count.min(symmetric);
+        settings.plant.mode_count = settings.plant.mode_count.min(symmetric);
     }
     Ok(settings)
 }
@@ -148,8 +150,8 @@ mod tests {
     #[test]
     fn numbers_and_items_in_any_case_become_settings() {
         let settings = set(&["model=Rigid", "stiffness_scale=0.1", "mode_count=2", "mode_family=2"]).unwrap();
-        assert_eq!((settings.fidelity, settings.stiffness_scale), (Fidelity::Rigid, 0.1));
-        assert_eq!(settings.mode_count, 2);
+        assert_eq!((settings.plant.fidelity, settings.plant.stiffness_scale), (Fidelity::Rigid, 0.1));
+        assert_eq!(settings.plant.mode_count, 2);
     }
 
     #[test]
@@ -197,12 +199,14 @@ mod tests {
             settings(&assignments, &variables, &model).unwrap()
         };
         let symmetric = of(&["mode_family=symmetric"]);
-        assert!((1..12).contains(&symmetric.mode_count), "{}", symmetric.mode_count);
-        assert_eq!(symmetric.choose_modes(&model).unwrap().len(), symmetric.mode_count);
-        assert_eq!(of(&[]).mode_count, 12);
+        assert!((1..12).contains(&symmetric.plant.mode_count), "{}", symmetric.plant.mode_count);
+        assert_eq!(symmetric.plant.choose_modes(&model).unwrap().len(), symmetric.plant.mode_count);
+        assert_eq!(of(&[]).plant.mode_count, 12);
         // What was asked for is not changed in silence.
         let asked = of(&["mode_count=12", "mode_family=symmetric"]);
-        assert!(asked.choose_modes(&model).unwrap_err().to_string().starts_with("mode_count: found 12"));
+        assert!(
+            asked.plant.choose_modes(&model).unwrap_err().to_string().starts_with("mode_count: found 12")
+        );
     }
 
     #[test]

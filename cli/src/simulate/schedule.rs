@@ -3,7 +3,7 @@
 use csv::{ReaderBuilder, StringRecord, Trim};
 use flexible_aircraft::flight::Inputs;
 use flexible_aircraft::variables::VariableTable;
-use flexible_aircraft_packaging::instead_of_degrees;
+use flexible_aircraft::variables::instead_of_degrees;
 
 use super::header::{Column, Meaning, columns, other_separator};
 

@@ -54,8 +54,8 @@ fn bench_says_what_it_needs_before_it_flies() {
     for (aircraft, expected) in [
         (
             "small.toml",
-            "error: a.fmu: the FMU has no variable `deflection.wing_tip_right.up`; the standard flight needs an \
-             elevator and a station wing_tip_right\n",
+            "error: a.fmu: the FMU has no variable `deflection.wing_tip_right.up`; the standard flight needs the \
+             aircraft's control for pitch and a station wing_tip_right\n",
         ),
         (
             "lopsided.toml",

@@ -1,9 +1,10 @@
 //! Whether connections fit the model descriptions of their components.
 
+use flexible_aircraft::variables::nearest;
+
 use super::error::Misfit;
 use super::{Component, Connection, ConnectionError, Endpoint, SystemError};
 use crate::model_description::Variable;
-use crate::nearest::nearest;
 
 /// The connections, each with its output first.
 pub(super) fn connections(

@@ -1,10 +1,11 @@
 //! Start values of parameters and inputs.
 
+use flexible_aircraft::variables::{instead_of_degrees, probably_meant};
+
 use super::check::{described, feeder, variable};
 use super::error::Misfit;
 use super::{Component, Connection, ConnectionError, Endpoint, SystemError};
 use crate::model_description::{Variable, VariableType};
-use crate::{instead_of_degrees, probably_meant};
 
 /// A start value, checked.
 #[derive(Clone, Debug, PartialEq)]

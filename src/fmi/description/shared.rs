@@ -60,11 +60,12 @@ pub fn items(xml: &mut Xml, enumeration: EnumerationType) -> io::Result<()> {
     Ok(())
 }
 
-pub fn log_categories(xml: &mut Xml) -> io::Result<()> {
+/// The categories of the log; what falls into each, in words of the version.
+pub fn log_categories(xml: &mut Xml, contents: impl Fn(Category) -> &'static str) -> io::Result<()> {
     xml.create_element("LogCategories").write_inner_content(|xml| {
         for category in Category::ALL {
             xml.create_element("Category")
-                .with_attributes([("name", category.name()), ("description", category.description())])
+                .with_attributes([("name", category.name()), ("description", contents(category))])
                 .write_empty()?;
         }
         Ok(())

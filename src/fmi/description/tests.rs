@@ -1,6 +1,6 @@
 use super::*;
+use crate::structure::test_jet::jet;
 use crate::variables::VariableTable;
-use crate::variables::tests::jet;
 
 #[test]
 fn the_guid_follows_the_content() {

@@ -5,6 +5,7 @@ use std::io;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 
+use crate::fmi::log::Category;
 use crate::structure::ReducedModel;
 use crate::variables::{EnumerationType, OutputSlot, Slot, Type, Variable, VariableTable};
 
@@ -41,7 +42,7 @@ fn document(xml: &mut Xml, model: &ReducedModel, table: &VariableTable, guid: &s
             co_simulation(xml)?;
             unit_definitions(xml)?;
             type_definitions(xml)?;
-            log_categories(xml)?;
+            log_categories(xml, log_contents)?;
             default_experiment(xml, model)?;
             xml.create_element("ModelVariables").write_inner_content(|xml| {
                 table.iter().try_for_each(|(reference, variable)| scalar_variable(xml, reference, variable))
@@ -49,6 +50,17 @@ fn document(xml: &mut Xml, model: &ReducedModel, table: &VariableTable, guid: &s
             model_structure(xml, table)
         })?;
     Ok(())
+}
+
+/// What falls into a category of the log.
+fn log_contents(category: Category) -> &'static str {
+    match category {
+        Category::Events => "Instantiation, initialisation, trim, reset and termination",
+        Category::StatusWarning => "Reasons of fmi2Warning and fmi2Discard",
+        Category::StatusError => "Reasons of fmi2Error",
+        Category::StatusFatal => "Reasons of fmi2Fatal",
+        Category::All => "All messages",
+    }
 }
 
 /// Only what is true is said; what is left out is false.

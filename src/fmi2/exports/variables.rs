@@ -5,7 +5,7 @@ use libc::size_t;
 use super::{array, array_to_fill, on};
 use crate::fmi::instance::Instance;
 use crate::fmi::life_cycle::Operation;
-use crate::fmi::values::Family;
+use crate::fmi::values::Numbers;
 use crate::fmi2::types::{Boolean, CString, Component, Integer, Real, Status, ValueReference};
 use crate::variables::Value;
 
@@ -21,7 +21,7 @@ pub unsafe extern "C" fn fmi2GetReal(
         // SAFETY: arrays as the module says.
         let (references, places) =
             unsafe { (array(references, count, "vr")?, array_to_fill(values, count, "value")?) };
-        instance.get(Family::Real, references, |i, value| {
+        instance.get(Numbers::Real, references, |i, value| {
             if let Value::Real(x) = value {
                 places[i].write(x);
             }
@@ -43,7 +43,7 @@ pub unsafe extern "C" fn fmi2GetInteger(
         // SAFETY: arrays as the module says.
         let (references, places) =
             unsafe { (array(references, count, "vr")?, array_to_fill(values, count, "value")?) };
-        instance.get(Family::Integer, references, |i, value| {
+        instance.get(Numbers::Integer, references, |i, value| {
             if let Value::Integer(x) = value {
                 places[i].write(x);
             }
@@ -65,7 +65,7 @@ pub unsafe extern "C" fn fmi2SetReal(
         // SAFETY: arrays as the module says.
         let (references, values) =
             unsafe { (array(references, count, "vr")?, array(values, count, "value")?) };
-        instance.set(Family::Real, references, values.iter().map(|x| Value::Real(*x)))
+        instance.set(Numbers::Real, references, values.iter().map(|x| Value::Real(*x)))
     };
     // SAFETY: components as the module says.
     unsafe { on(component, Operation::SetReal, body) }
@@ -83,7 +83,7 @@ pub unsafe extern "C" fn fmi2SetInteger(
         // SAFETY: arrays as the module says.
         let (references, values) =
             unsafe { (array(references, count, "vr")?, array(values, count, "value")?) };
-        instance.set(Family::Integer, references, values.iter().map(|i| Value::Integer(*i)))
+        instance.set(Numbers::Integer, references, values.iter().map(|i| Value::Integer(*i)))
     };
     // SAFETY: components as the module says.
     unsafe { on(component, Operation::SetInteger, body) }

@@ -56,7 +56,7 @@ fn is_input(slot: Slot) -> bool {
     matches!(slot, Slot::Input(_))
 }
 
-/// In a steady climb with surfaces deflected and wind, so that nothing is zero by symmetry.
+/// In a steady climb with controls deflected and wind, so that nothing is zero by symmetry.
 const DISTURBANCE: [(&str, f64); 5] = [
     ("elevator", -0.02),
     ("rudder", 0.01),
@@ -73,7 +73,7 @@ fn disturbed() -> Fmu {
 }
 
 #[test]
-fn surfaces_and_engines_follow_their_own_inputs_one_to_one_and_no_other() {
+fn controls_and_engines_follow_their_own_inputs_one_to_one_and_no_other() {
     let fmu = disturbed();
     let controls = [
         ("elevator", "surface.elevator"),
@@ -276,7 +276,7 @@ fn a_call_by_inputs_costs_at_most_8_right_hand_sides_and_calls_by_parameters_sha
                 fmu.outputs();
             });
             let is_wind = VariableTable::new(jet()).get(input).unwrap().name.starts_with("wind");
-            let least = if is_wind { 4 } else { 0 }; // surfaces and thrusts act through forces that are there already
+            let least = if is_wind { 4 } else { 0 }; // controls and thrusts act through forces that are there already
             assert!((least..=8).contains(&cost), "{cost} for {input}");
         }
     }

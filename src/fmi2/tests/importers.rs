@@ -68,13 +68,7 @@ fn without_a_logger_and_any_other_callback_it_flies_and_refuses_as_always() {
     assert!(request("jet", "file:///no/such/folder", None).component.is_null());
     let (name, guid, uri) =
         (CString::new("jet").unwrap(), CString::new(guid(jet())).unwrap(), CString::new(uri).unwrap());
-    let callbacks = CallbackFunctions {
-        logger: None,
-        allocate_memory: None,
-        free_memory: None,
-        step_finished: None,
-        component_environment: null_mut(),
-    };
+    let callbacks = no_callbacks();
     // SAFETY: strings and callbacks live during the call; the callbacks may all be NULL.
     let component =
         unsafe { fmi2Instantiate(name.as_ptr(), 1, guid.as_ptr(), uri.as_ptr(), &callbacks, 1, 1) };

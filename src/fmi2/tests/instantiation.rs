@@ -93,13 +93,7 @@ fn a_resource_path_of_bytes_that_are_not_utf8_opens() {
     let folder = unpacked.0.join(std::ffi::OsString::from_vec(b"caf\xE9".to_vec()));
     std::fs::rename(unpacked.0.join("jet"), folder).unwrap();
     let guid = CString::new(guid(jet())).unwrap();
-    let callbacks = CallbackFunctions {
-        logger: None,
-        allocate_memory: None,
-        free_memory: None,
-        step_finished: None,
-        component_environment: null_mut(),
-    };
+    let callbacks = no_callbacks();
     for name in [&b"caf%E9"[..], b"caf\xE9"] {
         let root = format!("file://{}/", unpacked.0.display());
         let uri = CString::new([root.as_bytes(), name, b"/resources"].concat()).unwrap();

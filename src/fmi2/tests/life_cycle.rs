@@ -210,7 +210,11 @@ fn every_function_obeys_the_table_in_every_state() {
             match function.objection(before) {
                 Some(objection) => {
                     assert_eq!((status, state(&fmu)), (Status::Error, before), "{function:?} in {before:?}");
-                    fmu.assert_refused(&[&objection]);
+                    fmu.assert_refused(&[&format!(
+                        "{}: {}",
+                        functions::name(function),
+                        objection.text("fmi2DoStep")
+                    )]);
                 }
                 None => {
                     let log = fmu.log.borrow();

@@ -23,11 +23,23 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::exports::*;
+use super::functions;
 use super::types::{CallbackFunctions, CallbackLogger, Component, FmuState, Status};
 use crate::fmi::RESOURCE_FILE;
 use crate::fmi::description::guid;
+use crate::structure::test_jet::jet;
 use crate::variables::VariableTable;
-use crate::variables::tests::jet;
+
+/// Those of an importer that gives none.
+fn no_callbacks() -> CallbackFunctions {
+    CallbackFunctions {
+        logger: None,
+        allocate_memory: None,
+        free_memory: None,
+        step_finished: None,
+        component_environment: null_mut(),
+    }
+}
 
 /// A message as the importer's logger gets it.
 #[derive(Clone, Debug, PartialEq)]

@@ -14,6 +14,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use crate::aircraft::{Aircraft, AircraftFileError};
 use crate::flight::{Inputs, Settings, Simulation};
 use crate::fmi::description;
+use crate::plant::PlantSettings;
 use crate::sealed::hash;
 use crate::structure::ReducedModel;
 
@@ -104,7 +105,8 @@ fn each<S: Strategy>(cases: u32, strategy: S, check: impl Fn(S::Value)) {
 /// Everything that an FMU does with a model that has been accepted.
 fn fly(model: ReducedModel) {
     assert!(description::write(&model).contains(&guid(&model)));
-    let settings = Settings { mode_count: model.modes.len(), ..Settings::of(&model) };
+    let settings =
+        Settings::from(PlantSettings { mode_count: model.modes.len(), ..PlantSettings::of(&model) });
     let (inputs, zero) = (Inputs::zero(&model), Inputs::zero(&model));
     if let Ok(mut flight) = Simulation::new(Arc::new(model), &settings, 0.0) {
         flight.set_inputs(&inputs, &zero);

@@ -117,7 +117,7 @@ impl World<'_> {
         };
         assert_ne!(status, Status::Fatal, "{function:?}: {call:?}");
         let succeeded = matches!(status, Status::Ok | Status::Warning);
-        self.tally.borrow_mut().entry(function.name()).or_default()[usize::from(!succeeded)] += 1;
+        self.tally.borrow_mut().entry(functions::name(function)).or_default()[usize::from(!succeeded)] += 1;
         if succeeded {
             return;
         }
@@ -128,7 +128,7 @@ impl World<'_> {
             let message = fmu.last_message();
             assert_eq!(messages(self), messages_before + 1, "{function:?}: {message:?}");
             assert_eq!(message.status, status);
-            assert!(message.format.contains(function.name()), "{message:?}");
+            assert!(message.format.contains(functions::name(function)), "{message:?}");
             assert!(!message.format.replace("%%", "").contains('%'), "{message:?}");
         }
     }
@@ -263,7 +263,7 @@ fn a_hundred_thousand_random_calls_crash_nothing_hang_nothing_and_leave_nothing_
         Config { cases: SEQUENCES, failure_persistence: None, max_shrink_iters: 200, ..Config::default() };
     let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &key));
     let unpacked = aircraft().map(|model| (Unpacked::of(&model.to_bytes(), "a {b}"), guid(&model)));
-    let tally = RefCell::new(Operation::all().map(|function| (function.name(), [0; 2])).collect());
+    let tally = RefCell::new(Operation::all().map(|function| (functions::name(function), [0; 2])).collect());
     let played = runner.run(&vec(call(), CALLS), |calls| {
         let held = bytes_held();
         let mut world = World {

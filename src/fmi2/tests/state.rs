@@ -127,26 +127,12 @@ fn a_state_in_place_of_its_address_is_left_alone_and_the_address_is_no_state() {
 
     let mut handle = saved.state;
     let address: FmuState = (&raw mut handle).cast();
-    let (mut size, mut byte) = (0, 0);
-    // SAFETY: component and state are alive; what is no state can be read as a word.
-    let statuses = unsafe {
-        [
-            fmi2SetFMUstate(fmu.component, address),
-            fmi2SerializedFMUstateSize(fmu.component, address, &mut size),
-            fmi2SerializeFMUstate(fmu.component, address, &mut byte, 1),
-        ]
-    };
-    assert_eq!(statuses, [Status::Error; 3]);
-    fmu.assert_refused(&["fmi2SerializeFMUstate", "found something else than a state"]);
+    assert_no_state(&fmu, address);
     assert_eq!(saved.restore(), Status::Ok);
 }
 
-/// What stands behind the handle is nobody's business: words that would make a state with the handle before them.
-#[test]
-fn the_address_of_a_null_handle_is_no_state() {
-    let fmu = Fmu::flying();
-    let mut handle_and_more: [FmuState; 4] = [null_mut(); 4];
-    let address: FmuState = handle_and_more.as_mut_ptr().cast();
+/// What can be read as a word at an address is refused wherever a state belongs.
+fn assert_no_state(fmu: &Fmu, address: FmuState) {
     let (mut size, mut byte) = (0, 0);
     // SAFETY: the component is alive; what is no state can be read as a word.
     let statuses = unsafe {
@@ -158,6 +144,15 @@ fn the_address_of_a_null_handle_is_no_state() {
     };
     assert_eq!(statuses, [Status::Error; 3]);
     fmu.assert_refused(&["fmi2SerializeFMUstate", "found something else than a state"]);
+}
+
+/// What stands behind the handle is nobody's business: words that would make a state with the handle before them.
+#[test]
+fn the_address_of_a_null_handle_is_no_state() {
+    let fmu = Fmu::flying();
+    let mut handle_and_more: [FmuState; 4] = [null_mut(); 4];
+    let address: FmuState = handle_and_more.as_mut_ptr().cast();
+    assert_no_state(&fmu, address);
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! Eight sections side by side, displaced and turned by superposition, in space and in the mirror plane.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
 use crate::math::{
@@ -7,6 +9,7 @@ use crate::math::{
 };
 use crate::structure::{ModeShapes, ReducedStrip};
 
+use super::super::kind::Coordinates;
 use super::super::sections::{SectionMotion, SectionsInPlane, SectionsInSpace};
 
 /// Sections of eight strips; those that a group lacks rest at O.
@@ -30,28 +33,21 @@ pub struct EightEdgeOn {
 #[derive(Clone, Copy, Debug)]
 pub struct Superposed<'a, T> {
     pub sections: &'a T,
-    pub q: &'a [f64],
-    pub q_dot: &'a [f64],
+    pub coordinates: Coordinates<'a>,
 }
 
 impl EightSections {
     /// Of up to eight strips with the shapes of so many modes.
     pub fn new(strips: &[ReducedStrip], modes: usize) -> Self {
-        let position = |lane: usize| strips.get(lane).map_or(Vector3::zeros(), |strip| strip.position);
-        let shape = |mode: usize, row: usize| {
-            lanes(strips, |ReducedStrip { shapes: ModeShapes { translation, rotation }, .. }| {
-                (if row < 3 { translation } else { rotation })[row % 3 * modes + mode]
-            })
-        };
         EightSections {
-            at_rest: EightVectors::new(std::array::from_fn(position)),
-            shapes: (0..modes).map(|mode| std::array::from_fn(|row| shape(mode, row))).collect(),
+            at_rest: EightVectors::of(strips, |strip| strip.position, Vector3::zeros()),
+            shapes: (0..modes).map(|mode| rows(strips, mode, ALL)).collect(),
         }
     }
 
-    /// The largest displacement or rotation by a unit coordinate, m or rad.
-    pub fn largest_shape(&self) -> f64 {
-        let shapes = self.shapes.iter().flatten().flat_map(|lanes| lanes.0);
+    /// The largest of some of the rows, m or rad.
+    pub fn largest(&self, rows: Range<usize>) -> f64 {
+        let shapes = self.shapes.iter().flat_map(|shape| &shape[rows.clone()]).flat_map(|lanes| lanes.0);
         shapes.fold(0.0, |largest, shape| shape.abs().max(largest))
     }
 }
@@ -59,23 +55,20 @@ impl EightSections {
 impl EightEdgeOn {
     /// Of up to eight strips with the shapes of so many modes.
     pub fn new(strips: &[ReducedStrip], modes: usize) -> Self {
-        let shape = |mode: usize| {
-            [
-                lanes(strips, |strip| strip.shapes.translation[mode]),
-                lanes(strips, |strip| strip.shapes.translation[2 * modes + mode]),
-                lanes(strips, |strip| strip.shapes.rotation[modes + mode]),
-            ]
-        };
+        let at_rest = |axis: usize| Eight::of(strips, |strip| strip.position[axis], 0.0);
         EightEdgeOn {
-            at_rest: [lanes(strips, |strip| strip.position.x), lanes(strips, |strip| strip.position.z)],
-            shapes: (0..modes).map(shape).collect(),
+            at_rest: [at_rest(0), at_rest(2)],
+            shapes: (0..modes).map(|mode| rows(strips, mode, ModeShapes::IN_PLANE)).collect(),
         }
     }
 }
 
-/// A number of each strip; zero where there is none.
-fn lanes(strips: &[ReducedStrip], value: impl Fn(&ReducedStrip) -> f64) -> Eight {
-    Eight(std::array::from_fn(|lane| strips.get(lane).map_or(0.0, &value)))
+/// All rows of mode shapes.
+const ALL: [usize; 6] = [0, 1, 2, 3, 4, 5];
+
+/// What some rows have of a mode at each strip.
+fn rows<const N: usize>(strips: &[ReducedStrip], mode: usize, rows: [usize; N]) -> [Eight; N] {
+    rows.map(|row| Eight::of(strips, |strip| strip.shapes.row(row)[mode], 0.0))
 }
 
 impl Superposed<'_, EightSections> {
@@ -83,7 +76,8 @@ impl Superposed<'_, EightSections> {
     #[inline(always)]
     pub fn sums<S: Arithmetic>(&self, window: Window<S>) -> [LaneVector<S>; 4] {
         let (mut sums, mut rates) = ([window.splat(0.0); 6], [window.splat(0.0); 6]);
-        for (shape, (&q, &q_dot)) in self.sections.shapes.iter().zip(self.q.iter().zip(self.q_dot)) {
+        let Coordinates { q, q_dot } = self.coordinates;
+        for (shape, (&q, &q_dot)) in self.sections.shapes.iter().zip(q.iter().zip(q_dot)) {
             for row in 0..6 {
                 let shape = window.load(&shape[row]);
                 sums[row] += shape * q;
@@ -149,7 +143,7 @@ impl SectionsInPlane for Superposed<'_, EightSections> {
             window,
             SectionsInPlane::at_rest(self, window),
             SectionsInPlane::rows(self),
-            [self.q, self.q_dot],
+            self.coordinates,
         )
     }
 
@@ -172,7 +166,7 @@ impl SectionsInPlane for Superposed<'_, EightEdgeOn> {
         &self,
         window: Window<S>,
     ) -> SectionMotion<PlaneVector<S>, Lanes<S>, PlaneRotation<S>> {
-        superpose_in_plane(window, self.at_rest(window), self.rows(), [self.q, self.q_dot])
+        superpose_in_plane(window, self.at_rest(window), self.rows(), self.coordinates)
     }
 
     #[inline(always)]
@@ -187,7 +181,7 @@ fn superpose_in_plane<'a, S: Arithmetic>(
     window: Window<S>,
     at_rest: PlaneVector<S>,
     shapes: impl Iterator<Item = [&'a Eight; 3]>,
-    [q, q_dot]: [&[f64]; 2],
+    Coordinates { q, q_dot }: Coordinates,
 ) -> SectionMotion<PlaneVector<S>, Lanes<S>, PlaneRotation<S>> {
     let zero = window.splat(0.0);
     let (mut x, mut z, mut turn) = (zero, zero, zero);

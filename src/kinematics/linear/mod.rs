@@ -1,105 +1,59 @@
 //! The thesis' kinematics: displacements and rotation vectors are sums of mode shapes, u = Ψᵘq and φ = Ψᵠq.
 //!
-//! [theory: frames.displacement, frames.rotation, frames.spin; thesis eq. 2.1]
+//! [theory: kinematics.superposition, frames.displacement, frames.rotation, frames.spin; thesis eq. 2.1]
 //!
-//! The rows are constants, J = Ψᵘ and S = Ψᵠ: nothing is left of the rates of Jq̇ and Sq̇ at q̈ = 0. But a section turns by
-//! exp(φ×), and its spin σ is the true rate of that, which for finite φ is not quite Ψᵠq̇.
+//! The rows are constants, J = Ψᵘ and S = Ψᵠ: nothing is left of the rates of Jq̇ and Sq̇ at q̈ = 0, and nothing is to be
+//! written at an instant. But a section turns by exp(φ×), and its spin σ is the true rate of that, which for finite φ is not
+//! quite Ψᵠq̇.
 
 mod eight;
+mod inertia;
 mod section;
+mod superposition;
 
-use nalgebra::Vector3;
-use pulp::Scalar;
+use crate::math::Arithmetic;
+use crate::structure::{ModalIntegrals, ReducedModel, ReducedStrip};
 
-use crate::math::{LANES, Window};
-use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
+use super::freedom::RigidFreedom;
+use super::kind::{Coordinates, Kinematics};
+use inertia::SuperposedInertia;
+use superposition::Instant;
+pub use superposition::Superposition;
 
-use super::sections::{Section, Sections, SectionsInPlane, SectionsInSpace};
-use eight::{EightEdgeOn, EightSections, Superposed};
-use section::{LinearSection, SuperposedSection};
-
-/// The sections of an aircraft that moves by superposition.
+/// Nothing: whatever superposition needs is constant.
 #[derive(Clone, Debug)]
-pub struct Superposition {
-    strip_count: usize,
-    strips: Vec<EightSections>,
-    edge_on: Vec<EightEdgeOn>,
-    engines: Vec<LinearSection>,
-    stations: Vec<LinearSection>,
-}
+pub struct NoMemory;
 
-/// The same at an instant.
-#[derive(Clone, Copy, Debug)]
-pub struct Instant<'a> {
-    sections: &'a Superposition,
-    q: &'a [f64],
-    q_dot: &'a [f64],
-}
+impl Kinematics for Superposition {
+    type Memory = NoMemory;
+    type Instant<'a> = Instant<'a>;
+    type Inertia = SuperposedInertia;
 
-impl Superposition {
-    /// Of a model, and of other strips with the same modes that flow in the mirror plane meets edge-on.
-    pub fn new(model: &ReducedModel, edge_on: &[ReducedStrip]) -> Self {
-        let modes = model.modes.len();
-        let section = |position, shapes: &ModeShapes| LinearSection::new(position, shapes.clone());
-        Superposition {
-            strip_count: model.strips.len(),
-            strips: model.strips.chunks(LANES).map(|strips| EightSections::new(strips, modes)).collect(),
-            edge_on: edge_on.chunks(LANES).map(|strips| EightEdgeOn::new(strips, modes)).collect(),
-            engines: model.engines.iter().map(|engine| section(engine.position, &engine.shapes)).collect(),
-            stations: model.stations.iter().map(|place| section(place.position, &place.shapes)).collect(),
-        }
+    fn new(model: &ReducedModel, edge_on: &[ReducedStrip]) -> Self {
+        Superposition::of(model, edge_on)
     }
 
-    /// At some q and q̇.
-    #[inline(always)]
-    pub fn at<'a>(&'a self, q: &'a [f64], q_dot: &'a [f64]) -> Instant<'a> {
-        Instant { sections: self, q, q_dot }
+    fn memory(&self) -> NoMemory {
+        NoMemory
     }
 
-    /// The largest displacement or rotation of any strip by a unit coordinate, m or rad.
-    pub fn largest_shape(&self) -> f64 {
-        self.strips.iter().fold(0.0, |largest, eight| eight.largest_shape().max(largest))
-    }
-}
-
-impl<'a> Instant<'a> {
-    #[inline(always)]
-    fn of<T>(self, sections: &'a T) -> Superposed<'a, T> {
-        Superposed { sections, q: self.q, q_dot: self.q_dot }
-    }
-
-    fn single(self, section: &'a LinearSection) -> SuperposedSection<'a> {
-        section.at([self.q, self.q_dot])
-    }
-}
-
-impl Sections for Instant<'_> {
-    #[inline(always)]
-    fn of_strips(&self, group: usize) -> impl SectionsInSpace + SectionsInPlane {
-        self.of(&self.sections.strips[group])
+    fn inertia(&self, integrals: &ModalIntegrals, freedom: RigidFreedom) -> SuperposedInertia {
+        SuperposedInertia::undeformed(integrals, freedom)
     }
 
     #[inline(always)]
-    fn edge_on(&self, group: usize) -> impl SectionsInPlane {
-        self.of(&self.sections.edge_on[group])
+    fn evaluate<S: Arithmetic>(&self, _: S, _: Coordinates, _: &mut NoMemory) {}
+
+    #[inline(always)]
+    fn sections<'a>(&'a self, at: Coordinates<'a>, _: &'a NoMemory) -> Instant<'a> {
+        self.at(at)
     }
 
-    fn engines(&self) -> impl Iterator<Item = impl Section> {
-        self.sections.engines.iter().map(|section| self.single(section))
+    fn largest_displacement(&self) -> f64 {
+        self.largest(0..3)
     }
 
-    fn stations(&self) -> impl Iterator<Item = impl Section> {
-        self.sections.stations.iter().map(|section| self.single(section))
-    }
-
-    fn strip_displacements(&self) -> impl Iterator<Item = Vector3<f64>> {
-        let groups = self.sections.strips.iter().flat_map(|eight| {
-            let eight = self.of(eight);
-            Window::all(Scalar::new()).map(move |window| {
-                let [displacement, ..] = eight.sums(window);
-                displacement.vector()
-            })
-        });
-        groups.take(self.sections.strip_count)
+    fn largest_shape(&self) -> f64 {
+        self.largest(0..6)
     }
 }

@@ -6,6 +6,7 @@ use pulp::Scalar;
 use crate::math::{LaneVector, Rotation};
 use crate::structure::ModeShapes;
 
+use super::super::kind::Coordinates;
 use super::super::sections::Section;
 
 /// A section and the mode shapes there.
@@ -35,12 +36,12 @@ impl LinearSection {
     }
 
     /// At some q and q̇.
-    pub fn at<'a>(&'a self, [q, q_dot]: [&'a [f64]; 2]) -> SuperposedSection<'a> {
-        let rotation = combine(&self.shapes.rotation, q);
+    pub fn at<'a>(&'a self, Coordinates { q, q_dot }: Coordinates<'a>) -> SuperposedSection<'a> {
+        let rotation = combine(self.shapes.rotation_rows(), q);
         SuperposedSection {
             section: self,
             q_dot,
-            displacement: combine(&self.shapes.translation, q),
+            displacement: combine(self.shapes.translation_rows(), q),
             rotation,
             turn: Rotation::new(LaneVector::single(&rotation)),
         }
@@ -57,15 +58,15 @@ impl Section for SuperposedSection<'_> {
     }
 
     fn velocity(&self) -> Vector3<f64> {
-        combine(&self.section.shapes.translation, self.q_dot)
+        combine(self.section.shapes.translation_rows(), self.q_dot)
     }
 
     fn acceleration(&self, q_ddot: &[f64]) -> Vector3<f64> {
-        combine(&self.section.shapes.translation, q_ddot)
+        combine(self.section.shapes.translation_rows(), q_ddot)
     }
 
-    fn spin(&self, body_rate: &Vector3<f64>) -> Vector3<f64> {
-        let rate = LaneVector::single(&combine(&self.section.shapes.rotation, self.q_dot));
+    fn angular_velocity(&self, body_rate: &Vector3<f64>) -> Vector3<f64> {
+        let rate = LaneVector::single(&combine(self.section.shapes.rotation_rows(), self.q_dot));
         (LaneVector::single(body_rate) + rate + self.turn.excess_spin(&rate)).vector()
     }
 
@@ -82,17 +83,15 @@ impl Section for SuperposedSection<'_> {
     }
 
     fn write_generalised_force(&self, force: &Vector3<f64>, generalised: &mut [f64]) {
-        let (translation, n) = (&self.section.shapes.translation, self.q_dot.len());
+        let rows = self.section.shapes.translation_rows();
         for (mode, generalised) in generalised.iter_mut().enumerate() {
-            *generalised = (0..3).map(|i| translation[i * n + mode] * force[i]).sum();
+            *generalised = (0..3).map(|i| rows[i][mode] * force[i]).sum();
         }
     }
 }
 
-/// Row-major 3 × n times q.
-fn combine(rows: &[f64], q: &[f64]) -> Vector3<f64> {
-    let (x, others) = rows.split_at(q.len());
-    let (y, z) = others.split_at(q.len());
+/// Three rows times q.
+fn combine([x, y, z]: [&[f64]; 3], q: &[f64]) -> Vector3<f64> {
     let mut sum = Vector3::zeros();
     for (((x, y), z), q) in x.iter().zip(y).zip(z).zip(q) {
         sum += Vector3::new(*x, *y, *z) * *q;

@@ -4,34 +4,8 @@ use std::ops::Range;
 
 use pulp::{Simd, WithSimd};
 
-use crate::equations::StateLayout;
-use crate::math::{AlignedNumbers, LANES, Lanes, Window};
-
-/// A diagonal matrix in the layout of the state: for the real states a number, for the complex ones the real part
-/// in the place of their real and the imaginary part in that of their imaginary part.
-pub type Diagonal = AlignedNumbers;
-
-/// Which states stand alone, and which are the two parts of complex ones.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Spectrum {
-    /// Places of the real states.
-    pub real: [Range<usize>; 2],
-    /// Places of the complex states' real parts, and of their imaginary parts.
-    pub complex: [(Range<usize>, Range<usize>); 2],
-}
-
-impl Spectrum {
-    /// Of states of a layout whose coordinates are amplitudes of modes.
-    pub fn new(layout: &StateLayout) -> Self {
-        Spectrum {
-            real: [layout.rigid(), layout.inflow_layout().real()],
-            complex: [
-                (layout.coordinate_rates(), layout.coordinates()),
-                (layout.inflow_layout().re(), layout.inflow_layout().im()),
-            ],
-        }
-    }
-}
+use crate::math::{LANES, Lanes, Window};
+use crate::plant::{LinearPart, Spectrum};
 
 /// target = base + Σ D · vector.
 pub struct Combine<'a, const TERMS: usize> {
@@ -144,6 +118,14 @@ pub struct TakeOff<'a> {
     pub slope: &'a mut [f64],
 }
 
+impl<'a> TakeOff<'a> {
+    /// Of a plant's linear part.
+    #[inline(always)]
+    pub fn new(linear: &'a LinearPart, to: &'a [f64], from: &'a [f64], slope: &'a mut [f64]) -> Self {
+        TakeOff { spectrum: linear.spectrum(), linear: linear.diagonal(), to, from, slope }
+    }
+}
+
 impl WithSimd for TakeOff<'_> {
     type Output = ();
 
@@ -234,6 +216,7 @@ mod tests {
     use pulp::Arch;
 
     use super::*;
+    use crate::equations::StateLayout;
     use crate::strips::InflowLayout;
 
     fn wave(layout: &StateLayout, phase: f64) -> Vec<f64> {

@@ -13,7 +13,7 @@ use crate::math::{Arithmetic, Eight, Lanes, Window};
 /// What aerofoil sections are, apart from their places: in memory one number per strip of a group, in use those of
 /// the strips at hand.
 #[derive(Clone, Debug)]
-pub struct Section<T = Eight> {
+pub struct Aerofoil<T = Eight> {
     /// b, m.
     pub semichord: T,
     /// d, m.
@@ -81,11 +81,11 @@ pub struct SectionLoads<S: Arithmetic> {
     pub pitching: Lanes<S>,
 }
 
-impl Section {
+impl Aerofoil {
     /// The sections in a window on the group.
     #[inline(always)]
-    pub fn at<S: Arithmetic>(&self, window: Window<S>) -> Section<Lanes<S>> {
-        Section {
+    pub fn at<S: Arithmetic>(&self, window: Window<S>) -> Aerofoil<Lanes<S>> {
+        Aerofoil {
             semichord: window.load(&self.semichord),
             elastic_axis_aft_of_midchord: window.load(&self.elastic_axis_aft_of_midchord),
             lift_slope: window.load(&self.lift_slope),
@@ -119,7 +119,7 @@ impl<S: Arithmetic> LocalFlow<S> {
     }
 }
 
-impl<S: Arithmetic> Section<Lanes<S>> {
+impl<S: Arithmetic> Aerofoil<Lanes<S>> {
     /// The loads with the flaps neutral, without the apparent-mass terms in the accelerations.
     ///
     /// [theory: air-loads.lift, air-loads.moment, air-loads.suction, air-loads.drag]; departures from the printed thesis

@@ -13,7 +13,8 @@ use pulp::{Arch, Simd, WithSimd};
 
 use crate::equations::StateLayout;
 use crate::math::{AlignedNumbers, Columns, zeros};
-use crate::plant::FreeModes;
+
+use super::free_modes::FreeModes;
 
 /// The transformation between coordinates and amplitudes.
 #[derive(Clone, Debug)]

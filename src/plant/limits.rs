@@ -5,10 +5,11 @@
 use std::fmt;
 
 use crate::aircraft::{Bound, Limits, Support};
-use crate::plant::{Plant, Trim};
 use crate::structure::ReducedModel;
 
-use super::settings::Settings;
+use super::settings::PlantSettings;
+use super::system::Plant;
+use super::trim::Trim;
 
 /// A quantity of a trim that is beyond its limit.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,9 +59,13 @@ impl LimitExceeded {
         exceeded.collect()
     }
 
-    /// A warning of everything that is beyond the limits at the beginning of a flight, if anything is.
-    pub fn warning(exceeded: &[LimitExceeded], model: &ReducedModel, settings: &Settings) -> Option<String> {
-        let Settings { airspeed, altitude, .. } = settings;
+    /// A warning of everything that is beyond the limits in the trim under some settings, if anything is.
+    pub fn warning(
+        exceeded: &[LimitExceeded],
+        model: &ReducedModel,
+        settings: &PlantSettings,
+    ) -> Option<String> {
+        let PlantSettings { airspeed, altitude, .. } = settings;
         let condition = match model.tunnel_air {
             Some(air) => format!("{airspeed} m/s in air of {} kg/m³", air.density),
             None => format!("{airspeed} m/s and {altitude} m"),
@@ -86,6 +91,10 @@ impl LimitedQuantity {
         match self {
             LimitedQuantity::Mach => format!("{value:.3}"),
             LimitedQuantity::Thrust => format!("{value:.0} N"),
+            // As many digits as a small angle needs.
+            _ if value.abs() < 1e-3 && value != 0.0 => {
+                format!("{value:.2e} rad ({:.2e}°)", value.to_degrees())
+            }
             _ => format!("{value:.4} rad ({:.1}°)", value.to_degrees()),
         }
     }

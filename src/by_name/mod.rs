@@ -2,12 +2,18 @@
 //!
 //! Names, units, signs and starts are those of the FMU; [`Flight::variables`] lists them.
 
-use std::fmt;
+mod setting;
+
 use std::sync::Arc;
 
-use crate::flight::{Inputs, LimitExceeded, Settings, Simulation, SimulationError};
+use crate::flight::{Inputs, LONGEST_STEP, Settings, Simulation, SimulationError};
+use crate::plant::LimitExceeded;
 use crate::structure::ReducedModel;
-use crate::variables::{Slot, Type, Value, Variable, VariableTable};
+use crate::variables::{Slot, Value, Variable, VariableTable, nearest};
+
+pub use setting::Setting;
+
+use setting::{degrees, item_meant, value};
 
 /// One flight of one aircraft, read and steered by the names of variables.
 ///
@@ -38,22 +44,18 @@ pub struct Flight {
     simulation: Option<Simulation>,
 }
 
-/// What a variable is set to: a number, or an item of an enumeration by its name.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Setting<'a> {
-    /// Of a Real, in SI units; a whole number of an Integer or the number of an item.
-    Number(f64),
-    /// Such as `rigid` of `model`.
-    Item(&'a str),
-}
-
 /// Why a variable could not be read or set, or a flight not be flown.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FlightError {
     /// There is no variable of that name.
-    #[error("`{0}`: there is no such variable; Flight::variables lists them all")]
-    Unknown(String),
+    #[error("`{name}`: there is no such variable; {instead}; Flight::variables lists them all")]
+    Unknown {
+        /// As given.
+        name: String,
+        /// What there is, for people.
+        instead: String,
+    },
     /// Outputs are computed.
     #[error("`{0}` is an output and cannot be set")]
     Output(String),
@@ -70,36 +72,12 @@ pub enum FlightError {
         /// For people, with the unit.
         allowed: String,
     },
+    /// A time that nobody can fly on for.
+    #[error("duration: found {0} s, allowed is 0 to {LONGEST_STEP} s, a day, at once")]
+    Duration(f64),
     /// There is no trim, or the flight cannot go on.
     #[error(transparent)]
     Simulation(#[from] SimulationError),
-}
-
-impl From<f64> for Setting<'_> {
-    fn from(number: f64) -> Self {
-        Setting::Number(number)
-    }
-}
-
-impl From<i32> for Setting<'_> {
-    fn from(number: i32) -> Self {
-        Setting::Number(f64::from(number))
-    }
-}
-
-impl<'a> From<&'a str> for Setting<'a> {
-    fn from(item: &'a str) -> Self {
-        Setting::Item(item)
-    }
-}
-
-impl fmt::Display for Setting<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Setting::Number(number) => number.fmt(f),
-            Setting::Item(item) => write!(f, "`{item}`"),
-        }
-    }
 }
 
 impl Flight {
@@ -147,7 +125,13 @@ impl Flight {
         }
         let (found, allowed) = (to.to_string(), variable.allowed());
         let value = value(variable, to).filter(|value| variable.allows(*value));
-        let value = value.ok_or(FlightError::Value { name, found, allowed })?;
+        let value = match (value, degrees(slot, to)) {
+            (Some(value), None) => value,
+            (_, allowed_angle) => {
+                let allowed = allowed_angle.unwrap_or(allowed) + &item_meant(variable, to);
+                return Err(FlightError::Value { name, found, allowed });
+            }
+        };
         match (slot, value) {
             (Slot::Output(_), _) => {}
             (Slot::Parameter(slot), value) => slot.set(&mut self.settings, value),
@@ -182,12 +166,15 @@ impl Flight {
         }
     }
 
-    /// Flies on for a time, s. Cells of 10 ms on a grid from the beginning are what is computed: how a flight is cut into
+    /// Flies on for a time, s, from 0 to a [day](crate::flight::LONGEST_STEP). Cells of 10 ms on a grid from the beginning are what is computed: how a flight is cut into
     /// steps of whole cells changes no bit.
     ///
     /// # Errors
-    /// When the flight cannot begin or leaves the model's validity; it then stands where it was.
+    /// When the flight cannot begin, leaves the model's validity, or the time is none; it then stands where it was.
     pub fn advance(&mut self, duration: f64) -> Result<(), FlightError> {
+        if !(0.0..=LONGEST_STEP).contains(&duration) {
+            return Err(FlightError::Duration(duration));
+        }
         let simulation = self.simulation()?;
         let now = simulation.time();
         simulation.step(now, duration)?;
@@ -267,28 +254,22 @@ impl Flight {
     }
 
     fn variable(&self, name: &str) -> Result<&Variable, FlightError> {
-        self.variables.named(name).ok_or_else(|| FlightError::Unknown(name.to_owned()))
-    }
-}
-
-/// What a setting means for a variable, if it can mean anything.
-fn value(variable: &Variable, setting: Setting) -> Option<Value> {
-    let whole = |number: f64| (libm::trunc(number) == number).then_some(Value::Integer(number as i32));
-    match (variable.kind, setting) {
-        (Type::Real, Setting::Number(number)) => Some(Value::Real(number)),
-        (Type::Integer | Type::Enumeration(_), Setting::Number(number)) => whole(number),
-        (Type::Enumeration(kind), Setting::Item(item)) => {
-            let place = kind.items().iter().position(|(name, _)| *name == item)?;
-            whole(1.0 + place as f64)
-        }
-        (Type::Real | Type::Integer, Setting::Item(_)) => None,
+        self.variables.named(name).ok_or_else(|| {
+            let names = || self.variables.iter().map(|(_, variable)| variable.name.as_str());
+            let instead = match name {
+                "time" => "Flight::time has it".to_owned(),
+                _ => format!("the nearest are {}", nearest(name, names())),
+            };
+            FlightError::Unknown { name: name.to_owned(), instead }
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::variables::tests::jet;
+    use crate::plant::PlantSettings;
+    use crate::structure::test_jet::jet;
 
     fn rigid() -> Flight {
         let mut flight = Flight::new(jet().clone());
@@ -299,7 +280,10 @@ mod tests {
     #[test]
     fn a_flight_by_names_has_the_bits_of_one_by_types() {
         let mut named = rigid();
-        let settings = Settings { fidelity: crate::equations::Fidelity::Rigid, ..Settings::of(jet()) };
+        let settings = Settings::from(PlantSettings {
+            fidelity: crate::equations::Fidelity::Rigid,
+            ..PlantSettings::of(jet())
+        });
         let mut typed = Simulation::new(Arc::new(jet().clone()), &settings, 0.0).unwrap();
         let (still, mut inputs) = (Inputs::zero(jet()), Inputs::zero(jet()));
         for step in 0..30 {
@@ -343,14 +327,17 @@ mod tests {
             assert!(error.contains(&format!("`{name}`")) && error.contains(part), "{error}");
             assert_eq!(flight.settings, before);
         };
-        refused("elevatr", Setting::Number(0.0), "no such variable");
+        refused("elevatr", Setting::Number(0.0), "no such variable; the nearest are `elevator`, ");
+        refused("elevator", Setting::Number(-20.0), "-20 looks like degrees");
+        refused("model", Setting::Item("Rigid"), "did you mean `rigid`?");
         refused("attitude.pitch", Setting::Number(0.0), "output");
         refused("elevator", Setting::Number(f64::NAN), "found NaN, allowed is any finite number, in rad");
         refused("elevator", Setting::Item("full"), "found `full`");
         refused("airspeed", Setting::Number(-3.0), "found -3, allowed is 1 to 400 m/s");
         refused("mode_count", Setting::Number(2.5), "found 2.5");
         refused("model", Setting::Item("flexible"), "2 (consistently_linearised)");
-        assert!(matches!(flight.get("nothing"), Err(FlightError::Unknown(_))));
+        assert!(matches!(flight.get("nothing"), Err(FlightError::Unknown { .. })));
+        assert!(flight.get("time").unwrap_err().to_string().contains("Flight::time has it"));
         let pitch = flight.get("trim.pitch").unwrap();
         assert_eq!(flight.set("airspeed", 90.0), Err(FlightError::Begun("airspeed".to_owned())));
         assert_eq!(flight.get("trim.pitch"), Ok(pitch));
@@ -365,6 +352,16 @@ mod tests {
         assert!((flight.time() - 0.1).abs() < 1e-12);
         flight.set("wind_north", 0.0).unwrap();
         flight.advance(0.1).unwrap();
+    }
+
+    #[test]
+    fn a_time_backwards_without_end_or_beyond_a_day_is_refused() {
+        let mut flight = rigid();
+        for duration in [-1.0, -1e-300, f64::NAN, f64::INFINITY, -f64::INFINITY, 86_401.0] {
+            let refusal = format!("duration: found {duration} s, allowed is 0 to 86400 s, a day, at once");
+            assert_eq!(flight.advance(duration).unwrap_err().to_string(), refusal);
+        }
+        assert_eq!((flight.advance(0.0), flight.time()), (Ok(()), 0.0));
     }
 
     #[test]

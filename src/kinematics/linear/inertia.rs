@@ -1,22 +1,28 @@
 //! Inertia of an aircraft that deforms by superposition: mass matrix and inertial forcing.
 //!
-//! [theory: equations-of-motion.deformed-integrals, equations-of-motion.rows; thesis eq. 2.3]
+//! [theory: kinematics.inertia, equations-of-motion.deformed-integrals, equations-of-motion.rows; thesis eq. 2.3]
 //!
-//! Constant shapes make every integral over the mass a polynomial of q, found once (`ModalIntegrals`). What the equations ask of
-//! inertia, of whatever kinematics: to be deformed, for the mass matrix, for the inertial forces and for those of gravity.
+//! Constant shapes make every integral over the mass a polynomial of q, found once (`ModalIntegrals`): no bay is asked at an
+//! instant.
 //!
 //! Γ̂_α and ĥ_α are linear in q, and both are needed along the axes about which the aircraft spins. They are kept
 //! component by component, each for all modes, and come from one product of a constant matrix with q.
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::kinematics::{GeneralisedVectorMut, RigidFreedom, RigidMotion};
 use crate::math::{AlignedNumbers, Arithmetic, Columns, LANES, SquareMatrix, zeros};
 use crate::structure::ModalIntegrals;
+
+use super::super::freedom::RigidFreedom;
+use super::super::kind::{Coordinates, Inertia};
+use super::super::rigid_motion::RigidMotion;
+use super::super::velocities::GeneralisedVectorMut;
+use super::superposition::{Instant, Superposition};
 
 /// The deformation-dependent integrals ĉ, Ĵ, Γ̂, ĥ at one q [theory: equations-of-motion.deformed-integrals].
 #[derive(Clone, Debug)]
 pub struct SuperposedInertia {
+    constant: ConstantIntegrals,
     /// ĉ = c₀ + p_α q_α, kg·m.
     first_moment: Vector3<f64>,
     /// Ĵ = J₀ + (Γᵀ + Γ)q + Πqq, kg·m².
@@ -34,6 +40,19 @@ pub struct SuperposedInertia {
     upsilon: Columns,
     /// υ q̇.
     coriolis: AlignedNumbers,
+}
+
+/// What of the integrals does not go with each component.
+#[derive(Clone, Debug)]
+struct ConstantIntegrals {
+    /// m, kg.
+    mass: f64,
+    /// c₀, kg·m.
+    first_moment: Vector3<f64>,
+    /// J₀, kg·m².
+    inertia: Matrix3<f64>,
+    /// p_α.
+    momentum: Vec<Vector3<f64>>,
 }
 
 impl SuperposedInertia {
@@ -60,6 +79,12 @@ impl SuperposedInertia {
             number(row, &|a, i| integrals.upsilon[a * n + b][i], &|a, [i, j]| integrals.pi[a * n + b][(i, j)])
         };
         let mut inertia = SuperposedInertia {
+            constant: ConstantIntegrals {
+                mass: integrals.mass,
+                first_moment: integrals.first_moment,
+                inertia: integrals.inertia,
+                momentum: integrals.momentum.clone(),
+            },
             first_moment: integrals.first_moment,
             inertia: integrals.inertia,
             undeformed_mass_matrix: constant_mass_matrix(integrals, freedom),
@@ -74,38 +99,6 @@ impl SuperposedInertia {
         inertia.write_deformed_entries(&mut matrix);
         inertia.undeformed_mass_matrix = matrix;
         inertia
-    }
-
-    /// Evaluates all integrals at q.
-    #[inline(always)]
-    pub fn deform<S: Arithmetic>(&mut self, simd: S, integrals: &ModalIntegrals, q: &[f64]) {
-        self.slopes.times(simd, q, &mut self.deformed);
-        for (deformed, undeformed) in self.deformed.iter_mut().zip(self.undeformed.iter()) {
-            *deformed += undeformed;
-        }
-        self.first_moment = integrals.first_moment;
-        for (momentum, &q) in integrals.momentum.iter().zip(q) {
-            self.first_moment += momentum * q;
-        }
-        self.inertia = integrals.inertia;
-        let axes = self.freedom.axes();
-        for (i, &axis) in axes.iter().enumerate() {
-            for (j, &other) in axes.iter().enumerate() {
-                let sum = dot(gamma(&self.undeformed, axes, [j, i], q.len()), q)
-                    + dot(gamma(&self.deformed, axes, [i, j], q.len()), q);
-                self.inertia[(axis, other)] += sum;
-            }
-        }
-    }
-
-    /// Writes the mass matrix [[m1, −c×, p], [c×, J, h], [pᵀ, hᵀ, M]] of the present deformation, or of the undeformed
-    /// aircraft, without the rows and columns that do not move.
-    #[inline(always)]
-    pub fn write_mass_matrix(&self, deformed: bool, matrix: &mut SquareMatrix) {
-        matrix.copy_from(&self.undeformed_mass_matrix);
-        if deformed {
-            self.write_deformed_entries(matrix);
-        }
     }
 
     /// Writes those blocks of the mass matrix that depend on q.
@@ -131,43 +124,18 @@ impl SuperposedInertia {
         }
     }
 
-    /// Adds the inertial forces on ν in a motion of the body axes and, unless they are left out, the δ terms in q̇.
-    #[inline(always)]
-    pub fn add_forces<S: Arithmetic>(
-        &mut self,
-        simd: S,
-        integrals: &ModalIntegrals,
-        motion: &RigidMotion,
-        q_dot: Option<&[f64]>,
-        force: &mut [f64],
-    ) {
-        self.add_forcing(integrals.mass, &integrals.momentum, motion, force);
-        if let Some(q_dot) = q_dot {
-            self.add_coriolis(simd, integrals, &motion.rate, q_dot, force);
-        }
-    }
-
-    /// Adds the generalised forces of gravity, body axes, m/s².
-    #[inline(always)]
-    pub fn add_gravity(&self, integrals: &ModalIntegrals, gravity: &Vector3<f64>, force: &mut [f64]) {
-        let mut force = GeneralisedVectorMut::of(force);
-        force.add_rigid(&(gravity * integrals.mass), &self.first_moment.cross(gravity));
-        for (force, momentum) in force.modal.iter_mut().zip(&integrals.momentum) {
-            *force += momentum.dot(gravity);
-        }
-    }
-
     /// Adds the inertial forcing of the rigid motion: −mω×v + ω×cω… without the δ terms in q̇.
     ///
     /// [theory: equations-of-motion.rows]
     #[inline(always)]
-    fn add_forcing(&self, mass: f64, momentum: &[Vector3<f64>], motion: &RigidMotion, force: &mut [f64]) {
+    fn add_forcing(&self, motion: &RigidMotion, force: &mut [f64]) {
+        let ConstantIntegrals { mass, momentum, .. } = &self.constant;
         let RigidMotion { velocity, rate } = motion;
         let transport = rate.cross(velocity);
         let c = &self.first_moment;
         let mut force = GeneralisedVectorMut::of(force);
         force.add_rigid(
-            &(-transport * mass + rate.cross(&c.cross(rate))),
+            &(-transport * *mass + rate.cross(&c.cross(rate))),
             &(-c.cross(&transport) - rate.cross(&(self.inertia * rate))),
         );
         for (force, p) in force.modal.iter_mut().zip(momentum) {
@@ -192,14 +160,13 @@ impl SuperposedInertia {
     fn add_coriolis<S: Arithmetic>(
         &mut self,
         simd: S,
-        integrals: &ModalIntegrals,
         rate: &Vector3<f64>,
         q_dot: &[f64],
         force: &mut [f64],
     ) {
         let n = q_dot.len();
         let mut momentum = Vector3::zeros();
-        for (p, &q_dot) in integrals.momentum.iter().zip(q_dot) {
+        for (p, &q_dot) in self.constant.momentum.iter().zip(q_dot) {
             momentum += p * q_dot;
         }
         let mut force = GeneralisedVectorMut::of(force);
@@ -215,6 +182,64 @@ impl SuperposedInertia {
             for (force, upsilon) in force.modal.iter_mut().zip(upsilon) {
                 *force -= 2.0 * rate[axis] * upsilon;
             }
+        }
+    }
+}
+
+impl Inertia<Superposition> for SuperposedInertia {
+    /// Evaluates all integrals at q.
+    #[inline(always)]
+    fn deform<S: Arithmetic>(&mut self, simd: S, sections: &Instant<'_>) {
+        let Coordinates { q, .. } = sections.coordinates;
+        let ConstantIntegrals { first_moment, inertia, momentum, .. } = &self.constant;
+        self.slopes.times(simd, q, &mut self.deformed);
+        for (deformed, undeformed) in self.deformed.iter_mut().zip(self.undeformed.iter()) {
+            *deformed += undeformed;
+        }
+        self.first_moment = *first_moment;
+        for (momentum, &q) in momentum.iter().zip(q) {
+            self.first_moment += momentum * q;
+        }
+        self.inertia = *inertia;
+        let axes = self.freedom.axes();
+        for (i, &axis) in axes.iter().enumerate() {
+            for (j, &other) in axes.iter().enumerate() {
+                let sum = dot(gamma(&self.undeformed, axes, [j, i], q.len()), q)
+                    + dot(gamma(&self.deformed, axes, [i, j], q.len()), q);
+                self.inertia[(axis, other)] += sum;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn write_mass_matrix(&self, _: &Instant<'_>, deformed: bool, matrix: &mut SquareMatrix) {
+        matrix.copy_from(&self.undeformed_mass_matrix);
+        if deformed {
+            self.write_deformed_entries(matrix);
+        }
+    }
+
+    #[inline(always)]
+    fn add_forces<S: Arithmetic>(
+        &mut self,
+        simd: S,
+        sections: &Instant<'_>,
+        motion: &RigidMotion,
+        with_rates: bool,
+        force: &mut [f64],
+    ) {
+        self.add_forcing(motion, force);
+        if with_rates {
+            self.add_coriolis(simd, &motion.rate, sections.coordinates.q_dot, force);
+        }
+    }
+
+    #[inline(always)]
+    fn add_gravity(&self, _: &Instant<'_>, gravity: &Vector3<f64>, force: &mut [f64]) {
+        let mut force = GeneralisedVectorMut::of(force);
+        force.add_rigid(&(gravity * self.constant.mass), &self.first_moment.cross(gravity));
+        for (force, momentum) in force.modal.iter_mut().zip(&self.constant.momentum) {
+            *force += momentum.dot(gravity);
         }
     }
 }

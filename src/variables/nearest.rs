@@ -4,7 +4,7 @@
 const SHOWN: usize = 3;
 
 /// The nearest of the names, best first, as a list for people: those that contain the wanted one, then others.
-pub(crate) fn nearest<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> String {
+pub fn nearest<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> String {
     let mut ranked: Vec<&str> = names.collect();
     // Stable: what is equally near stays in the order of the model description.
     ranked.sort_by_cached_key(|name| (!name.contains(wanted), distance(wanted, name)));
@@ -26,12 +26,35 @@ pub fn probably_meant<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) ->
 /// How many letters have to be put in, left out, changed, or change places with their neighbours, after F. Damerau; the
 /// case does not matter.
 fn distance(a: &str, b: &str) -> usize {
-    strsim::damerau_levenshtein(&a.to_lowercase(), &b.to_lowercase())
+    let [a, b] = [a, b].map(|name| name.to_lowercase().chars().collect::<Vec<char>>());
+    // Rows of the table of distances between beginnings of both: the last but one, the last, the present.
+    let (mut before, mut last) = (vec![0; b.len() + 1], (0..=b.len()).collect::<Vec<usize>>());
+    for i in 1..=a.len() {
+        let mut row = vec![i; b.len() + 1];
+        for j in 1..=b.len() {
+            let changed = last[j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            row[j] = changed.min(last[j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && (a[i - 1], a[i - 2]) == (b[j - 2], b[j - 1]) {
+                row[j] = row[j].min(before[j - 2] + 1);
+            }
+        }
+        (before, last) = (last, row);
+    }
+    last[b.len()]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_letter_put_in_left_out_changed_or_exchanged_counts_once() {
+        for (a, b, expected) in
+            [("", "", 0), ("", "abc", 3), ("flap", "Flaps", 1), ("flpa", "flap", 1), ("kitten", "sitting", 3)]
+        {
+            assert_eq!([distance(a, b), distance(b, a)], [expected; 2], "{a} {b}");
+        }
+    }
 
     #[test]
     fn the_nearest_names_come_first() {

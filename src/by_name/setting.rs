@@ -1,0 +1,74 @@
+//! What variables are set to, and what it means for them.
+
+use std::fmt;
+
+use crate::variables::{InputSlot, Slot, Type, Value, Variable, instead_of_degrees, probably_meant};
+
+/// What a variable is set to: a number, or an item of an enumeration by its name.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Setting<'a> {
+    /// Of a Real, in SI units; a whole number of an Integer or the number of an item.
+    Number(f64),
+    /// Such as `rigid` of `model`.
+    Item(&'a str),
+}
+
+impl From<f64> for Setting<'_> {
+    fn from(number: f64) -> Self {
+        Setting::Number(number)
+    }
+}
+
+impl From<i32> for Setting<'_> {
+    fn from(number: i32) -> Self {
+        Setting::Number(f64::from(number))
+    }
+}
+
+impl<'a> From<&'a str> for Setting<'a> {
+    fn from(item: &'a str) -> Self {
+        Setting::Item(item)
+    }
+}
+
+impl fmt::Display for Setting<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Setting::Number(number) => number.fmt(f),
+            Setting::Item(item) => write!(f, "`{item}`"),
+        }
+    }
+}
+
+/// What is allowed in place of an angle of a control that can only be in degrees.
+pub(super) fn degrees(slot: Slot, setting: Setting) -> Option<String> {
+    match (slot, setting) {
+        (Slot::Input(InputSlot::Control(_)), Setting::Number(angle)) => instead_of_degrees(angle),
+        _ => None,
+    }
+}
+
+/// The item of an enumeration that was probably meant, to be put behind a message.
+pub(super) fn item_meant(variable: &Variable, setting: Setting) -> String {
+    let meant = match (variable.kind, setting) {
+        (Type::Enumeration(kind), Setting::Item(item)) => {
+            probably_meant(item, kind.items().iter().map(|(name, _)| *name))
+        }
+        _ => None,
+    };
+    meant.map_or_else(String::new, |meant| format!("; did you mean `{meant}`?"))
+}
+
+/// What a setting means for a variable, if it can mean anything.
+pub(super) fn value(variable: &Variable, setting: Setting) -> Option<Value> {
+    let whole = |number: f64| (libm::trunc(number) == number).then_some(Value::Integer(number as i32));
+    match (variable.kind, setting) {
+        (Type::Real, Setting::Number(number)) => Some(Value::Real(number)),
+        (Type::Integer | Type::Enumeration(_), Setting::Number(number)) => whole(number),
+        (Type::Enumeration(kind), Setting::Item(item)) => {
+            let place = kind.items().iter().position(|(name, _)| *name == item)?;
+            whole(1.0 + place as f64)
+        }
+        (Type::Real | Type::Integer, Setting::Item(_)) => None,
+    }
+}

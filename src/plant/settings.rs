@@ -1,0 +1,191 @@
+//! What a user chooses of a plant: fidelity, modes, inflow, stiffness, damping, and the flight condition.
+
+use std::fmt::Display;
+
+use nalgebra::Vector3;
+
+use crate::aircraft::{ALTITUDES, Support};
+use crate::equations::{Configuration, Fidelity};
+use crate::strips::PetersInflow;
+use crate::structure::{ModeFamily, ReducedModel};
+
+use super::system::Plant;
+use super::trim::TrimCondition;
+
+/// Which families of modes take part, lowest frequencies first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ModeSelection {
+    /// Symmetric and antisymmetric modes together.
+    All,
+    /// Symmetric modes only.
+    Symmetric,
+}
+
+/// Modes that take part unless someone asks for another number, if the aircraft has so many.
+const USUAL_MODES: usize = 12;
+
+/// The parameters of a plant and of its trim.
+///
+/// ```
+/// use flexible_aircraft::equations::Fidelity;
+/// use flexible_aircraft::plant::{Plant, PlantSettings};
+/// # use flexible_aircraft::{Aircraft, ReducedModel};
+///
+/// let jet = ReducedModel::new(&Aircraft::read("aircraft/generic-business-jet.toml")?, 4)?;
+/// let fast = PlantSettings { airspeed: 180.0, ..PlantSettings::of(&jet) }; // m/s
+/// assert_eq!(fast.choose_modes(&jet)?, [0, 1, 2, 3]);
+/// let rigid = PlantSettings { fidelity: Fidelity::Rigid, ..fast };
+/// assert_eq!(Plant::under(&jet, &rigid)?.layout().modes(), 0);
+/// let refused = Plant::under(&jet, &PlantSettings { airspeed: -1.0, ..fast }).unwrap_err();
+/// assert_eq!(refused.to_string(), "airspeed: found -1, allowed is 1 to 400 (m/s)");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlantSettings {
+    /// Fidelity level.
+    pub fidelity: Fidelity,
+    /// Trimmed airspeed, m/s, within [`Support::airspeeds`].
+    pub airspeed: f64,
+    /// Trimmed altitude, m, within [`ALTITUDES`]; of no account in a tunnel with air of its own.
+    pub altitude: f64,
+    /// Initial yaw angle, rad.
+    pub heading: f64,
+    /// Factor on all elastic properties, > 0.
+    pub stiffness_scale: f64,
+    /// Modal damping ratio ζ of every mode, ≥ 0.
+    pub structural_damping: f64,
+    /// Families of modes.
+    pub mode_selection: ModeSelection,
+    /// Number of modes, 0…those packaged of the selection; the other one of a pair comes with the last. `Rigid`
+    /// ignores it.
+    pub mode_count: usize,
+    /// Peters inflow states per strip, 0…[`MOST_INFLOW_STATES`](Self::MOST_INFLOW_STATES); 0 is steady aerodynamics.
+    pub inflow_states: usize,
+}
+
+/// A setting that is outside its range.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{setting}: found {found}, allowed is {allowed}")]
+pub struct SettingError {
+    /// Name of the FMI parameter.
+    pub setting: &'static str,
+    /// What was given.
+    pub found: String,
+    /// What is allowed.
+    pub allowed: String,
+}
+
+impl PlantSettings {
+    /// Peters inflow states per strip that there can be.
+    pub const MOST_INFLOW_STATES: usize = PetersInflow::MAX_STATES;
+
+    /// Those of an aircraft before any parameter is set: its own flight condition.
+    pub fn of(model: &ReducedModel) -> Self {
+        PlantSettings {
+            fidelity: Fidelity::Exact,
+            airspeed: model.airspeed,
+            altitude: model.altitude,
+            heading: 0.0,
+            stiffness_scale: 1.0,
+            structural_damping: 0.0,
+            mode_selection: ModeSelection::All,
+            mode_count: USUAL_MODES.min(model.modes.len()),
+            inflow_states: model.inflow_states,
+        }
+    }
+
+    /// Checks every setting against its range and against the model, and chooses the modes: ascending
+    /// indices of the packaged modes that take part.
+    ///
+    /// # Errors
+    /// Names the first setting that is out of range.
+    pub fn choose_modes(&self, model: &ReducedModel) -> Result<Vec<usize>, SettingError> {
+        self.check(model.support)?;
+        if self.fidelity == Fidelity::Rigid {
+            return Ok(Vec::new());
+        }
+        let candidates: Vec<usize> = (0..model.modes.len())
+            .filter(|&mode| {
+                self.mode_selection == ModeSelection::All || model.modes[mode].family == ModeFamily::Symmetric
+            })
+            .collect();
+        if self.mode_selection == ModeSelection::Symmetric
+            && model.modes.iter().any(|mode| mode.family == ModeFamily::Unsymmetric)
+        {
+            return refuse("mode_family", "symmetric", "all: the structure has no mirror plane y = 0");
+        }
+        if self.mode_count > candidates.len() {
+            let allowed = format!("0 to {} modes of the chosen family, as packaged", candidates.len());
+            return refuse("mode_count", self.mode_count, &allowed);
+        }
+        let others = &candidates[self.mode_count..];
+        let pairs = others.iter().take_while(|&&mode| model.modes[mode].completes_a_pair).count();
+        Ok(candidates.into_iter().take(self.mode_count + pairs).collect())
+    }
+
+    /// The flight to be trimmed.
+    pub fn trim_condition(&self) -> TrimCondition {
+        TrimCondition { airspeed: self.airspeed, altitude: self.altitude, heading: self.heading }
+    }
+
+    /// The same, with the heading along the course.
+    pub(crate) fn along_course(&self) -> Self {
+        PlantSettings { heading: 0.0, ..*self }
+    }
+
+    /// What the settings mean for the equations of an aircraft on its support.
+    pub fn configuration(&self, support: Support) -> Configuration {
+        let tunnel_flow = match support {
+            Support::Free => Vector3::zeros(),
+            Support::Clamped => {
+                let (sin, cos) = libm::sincos(self.heading);
+                Vector3::new(cos, sin, 0.0) * -self.airspeed
+            }
+        };
+        Configuration {
+            fidelity: self.fidelity,
+            stiffness_scale: self.stiffness_scale,
+            structural_damping: self.structural_damping,
+            inflow_states: self.inflow_states,
+            tunnel_flow,
+        }
+    }
+
+    /// Checks every setting against its range.
+    ///
+    /// # Errors
+    /// Names the first that is outside.
+    pub fn check(&self, support: Support) -> Result<(), SettingError> {
+        let within = |setting, value: f64, inside: bool, allowed: &str| {
+            if value.is_finite() && inside { Ok(()) } else { refuse(setting, value, allowed) }
+        };
+        let PlantSettings { airspeed, altitude, heading, stiffness_scale, structural_damping, .. } = *self;
+        let airspeeds = support.airspeeds();
+        let allowed = format!("{} to {} (m/s)", airspeeds.start(), airspeeds.end());
+        within("airspeed", airspeed, airspeeds.contains(&airspeed), &allowed)?;
+        within("altitude", altitude, ALTITUDES.contains(&altitude), "-1000 to 20000 (m)")?;
+        within("heading", heading, true, "a finite number (rad)")?;
+        within("stiffness_scale", stiffness_scale, stiffness_scale > 0.0, "a finite number > 0")?;
+        within("structural_damping", structural_damping, structural_damping >= 0.0, "a finite number >= 0")?;
+        if self.inflow_states > Self::MOST_INFLOW_STATES {
+            let allowed = format!("0 to {}", Self::MOST_INFLOW_STATES);
+            return refuse("inflow_states", self.inflow_states, &allowed);
+        }
+        Ok(())
+    }
+}
+
+fn refuse<T>(setting: &'static str, found: impl Display, allowed: &str) -> Result<T, SettingError> {
+    Err(SettingError { setting, found: found.to_string(), allowed: allowed.to_owned() })
+}
+
+impl Plant {
+    /// That of a whole aircraft under some settings.
+    ///
+    /// # Errors
+    /// When a setting is out of range.
+    pub fn under(model: &ReducedModel, settings: &PlantSettings) -> Result<Self, SettingError> {
+        let modes = settings.choose_modes(model)?;
+        Ok(Plant::of_modes(model, &settings.configuration(model.support), &modes))
+    }
+}
