@@ -9,7 +9,7 @@ use super::load_modes::{Metric, load_modes};
 use super::mirror::{self, Reflection};
 use super::mode_count::ModeCount;
 use super::pairs::Pairs;
-use super::static_loads::static_loads;
+use super::static_loads::{StaticLoad, static_loads};
 use super::{Mode, ModeFamily, ModeKind, StructureError};
 
 /// Frequencies closer than this (relative) count as equal: symmetric before antisymmetric.
@@ -28,6 +28,8 @@ pub struct ModalBasis {
     pub modes: Vec<Mode>,
     /// One column per mode, mass-normalised, on all nodal unknowns.
     pub shapes: DMatrix<f64>,
+    /// What the load modes are the strains of.
+    pub static_loads: Vec<StaticLoad>,
 }
 
 impl ModalBasis {
@@ -65,18 +67,24 @@ impl ModalBasis {
         }
         let completed = modes[count..].iter().take_while(|(mode, _)| mode.completes_a_pair).count();
         modes.truncate(count + completed);
-        if aircraft.load_modes {
-            let loads = static_loads(structure, mirror.as_ref());
-            let further = subspaces.iter().map(|subspace| subspace.load_modes(&loads, &modes));
-            modes.extend(further.collect::<Result<Vec<_>, _>>()?.into_iter().flatten());
-        }
+        let loads = if aircraft.load_modes { static_loads(structure, mirror.as_ref()) } else { Vec::new() };
+        let further = subspaces.iter().map(|subspace| subspace.load_modes(&loads, &modes));
+        modes.extend(further.collect::<Result<Vec<_>, _>>()?.into_iter().flatten());
         let (modes, shapes): (Vec<_>, Vec<_>) = modes.into_iter().unzip();
         let shapes = if shapes.is_empty() {
             DMatrix::zeros(structure.unknowns(), 0)
         } else {
             DMatrix::from_columns(&shapes)
         };
-        Ok(ModalBasis { modes, shapes })
+        let of_families = subspaces.iter().flat_map(|subspace| {
+            let parts = loads.iter().filter_map(|load| subspace.part(load));
+            parts.map(|part| StaticLoad {
+                family: subspace.family,
+                forces: shapes.tr_mul(&subspace.expand(&part)).as_slice().to_vec(),
+            })
+        });
+        let static_loads = of_families.collect();
+        Ok(ModalBasis { modes, shapes, static_loads })
     }
 }
 
@@ -144,12 +152,16 @@ impl<'m> Subspace<'m> {
 
     /// K⁻¹f of the part of a load that belongs to the family, if there is one.
     fn strained(&self, load: &DVector<f64>) -> Option<DVector<f64>> {
-        let mut part = mirror::project(load, &self.basis);
-        (part.norm() > PART_OF_A_LOAD * load.norm()).then(|| {
-            self.lower.solve_lower_triangular_mut(&mut part);
-            self.lower.tr_solve_lower_triangular_mut(&mut part);
-            self.expand(&part)
-        })
+        let mut part = self.part(load)?;
+        self.lower.solve_lower_triangular_mut(&mut part);
+        self.lower.tr_solve_lower_triangular_mut(&mut part);
+        Some(self.expand(&part))
+    }
+
+    /// The part of a load that acts in the family, if there is one.
+    fn part(&self, load: &DVector<f64>) -> Option<DVector<f64>> {
+        let part = mirror::project(load, &self.basis);
+        (part.norm() > PART_OF_A_LOAD * load.norm()).then_some(part)
     }
 
     fn mode(&self, angular_frequency: f64, mut shape: DVector<f64>, of_loads: bool) -> Shaped {

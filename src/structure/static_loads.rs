@@ -2,14 +2,25 @@
 //! structure [theory: load-modes.loads]. Their sizes do not matter.
 
 use nalgebra::{DVector, Vector3};
+use serde::{Deserialize, Serialize};
 
 use crate::aircraft::{Aircraft, Attachment, FlapEffect, Strip};
 
+use super::ModeFamily;
 use super::assembly::Structure;
 use super::mirror::Reflection;
 
 /// What is left of an incidence, relative to unit motion of the air, where there should be none.
 const ROUNDING: f64 = 1e-12;
+
+/// The part of a static load that acts in one family of modes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StaticLoad {
+    /// Symmetric, antisymmetric, or of a structure without mirror plane.
+    pub family: ModeFamily,
+    /// Generalised force on each packaged mode.
+    pub forces: Vec<f64>,
+}
 
 /// One column for each load: lift by unit incidence of each component or mirrored pair of them, vertical inertia, lift by
 /// unit roll rate, side force by unit sideslip, lift of the flaps by each control.

@@ -1,12 +1,16 @@
 //! Load modes: a few shapes of static loads beside natural modes [theory: load-modes.loads, load-modes.shapes].
 
+use std::sync::Arc;
+
 use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::flight::{Settings, Simulation};
+use flexible_aircraft::plant::{ModeSelection, PlantSettings};
 use flexible_aircraft::structure::{
     ModalBasis, ModeCount, ModeFamily, ModeKind, ReducedModel, Structure, StructureError,
 };
 
 use super::record::Record;
-use crate::support::AILERON_SYMMETRIC;
+use crate::support::{AILERON_SYMMETRIC, up};
 
 /// The jet with load modes and without the ailerons' deflection together, which the reference does not have.
 fn jet() -> Aircraft {
@@ -85,4 +89,85 @@ fn load_modes_change_no_natural_mode_and_lie_above_those_in_use() {
         assert!(frequencies(false).last() < frequencies(true).first());
         assert!(frequencies(true).is_sorted());
     }
+}
+
+/// A trim at 127 m/s, 7620 m: how many symmetric natural modes, stiffness scale; pitch, elevator, wing tip (m).
+const TRIMS: [(usize, f64, [f64; 3]); 4] = [
+    (4, 1.0, [0.13757, -0.23702, 0.5670]),
+    (8, 1.0, [0.13745, -0.23612, 0.5663]),
+    (4, 0.1, [0.13788, -0.26562, 2.8886]),
+    (8, 0.1, [0.13158, -0.20772, 2.9050]),
+];
+
+fn trim(model: &Arc<ReducedModel>, mode_count: usize, stiffness_scale: f64) -> [f64; 3] {
+    let settings = PlantSettings {
+        mode_selection: ModeSelection::Symmetric,
+        mode_count,
+        stiffness_scale,
+        ..PlantSettings::of(model)
+    };
+    let mut flight = Simulation::new(Arc::clone(model), &Settings::from(settings), 0.0).unwrap();
+    let trim = *flight.trim();
+    [trim.pitch, trim.pitch_control, up(flight.outputs(), "wing_tip_right")]
+}
+
+/// With eight coordinates the exact level trims within 2e-4 (nominal) of what it does with forty modes: 0.13744, -0.23593,
+/// 0.5660.
+#[test]
+fn trims_with_load_modes_are_those_of_an_independent_computation() {
+    let mut record = Record::new(
+        "load-modes-trim",
+        "Exact level, natural + load modes: pitch and elevator (rad), wing tip (m)",
+        "an independent implementation of [theory: load-modes.shapes]",
+    );
+    for (count, stiffness_scale, expected) in TRIMS {
+        let count_of = ModeCount::Asked(count);
+        let model = Arc::new(ReducedModel::with(&jet(), count_of, ModeKind::Symmetric).unwrap());
+        let found = trim(&model, count, stiffness_scale);
+        for ((quantity, expected), found) in ["pitch", "elevator", "wing tip"].iter().zip(expected).zip(found)
+        {
+            record.absolute(&format!("{count} + 4 × {stiffness_scale}: {quantity}"), expected, 3e-4, found);
+        }
+    }
+    record.finish();
+}
+
+#[test]
+fn load_modes_of_fewer_natural_modes_than_packaged_are_those_of_the_same_number_packaged() {
+    let reduced =
+        |count| Arc::new(ReducedModel::with(&jet(), ModeCount::Asked(count), ModeKind::Symmetric).unwrap());
+    let (many, few) = (reduced(12), reduced(4));
+    let settings = |model| PlantSettings {
+        mode_selection: ModeSelection::Symmetric,
+        mode_count: 4,
+        ..PlantSettings::of(model)
+    };
+    let [contracted, packaged] =
+        [&many, &few].map(|model| model.in_use(&settings(model).choose_modes(model).unwrap()));
+    assert_eq!(contracted.modes.len(), 8);
+    for (one, other) in contracted.modes.iter().zip(&packaged.modes) {
+        assert_eq!((one.family, one.of_loads), (other.family, other.of_loads));
+        let apart = one.angular_frequency / other.angular_frequency - 1.0;
+        println!("{apart:e}");
+        assert!(apart.abs() < 1e-8, "{apart:e}");
+    }
+    for stiffness_scale in [1.0, 0.1] {
+        let [one, other] = [trim(&many, 4, stiffness_scale), trim(&few, 4, stiffness_scale)];
+        println!("{one:?} {other:?}");
+        one.iter().zip(other).for_each(|(one, other)| assert!((one - other).abs() < 1e-8, "{one} {other}"));
+    }
+}
+
+#[test]
+fn load_modes_switched_off_leave_the_bits_of_a_model_without() {
+    let both = Arc::new(ReducedModel::new(&jet(), 12).unwrap());
+    let without = Arc::new(ReducedModel::new(&Aircraft { load_modes: false, ..jet() }, 12).unwrap());
+    let off = PlantSettings { load_modes: false, ..PlantSettings::of(&both) };
+    let fly = |model: &Arc<ReducedModel>, settings: PlantSettings| {
+        let mut flight = Simulation::new(Arc::clone(model), &Settings::from(settings), 0.0).unwrap();
+        flight.step(0.5).unwrap();
+        let outputs = flight.outputs();
+        (outputs.attitude, outputs.position, outputs.modal_q[..12].to_vec())
+    };
+    assert_eq!(fly(&both, off), fly(&without, PlantSettings::of(&without)));
 }

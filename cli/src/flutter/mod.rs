@@ -208,7 +208,7 @@ fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
     let progress = Progress::new(airspeeds.len(), "airspeeds");
     let sweep = Sweep::watched(&model, &settings, &airspeeds, &|| progress.advance())?;
     drop(progress);
-    let model = model.select(&settings.choose_modes(&model)?);
+    let model = model.in_use(&settings.choose_modes(&model)?);
     let level =
         options.model.to_possible_value().map_or(String::new(), |value| value.get_name().replace('_', " "));
     Ok(Analysis { model, level, settings, range: [options.from, options.to], sweep })
@@ -251,7 +251,7 @@ fn reduce(aircraft: &Aircraft, options: &FlutterOptions) -> Result<(ReducedModel
         Modes::Symmetric => (ModeKind::Symmetric, |family| family == ModeFamily::Symmetric),
     };
     let model = ReducedModel::with(aircraft, count, kind)?;
-    let count = model.modes.iter().filter(|mode| takes_part(mode.family)).count();
+    let count = model.modes.iter().filter(|mode| !mode.of_loads && takes_part(mode.family)).count();
     Ok((model, count))
 }
 
