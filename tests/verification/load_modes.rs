@@ -70,8 +70,8 @@ fn natural_and_load_modes_are_orthonormal_in_mass_and_orthogonal_in_stiffness() 
             off_stiffness = off_stiffness.max((stiffness[(i, j)] / (one * other) - own).abs());
         }
     }
-    println!("{off_mass:e} {off_stiffness:e}");
-    assert!(off_mass < 1e-11 && off_stiffness < 1e-11, "{off_mass:e} {off_stiffness:e}");
+    // In the stiffness the axial one of 1e12 N rounds.
+    assert!(off_mass < 2e-13 && off_stiffness < 1e-8, "{off_mass:e} {off_stiffness:e}");
 }
 
 #[test]
@@ -118,15 +118,15 @@ fn trims_with_load_modes_are_those_of_an_independent_computation() {
     let mut record = Record::new(
         "load-modes-trim",
         "Exact level, natural + load modes: pitch and elevator (rad), wing tip (m)",
-        "an independent implementation of [theory: load-modes.shapes]",
+        "an independent implementation of [theory: load-modes.shapes]; a unit of its last digit",
     );
     for (count, stiffness_scale, expected) in TRIMS {
         let count_of = ModeCount::Asked(count);
         let model = Arc::new(ReducedModel::with(&jet(), count_of, ModeKind::Symmetric).unwrap());
         let found = trim(&model, count, stiffness_scale);
-        for ((quantity, expected), found) in ["pitch", "elevator", "wing tip"].iter().zip(expected).zip(found)
-        {
-            record.absolute(&format!("{count} + 4 × {stiffness_scale}: {quantity}"), expected, 3e-4, found);
+        let quantities = [("pitch", 1e-5), ("elevator", 1e-5), ("wing tip", 1e-4)];
+        for (((quantity, digit), expected), found) in quantities.into_iter().zip(expected).zip(found) {
+            record.absolute(&format!("{count} + 4 × {stiffness_scale}: {quantity}"), expected, digit, found);
         }
     }
     record.finish();
@@ -148,13 +148,11 @@ fn load_modes_of_fewer_natural_modes_than_packaged_are_those_of_the_same_number_
     for (one, other) in contracted.modes.iter().zip(&packaged.modes) {
         assert_eq!((one.family, one.of_loads), (other.family, other.of_loads));
         let apart = one.angular_frequency / other.angular_frequency - 1.0;
-        println!("{apart:e}");
-        assert!(apart.abs() < 1e-8, "{apart:e}");
+        assert!(apart.abs() < 2.5e-9, "{apart:e}");
     }
     for stiffness_scale in [1.0, 0.1] {
         let [one, other] = [trim(&many, 4, stiffness_scale), trim(&few, 4, stiffness_scale)];
-        println!("{one:?} {other:?}");
-        one.iter().zip(other).for_each(|(one, other)| assert!((one - other).abs() < 1e-8, "{one} {other}"));
+        one.iter().zip(other).for_each(|(one, other)| assert!((one - other).abs() < 5e-12, "{one} {other}"));
     }
 }
 
@@ -165,7 +163,9 @@ fn load_modes_switched_off_leave_the_bits_of_a_model_without() {
     let off = PlantSettings { load_modes: false, ..PlantSettings::of(&both) };
     let fly = |model: &Arc<ReducedModel>, settings: PlantSettings| {
         let mut flight = Simulation::new(Arc::clone(model), &Settings::from(settings), 0.0).unwrap();
-        flight.step(0.5).unwrap();
+        for step in 0..5 {
+            flight.step(0.1 * f64::from(step), 0.1).unwrap();
+        }
         let outputs = flight.outputs();
         (outputs.attitude, outputs.position, outputs.modal_q[..12].to_vec())
     };
