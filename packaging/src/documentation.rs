@@ -199,6 +199,7 @@ fn start(variable: &Variable) -> String {
     match variable.start {
         Some(Value::Integer(number)) => number.to_string(),
         Some(Value::Real(number)) => plain(number),
+        Some(Value::Boolean(flag)) => flag.to_string(),
         None => String::new(),
     }
 }
@@ -206,7 +207,7 @@ fn start(variable: &Variable) -> String {
 /// Of enumerations the list of items says it.
 fn limit(variable: &Variable, limit: Option<f64>) -> String {
     match variable.kind {
-        Type::Enumeration(_) => String::new(),
+        Type::Enumeration(_) | Type::Boolean => String::new(),
         Type::Real | Type::Integer => limit.map(plain).unwrap_or_default(),
     }
 }

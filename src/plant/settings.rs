@@ -56,7 +56,7 @@ pub struct PlantSettings {
     pub structural_damping: f64,
     /// Families of modes.
     pub mode_selection: ModeSelection,
-    /// Number of modes, 0…those packaged of the selection; the other one of a pair comes with the last. `Rigid`
+    /// Number of natural modes, 0…those packaged of the selection; the other one of a pair comes with the last. `Rigid`
     /// ignores it.
     pub mode_count: usize,
     /// Whether the load modes that belong to those modes stand beside them; only where the model has load modes.

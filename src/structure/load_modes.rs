@@ -26,7 +26,7 @@ pub(super) struct Metric<'m> {
 /// mass and stiffness to the `natural` modes and to one another. `strained` are the shapes that the loads give.
 ///
 /// # Errors
-/// When the eigenvalues of one of the two small matrices are not found.
+/// When the eigenvalues of one of the two small matrices are not found, or its numbers overflow.
 pub(super) fn load_modes(
     strained: Vec<DVector<f64>>,
     natural: &[DVector<f64>],
@@ -45,6 +45,9 @@ pub(super) fn load_modes(
     let largest = gram.eigenvalues.max();
     let kept = (0..columns.len()).filter(|&i| gram.eigenvalues[i] >= DEPENDENT * largest);
     let kept: Vec<_> = kept.map(|i| gram.eigenvectors.column(i) / gram.eigenvalues[i].sqrt()).collect();
+    if kept.is_empty() {
+        return Err(StructureError::NotFinite);
+    }
     let shapes = shapes * DMatrix::from_columns(&kept);
     let ritz = SymmetricEigen::try_new(of(metric.stiffness, &shapes), f64::EPSILON, MAX_ITERATIONS)
         .ok_or(StructureError::EigenvaluesNotFound)?;

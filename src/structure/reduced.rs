@@ -223,6 +223,7 @@ impl ReducedModel {
         self.modes.iter().all(|mode| mode.angular_frequency.is_finite())
             && self.integrals.is_finite()
             && self.strain_energy.is_finite()
+            && self.static_loads.iter().flat_map(|load| &load.forces).all(|force| force.is_finite())
             && self.strips.iter().all(|strip| finite(&strip.shapes))
             && self.engines.iter().all(|engine| finite(&engine.shapes))
             && self.stations.iter().all(|station| finite(&station.shapes))

@@ -2,7 +2,7 @@
 
 use flexible_aircraft::flight::Settings;
 use flexible_aircraft::plant::ModeSelection;
-use flexible_aircraft::structure::{ModeFamily, ReducedModel};
+use flexible_aircraft::structure::{Mode, ModeFamily, ReducedModel};
 use flexible_aircraft::variables::{
     ParameterSlot, Slot, Type, Value, Variable, VariableTable, probably_meant,
 };
@@ -43,7 +43,8 @@ pub fn settings(
     set_all(assignments, variables, &mut settings)?;
     let is_asked_for = assignments.iter().any(|assignment| name(assignment) == "mode_count");
     if !is_asked_for && settings.plant.mode_selection == ModeSelection::Symmetric {
-        let symmetric = model.modes.iter().filter(|mode| mode.family == ModeFamily::Symmetric).count();
+        let is_counted = |mode: &&Mode| !mode.of_loads && mode.family == ModeFamily::Symmetric;
+        let symmetric = model.modes.iter().filter(is_counted).count();
         settings.plant.mode_count = settings.plant.mode_count.min(symmetric);
     }
     Ok(settings)
@@ -117,11 +118,12 @@ fn meant(variable: &Variable, text: &str) -> Option<String> {
     probably_meant(text, enumeration.items().iter().map(|(item, _)| *item)).map(str::to_owned)
 }
 
-/// A number, or the name of an enumeration's item, in any case.
+/// A number, the name of an enumeration's item or a truth value, names in any case.
 fn value(variable: &Variable, text: &str) -> Option<Value> {
     match variable.kind {
         Type::Real => text.parse().ok().map(Value::Real),
         Type::Integer => text.parse().ok().map(Value::Integer),
+        Type::Boolean => text.to_lowercase().parse().ok().map(Value::Boolean),
         Type::Enumeration(enumeration) => {
             let mut items = (1..).zip(enumeration.items());
             let item = items.find(|(_, (item, _))| item.eq_ignore_ascii_case(text));
