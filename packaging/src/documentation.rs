@@ -102,13 +102,17 @@ fn facts(aircraft: &Aircraft, model: &ReducedModel) -> String {
     };
     let frequency = model.modes.iter().map(|mode| mode.angular_frequency / std::f64::consts::TAU);
     let lowest = frequency.fold(f64::INFINITY, f64::min);
-    let modes = count(model.modes.len(), "mode", "modes");
+    let natural = model.natural_modes();
+    let load_modes = match model.modes.len() - natural {
+        0 => String::new(),
+        loads => format!("; {} beside them", count(loads, "load mode", "load modes")),
+    };
     format!(
-        "{mass:.0} kg, {}, {}, {}, {}{}.",
+        "{mass:.0} kg, {}, {}, {}, {}{}{load_modes}.",
         count(aircraft.beams.len(), "beam element", "beam elements"),
         count(aircraft.strips.len(), "aerodynamic strip", "aerodynamic strips"),
         count(aircraft.engines.len(), "engine", "engines"),
-        modes,
+        count(natural, "mode", "modes"),
         if lowest.is_finite() { format!(" from {lowest:.3} Hz on (clamped at O)") } else { String::new() }
     )
 }

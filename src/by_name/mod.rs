@@ -336,6 +336,7 @@ mod tests {
         refused("elevator", Setting::Item("full"), "found `full`");
         refused("airspeed", Setting::Number(-3.0), "found -3, allowed is 1 to 400 m/s");
         refused("mode_count", Setting::Number(2.5), "found 2.5");
+        refused("mode_count", Setting::Flag(true), "found true");
         refused("model", Setting::Item("flexible"), "2 (consistently_linearised)");
         assert!(matches!(flight.get("nothing"), Err(FlightError::Unknown { .. })));
         assert!(flight.get("time").unwrap_err().to_string().contains("Flight::time has it"));

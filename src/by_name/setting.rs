@@ -84,3 +84,27 @@ pub(super) fn value(variable: &Variable, setting: Setting) -> Option<Value> {
         | (Type::Real | Type::Integer | Type::Enumeration(_), Setting::Flag(_)) => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::test_jet::jet;
+    use crate::variables::VariableTable;
+
+    #[test]
+    fn a_boolean_is_set_by_true_and_false_alone_and_nothing_else_by_them() {
+        let mut model = jet().clone();
+        model.modes[25].of_loads = true;
+        let table = VariableTable::new(&model);
+        let meaning = |name: &str, setting| value(table.named(name).unwrap(), setting);
+        for flag in [true, false] {
+            assert_eq!(meaning("load_modes", flag.into()), Some(Value::Boolean(flag)));
+            for name in ["model", "mode_count", "airspeed", "elevator"] {
+                assert_eq!(meaning(name, flag.into()), None, "{name}");
+            }
+        }
+        for wrong in [Setting::Number(1.0), Setting::Item("true")] {
+            assert_eq!(meaning("load_modes", wrong), None);
+        }
+    }
+}

@@ -212,6 +212,22 @@ mod tests {
     }
 
     #[test]
+    fn load_modes_are_switched_by_true_and_false_in_any_case_where_there_are_some() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft/goland-wing.toml");
+        let wing = Aircraft::read(&path).unwrap();
+        let set = |load_modes, assignment: &str| {
+            let model = ReducedModel::new(&Aircraft { load_modes, ..wing.clone() }, 2).unwrap();
+            settings(&[assignment.to_owned()], &VariableTable::new(&model), &model)
+        };
+        assert!(!set(true, "load_modes=false").unwrap().plant.load_modes);
+        assert!(set(true, "load_modes=True").unwrap().plant.load_modes);
+        let mistake = set(true, "load_modes=1").unwrap_err().to_string();
+        assert_eq!(mistake, "load_modes=1: found `1`, allowed is true or false");
+        let mistake = set(false, "load_modes=true").unwrap_err().to_string();
+        assert!(mistake.starts_with("load_modes=true: there is no parameter `load_modes`"), "{mistake}");
+    }
+
+    #[test]
     fn a_parameter_is_set_once() {
         let mistake = set(&["airspeed=100", "model=rigid", "airspeed=120"]).unwrap_err();
         assert_eq!(mistake, "airspeed=120: `airspeed` was set before, by airspeed=100");
