@@ -1,5 +1,6 @@
 //! Physics: each file holds one claim against a source that is not this program.
 
+mod any_basis;
 mod asymmetry;
 mod beam;
 mod coincident_nodes;
