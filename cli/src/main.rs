@@ -76,6 +76,11 @@ struct PackageOptions {
     #[arg(long, value_name = "N")]
     modes: Option<usize>,
 
+    /// Put load modes beside them, shapes that typical static loads give the structure, also where the aircraft file does
+    /// not ask for them; the FMU then has a parameter `load_modes`, by which they can be switched off
+    #[arg(long)]
+    load_modes: bool,
+
     /// A shared library built elsewhere, for a further platform or in place of the one built here:
     /// aarch64-linux, darwin64, linux64 or win64, and its file. May be repeated
     #[arg(long, value_name = "PLATFORM=FILE", value_parser = platform_and_file)]

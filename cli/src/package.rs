@@ -65,6 +65,7 @@ pub fn run(options: PackageOptions) -> Result<(), Error> {
     let package = Package {
         aircraft: aircraft_file,
         mode_count: ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES),
+        load_modes: options.load_modes,
         binaries,
         workspace: workspace::root().into(),
     };

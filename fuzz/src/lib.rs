@@ -29,7 +29,7 @@ pub fn seed(target: &str, bytes: &[u8]) {
 pub fn fly(model: ReducedModel) {
     let description = description::write(&model);
     assert!(description.contains(&description::guid(&model)));
-    let settings = Settings::from(PlantSettings { mode_count: model.modes.len(), ..PlantSettings::of(&model) });
+    let settings = Settings::from(PlantSettings { mode_count: model.natural_modes(), ..PlantSettings::of(&model) });
     let zero = Inputs::zero(&model);
     let mut inputs = zero.clone();
     inputs.controls.fill(0.01);

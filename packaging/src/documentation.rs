@@ -102,13 +102,17 @@ fn facts(aircraft: &Aircraft, model: &ReducedModel) -> String {
     };
     let frequency = model.modes.iter().map(|mode| mode.angular_frequency / std::f64::consts::TAU);
     let lowest = frequency.fold(f64::INFINITY, f64::min);
-    let modes = count(model.modes.len(), "mode", "modes");
+    let natural = model.natural_modes();
+    let load_modes = match model.modes.len() - natural {
+        0 => String::new(),
+        loads => format!("; {} beside them", count(loads, "load mode", "load modes")),
+    };
     format!(
-        "{mass:.0} kg, {}, {}, {}, {}{}.",
+        "{mass:.0} kg, {}, {}, {}, {}{}{load_modes}.",
         count(aircraft.beams.len(), "beam element", "beam elements"),
         count(aircraft.strips.len(), "aerodynamic strip", "aerodynamic strips"),
         count(aircraft.engines.len(), "engine", "engines"),
-        modes,
+        count(natural, "mode", "modes"),
         if lowest.is_finite() { format!(" from {lowest:.3} Hz on (clamped at O)") } else { String::new() }
     )
 }
@@ -199,6 +203,7 @@ fn start(variable: &Variable) -> String {
     match variable.start {
         Some(Value::Integer(number)) => number.to_string(),
         Some(Value::Real(number)) => plain(number),
+        Some(Value::Boolean(flag)) => flag.to_string(),
         None => String::new(),
     }
 }
@@ -206,7 +211,7 @@ fn start(variable: &Variable) -> String {
 /// Of enumerations the list of items says it.
 fn limit(variable: &Variable, limit: Option<f64>) -> String {
     match variable.kind {
-        Type::Enumeration(_) => String::new(),
+        Type::Enumeration(_) | Type::Boolean => String::new(),
         Type::Real | Type::Integer => limit.map(plain).unwrap_or_default(),
     }
 }

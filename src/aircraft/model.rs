@@ -79,6 +79,8 @@ pub struct Aircraft {
     pub support: Support,
     /// Which modes span the deformation.
     pub mode_basis: ModeBasis,
+    /// Whether the shapes that static loads give stand beside the natural modes.
+    pub load_modes: bool,
     /// Default number of Peters inflow states per strip, 0…8.
     pub inflow_states: usize,
     /// Airspeed at which it is trimmed unless someone asks for another, m/s.

@@ -34,12 +34,14 @@ const FILE: &[&str] = &[
     "temperature_K",
     "mount_attitude_deg",
     "symmetric",
+    "basis",
     "limits",
     "control",
     "component",
     "engine",
     "station",
 ];
+const BASIS: &[&str] = &["load_modes"];
 const COMPONENT: &[&str] = &[
     "name",
     "mirror",
@@ -121,6 +123,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         altitude: if tunnel_air.is_some() { 0.0 } else { table.number_or("altitude_m", &ALTITUDE, 7620.0) },
         tunnel_air,
         mount: table.optional("mount_attitude_deg").and_then(|v| v.located(tunnel::read_mount)),
+        load_modes: read_load_modes(&table),
         symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
         limits,
         former_limits,
@@ -133,6 +136,12 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         engines: engines.into_iter().flatten().collect(),
         stations: stations.into_iter().flatten().collect(),
     })
+}
+
+/// Whether the modal basis holds the shapes of static loads too.
+fn read_load_modes(table: &Table) -> bool {
+    let basis = table.optional("basis").and_then(|v| v.table(BASIS));
+    basis.and_then(|basis| basis.optional("load_modes")?.flag()).unwrap_or(false)
 }
 
 fn vector_or_zero(table: &Table, field: &str, allowed: &Allowed) -> Vector3<f64> {

@@ -18,6 +18,7 @@ pub(super) struct FileSpec {
     pub(super) gravity: f64,
     pub(super) support: Located<Support>,
     pub(super) mode_basis: ModeBasis,
+    pub(super) load_modes: bool,
     pub(super) inflow_states: usize,
     pub(super) airspeed: Located<f64>,
     pub(super) altitude: f64,

@@ -6,7 +6,7 @@ use crate::air::{Air, STANDARD_GRAVITY};
 use crate::equations::{Controls, EquationsOfMotion, StateLayout, Workspace};
 use crate::kinematics::{GeneralisedVector, Section, Sections};
 use crate::math::Attitude;
-use crate::structure::ReducedStation;
+use crate::structure::{ModesInUse, ReducedStation};
 
 use super::course::Course;
 use super::sensors::{BodyMotion, Sensors};
@@ -124,14 +124,9 @@ impl Outputs {
     }
 
     /// Writes the coordinates of the packaged modes, of which these take part.
-    pub(super) fn write_modes(&mut self, modes: &[usize], layout: &StateLayout, state: &[f64]) {
-        self.modal_q.fill(0.0);
-        self.modal_q_dot.fill(0.0);
-        let coordinates = state[layout.coordinates()].iter().zip(&state[layout.coordinate_rates()]);
-        for (&packaged, (q, q_dot)) in modes.iter().zip(coordinates) {
-            self.modal_q[packaged] = *q;
-            self.modal_q_dot[packaged] = *q_dot;
-        }
+    pub(super) fn write_modes(&mut self, modes: &ModesInUse, layout: &StateLayout, state: &[f64]) {
+        modes.write_packaged(&state[layout.coordinates()], &mut self.modal_q);
+        modes.write_packaged(&state[layout.coordinate_rates()], &mut self.modal_q_dot);
     }
 
     /// Writes what is seen and measured at the stations.

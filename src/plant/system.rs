@@ -11,7 +11,7 @@ use crate::air::Air;
 use crate::aircraft::{Control, Support};
 use crate::equations::{Configuration, Controls, EquationsOfMotion, StateLayout, Workspace};
 use crate::kinematics::Sections;
-use crate::structure::{ReducedModel, ReducedStation};
+use crate::structure::{ModesInUse, ReducedModel, ReducedStation};
 
 use super::course::Course;
 use super::outputs::{AirData, Outputs};
@@ -44,7 +44,7 @@ pub(crate) struct Packaged {
     /// How many modes are packaged.
     pub mode_count: usize,
     /// Which of them take part.
-    pub modes: Vec<usize>,
+    pub modes: ModesInUse,
     /// Of each strip of the plant.
     pub strips: Vec<PackagedStrip>,
 }
@@ -60,9 +60,9 @@ pub struct PackagedStrip {
 
 impl Packaged {
     /// A whole model with these of its modes.
-    pub fn whole(model: &ReducedModel, modes: &[usize]) -> Self {
+    pub fn whole(model: &ReducedModel, modes: &ModesInUse) -> Self {
         let strips = (0..model.strips.len()).map(|strip| PackagedStrip::of(model, strip)).collect();
-        Packaged { mode_count: model.modes.len(), modes: modes.to_vec(), strips }
+        Packaged { mode_count: model.modes.len(), modes: modes.clone(), strips }
     }
 }
 
@@ -77,12 +77,12 @@ impl Plant {
     /// Of a whole aircraft, all of whose modes take part unless it is to be rigid.
     pub fn new(model: &ReducedModel, configuration: &Configuration) -> Self {
         let modes: Vec<usize> = (0..model.modes.len()).collect();
-        Plant::of_modes(model, configuration, &modes)
+        Plant::of_modes(model, configuration, &ModesInUse::chosen(&modes))
     }
 
-    /// Of a whole aircraft with a selection of its modes (ascending indices), all others held at rest.
-    pub fn of_modes(model: &ReducedModel, configuration: &Configuration, modes: &[usize]) -> Self {
-        let reduced = model.select(modes);
+    /// Of a whole aircraft with some of its modes, all others held at rest.
+    pub fn of_modes(model: &ReducedModel, configuration: &Configuration, modes: &ModesInUse) -> Self {
+        let reduced = model.in_use(modes);
         let equations = EquationsOfMotion::new(&reduced, configuration);
         Plant::of_equations(equations, &reduced, Packaged::whole(model, modes))
     }

@@ -80,7 +80,7 @@ impl Sweep {
         }
         let airspeed = airspeeds.first().copied().unwrap_or(settings.airspeed);
         let settings = &PlantSettings { airspeed, ..*settings };
-        let aircraft = Motions { model: &model.select(&settings.choose_modes(model)?), settings };
+        let aircraft = Motions { model: &model.in_use(&settings.choose_modes(model)?), settings };
         let mut gathered = Gathered::default();
         let mut tracks = Tracks::new(aircraft);
         for airspeeds in airspeeds.chunks(SHARE * workers()) {

@@ -11,7 +11,7 @@ use crate::sealed::hash;
 use super::{ModeShapes, ReducedModel, StructureError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXAIR05";
+const MAGIC: &[u8; 8] = b"FLXAIR06";
 
 /// Bytes before the payload.
 const HEADER: usize = 8 + 8 + 16;
@@ -94,6 +94,7 @@ impl ReducedModel {
         let fits_controls = |flap: &Flap| flap.gains.len() == self.controls.len();
         let fits = |shapes: &ModeShapes| [shapes.translation.len(), shapes.rotation.len()] == [3 * n; 2];
         self.integrals.is_consistent(n)
+            && self.static_loads.iter().all(|load| load.forces.len() == n)
             && self.strain_energy.is_consistent(n)
             && self.strips.iter().all(|strip| fits(&strip.shapes))
             && self.strips.iter().filter_map(|strip| strip.flap.as_ref()).all(fits_controls)

@@ -9,7 +9,10 @@ use crate::aircraft::{Aircraft, Control, Flap, Limits, Support, TrimRole, Tunnel
 
 use super::assembly::Structure;
 use super::mode_count::ModeCount;
-use super::{ModalBasis, ModalIntegrals, Mode, ModeKind, ModeShapes, StrainEnergy, StructureError};
+use super::{
+    ModalBasis, ModalIntegrals, Mode, ModeKind, ModeShapes, ModesInUse, StaticLoad, StrainEnergy,
+    StructureError,
+};
 
 /// An aircraft reduced to its modes.
 ///
@@ -41,12 +44,14 @@ pub struct ReducedModel {
     pub tunnel_air: Option<TunnelAir>,
     /// Roll, pitch and yaw of a clamped aircraft in the tunnel, rad.
     pub mount: Vector3<f64>,
-    /// Lowest frequency first.
+    /// Natural modes, lowest frequency first; then load modes, if there are any.
     pub modes: Vec<Mode>,
     /// Integrals over the mass.
     pub integrals: ModalIntegrals,
     /// Strain energy at nominal stiffness.
     pub strain_energy: StrainEnergy,
+    /// The loads whose strains the load modes are; none where the model has no load modes.
+    pub static_loads: Vec<StaticLoad>,
     /// Aerodynamic strips.
     pub strips: Vec<ReducedStrip>,
     /// What moves the flaps, in the order of the inputs.
@@ -191,6 +196,7 @@ impl ReducedModel {
             mount: aircraft.mount,
             integrals: ModalIntegrals::new(&structure, &basis.shapes),
             strain_energy: StrainEnergy::new(&structure, &basis.shapes),
+            static_loads: basis.static_loads,
             controls: aircraft.controls.clone(),
             strips: reduced_strips(&structure, &basis.shapes),
             engines: reduced_engines(&structure, &basis.shapes),
@@ -217,6 +223,7 @@ impl ReducedModel {
         self.modes.iter().all(|mode| mode.angular_frequency.is_finite())
             && self.integrals.is_finite()
             && self.strain_energy.is_finite()
+            && self.static_loads.iter().flat_map(|load| &load.forces).all(|force| force.is_finite())
             && self.strips.iter().all(|strip| finite(&strip.shapes))
             && self.engines.iter().all(|engine| finite(&engine.shapes))
             && self.stations.iter().all(|station| finite(&station.shapes))
@@ -228,12 +235,39 @@ impl ReducedModel {
         model.modes = chosen.iter().map(|&mode| self.modes[mode]).collect();
         model.integrals = self.integrals.select(chosen);
         model.strain_energy = self.strain_energy.select(chosen);
-        let engines = model.engines.iter_mut().map(|engine| &mut engine.shapes);
-        let stations = model.stations.iter_mut().map(|station| &mut station.shapes);
-        for shapes in model.strips.iter_mut().map(|strip| &mut strip.shapes).chain(engines).chain(stations) {
-            *shapes = shapes.select(chosen);
-        }
+        model.static_loads.clear();
+        model.all_shapes_mut().for_each(|shapes| *shapes = shapes.select(chosen));
         model
+    }
+
+    /// The model with these coordinates, everything else held at rest.
+    pub fn in_use(&self, modes: &ModesInUse) -> Self {
+        if let Some(chosen) = modes.plain() {
+            return self.select(&chosen);
+        }
+        let (own, shares) = modes.columns(&self.modes);
+        let mut model = ReducedModel { modes: own, ..self.clone() };
+        model.integrals = self.integrals.combine(&shares);
+        model.strain_energy = self.strain_energy.combine(&shares);
+        model.static_loads.clear();
+        model.all_shapes_mut().for_each(|shapes| *shapes = shapes.combine(&shares));
+        model
+    }
+
+    /// Whether there are load modes beside the natural ones.
+    pub fn has_load_modes(&self) -> bool {
+        self.modes.iter().any(|mode| mode.of_loads)
+    }
+
+    /// How many of the modes are natural ones.
+    pub fn natural_modes(&self) -> usize {
+        self.modes.iter().filter(|mode| !mode.of_loads).count()
+    }
+
+    fn all_shapes_mut(&mut self) -> impl Iterator<Item = &mut ModeShapes> {
+        let engines = self.engines.iter_mut().map(|engine| &mut engine.shapes);
+        let stations = self.stations.iter_mut().map(|station| &mut station.shapes);
+        self.strips.iter_mut().map(|strip| &mut strip.shapes).chain(engines).chain(stations)
     }
 }
 
@@ -245,6 +279,19 @@ impl ModeShapes {
         ModeShapes {
             translation: of_chosen(self.translation_rows()),
             rotation: of_chosen(self.rotation_rows()),
+        }
+    }
+
+    /// Those of coordinates with such shares in these, a column each.
+    fn combine(&self, shares: &DMatrix<f64>) -> Self {
+        let combined = |rows: [&[f64]; 3]| {
+            let sum =
+                |row: &[f64], column: usize| shares.column(column).iter().zip(row).map(|(s, r)| s * r).sum();
+            rows.into_iter().flat_map(|row| (0..shares.ncols()).map(move |column| sum(row, column))).collect()
+        };
+        ModeShapes {
+            translation: combined(self.translation_rows()),
+            rotation: combined(self.rotation_rows()),
         }
     }
 }

@@ -78,6 +78,19 @@ impl StrainEnergy {
         }
     }
 
+    /// The energy of coordinates with such shares in these, a column each.
+    pub fn combine(&self, shares: &DMatrix<f64>) -> Self {
+        let stiffness = DMatrix::from_row_slice(self.modes, self.modes, &self.linear_stiffness);
+        // By rows: the product is self-adjoint up to rounding.
+        let combined = (shares.transpose() * stiffness * shares).transpose();
+        StrainEnergy {
+            modes: shares.ncols(),
+            linear_stiffness: combined.as_slice().to_vec(),
+            cubic: combined_coefficients(self.cubic_terms(), shares),
+            quartic: combined_coefficients(self.quartic_terms(), shares),
+        }
+    }
+
     /// The modes of each monomial of U₃ and its coefficient.
     pub(super) fn cubic_terms(&self) -> impl Iterator<Item = ([usize; 3], f64)> {
         ascending_tuples(self.modes).zip(self.cubic.iter().copied())
@@ -239,6 +252,38 @@ fn chosen_coefficients<const DEGREE: usize>(coefficients: &[f64], n: usize, chos
     tuples.map(|tuple| coefficients[rank(tuple.map(|place| chosen[place]), n)]).collect()
 }
 
+/// The coefficients of a homogeneous polynomial of modes, given by its terms, as one of coordinates with such shares in them.
+fn combined_coefficients<const DEGREE: usize>(
+    terms: impl Iterator<Item = ([usize; DEGREE], f64)>,
+    shares: &DMatrix<f64>,
+) -> Vec<f64> {
+    let n = shares.ncols();
+    let taking: Vec<Vec<(usize, f64)>> = shares
+        .row_iter()
+        .map(|row| row.iter().copied().enumerate().filter(|(_, share)| *share != 0.0).collect())
+        .collect();
+    let mut coefficients = vec![0.0; monomials(n, DEGREE)];
+    for (modes, coefficient) in terms.filter(|(_, coefficient)| *coefficient != 0.0) {
+        // Each mode of the monomial is a sum over coordinates: the product of these sums, term by term.
+        let mut products = vec![([0; DEGREE], coefficient)];
+        for (place, &mode) in modes.iter().enumerate() {
+            let longer = products.iter().flat_map(|&(tuple, product)| {
+                taking[mode].iter().map(move |&(coordinate, share)| {
+                    let mut tuple = tuple;
+                    tuple[place] = coordinate;
+                    (tuple, product * share)
+                })
+            });
+            products = longer.collect();
+        }
+        for (mut tuple, product) in products {
+            tuple.sort_unstable();
+            coefficients[rank(tuple, n)] += product;
+        }
+    }
+    coefficients
+}
+
 /// How many ascending tuples stand before one in lexicographic order.
 fn rank<const DEGREE: usize>(tuple: [usize; DEGREE], n: usize) -> usize {
     let mut before = 0;
@@ -345,6 +390,21 @@ mod tests {
         let part =
             chosen.add_quadratic(&q, unused) + chosen.add_cubic(&q, unused) + chosen.add_quartic(&q, unused);
         assert!((part - value(&energy, &[0.0, q[0], 0.0, q[1]])).abs() < 1e-14);
+    }
+
+    #[test]
+    fn combined_coordinates_have_the_energy_of_what_they_combine() {
+        let energy = sample();
+        let shares = DMatrix::from_row_slice(4, 2, &[1.0, 0.0, 0.0, 0.4, 0.0, -0.7, 0.0, 1.3]);
+        let combined = energy.combine(&shares);
+        assert!(combined.is_consistent(2));
+        let q = [0.6, -0.9];
+        let packaged = &shares * DVector::from_column_slice(&q);
+        let unused = &mut [0.0; 2];
+        let value_there = combined.add_quadratic(&q, unused)
+            + combined.add_cubic(&q, unused)
+            + combined.add_quartic(&q, unused);
+        assert!((value_there - value(&energy, packaged.as_slice())).abs() < 1e-13);
     }
 
     #[test]

@@ -12,6 +12,8 @@ pub enum Value {
     Real(f64),
     /// Of an Integer, or of an Enumeration (from 1).
     Integer(i32),
+    /// Of a Boolean.
+    Boolean(bool),
 }
 
 /// The enumerations of the parameters.
@@ -141,6 +143,7 @@ pub enum ParameterSlot {
     StructuralDamping,
     ModeFamily,
     ModeCount,
+    LoadModes,
     InflowStates,
     Tolerance,
 }
@@ -233,6 +236,7 @@ impl ParameterSlot {
             ParameterSlot::StructuralDamping => Value::Real(settings.plant.structural_damping),
             ParameterSlot::ModeFamily => Value::Integer(settings.plant.mode_selection as i32 + 1),
             ParameterSlot::ModeCount => Value::Integer(saturating(settings.plant.mode_count)),
+            ParameterSlot::LoadModes => Value::Boolean(settings.plant.load_modes),
             ParameterSlot::InflowStates => Value::Integer(saturating(settings.plant.inflow_states)),
             ParameterSlot::Tolerance => Value::Real(settings.tolerance),
         }
@@ -260,6 +264,7 @@ impl ParameterSlot {
             (ParameterSlot::ModeCount, Value::Integer(i)) => {
                 settings.plant.mode_count = usize::try_from(i).unwrap_or(settings.plant.mode_count);
             }
+            (ParameterSlot::LoadModes, Value::Boolean(flag)) => settings.plant.load_modes = flag,
             (ParameterSlot::InflowStates, Value::Integer(i)) => {
                 settings.plant.inflow_states = usize::try_from(i).unwrap_or(settings.plant.inflow_states);
             }

@@ -68,6 +68,7 @@ impl Cantilever {
             gravity: 0.0,
             support: Support::Clamped,
             mode_basis: ModeBasis::Full,
+            load_modes: false,
             inflow_states: 0,
             airspeed: 127.0,
             altitude: 7620.0,

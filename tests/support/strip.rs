@@ -133,6 +133,7 @@ fn model(strip: ReducedStrip) -> ReducedModel {
             mass_matrix: Vec::new(),
         },
         strain_energy: StrainEnergy::zero(0),
+        static_loads: Vec::new(),
         strips: vec![strip],
         controls: ["first", "second"].map(control).to_vec(),
         engines: Vec::new(),

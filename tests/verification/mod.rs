@@ -1,5 +1,6 @@
 //! Physics: each file holds one claim against a source that is not this program.
 
+mod any_basis;
 mod asymmetry;
 mod beam;
 mod coincident_nodes;
@@ -16,6 +17,7 @@ mod gliding;
 mod inflow;
 mod limits;
 mod linearisation;
+mod load_modes;
 mod modal_integrals;
 mod record;
 mod refusals;

@@ -26,6 +26,7 @@ const CLAIMS: &[Claim] = &[
     ("Leading-edge suction", "suction", &["steady-drag", "camber-thrust", "adverse-yaw"]),
     ("Clamped frequencies and mass of the jet", "frequencies", &["frequencies"]),
     ("Trim", "trim", &["trim"]),
+    ("Load modes", "load_modes", &["load-modes", "load-modes-trim"]),
     ("Eigenvalues", "eigenvalues", &["eigenvalues"]),
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
     ("Energy balance in air", "energy_balance", &["energy-balance"]),

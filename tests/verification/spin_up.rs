@@ -63,6 +63,7 @@ fn model(elements: usize) -> ReducedModel {
         modes,
         integrals: ModalIntegrals::new(&structure, &shapes),
         strain_energy: StrainEnergy::new(&structure, &shapes),
+        static_loads: Vec::new(),
         strips: Vec::new(),
         controls: Vec::new(),
         engines: Vec::new(),

@@ -66,9 +66,14 @@ pub struct FlutterOptions {
     #[arg(long, value_enum, default_value_t = Model::Exact)]
     model: Model,
 
-    /// Number of modes, lowest frequencies first [default: 12, or all where there are fewer]
+    /// Number of natural modes, lowest frequencies first [default: 12, or all where there are fewer]
     #[arg(long, value_name = "N")]
     modes: Option<usize>,
+
+    /// Put load modes beside them, shapes that typical static loads give the structure, also where the aircraft file does
+    /// not ask for them
+    #[arg(long)]
+    load_modes: bool,
 
     /// Families of modes that take part
     #[arg(long, value_enum, default_value_t = Modes::All)]
@@ -188,13 +193,14 @@ pub fn run(options: &FlutterOptions) -> Result<(), Error> {
 }
 
 fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
-    let aircraft = diagnostics::read_aircraft(&options.aircraft)?;
+    let mut aircraft = diagnostics::read_aircraft(&options.aircraft)?;
+    aircraft.load_modes |= options.load_modes;
     let airspeeds = airspeeds(options, aircraft.support)?;
     if let (Some(altitude), Some(_)) = (options.altitude, &aircraft.tunnel_air) {
         return Err(Error::TunnelAltitude { altitude, aircraft: options.aircraft.display().to_string() });
     }
     let (model, mode_count) = reduce(&aircraft, options)?;
-    check_mobility(aircraft.support, options)?;
+    check_mobility(&model, options)?;
     let settings = PlantSettings {
         fidelity: options.model.fidelity(),
         altitude: options.altitude.unwrap_or(aircraft.altitude),
@@ -208,19 +214,19 @@ fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
     let progress = Progress::new(airspeeds.len(), "airspeeds");
     let sweep = Sweep::watched(&model, &settings, &airspeeds, &|| progress.advance())?;
     drop(progress);
-    let model = model.select(&settings.choose_modes(&model)?);
+    let model = model.in_use(&settings.choose_modes(&model)?);
     let level =
         options.model.to_possible_value().map_or(String::new(), |value| value.get_name().replace('_', " "));
     Ok(Analysis { model, level, settings, range: [options.from, options.to], sweep })
 }
 
 /// A clamped aircraft moves in its modes alone.
-fn check_mobility(support: Support, options: &FlutterOptions) -> Result<(), Error> {
-    match (support, options.model, options.modes) {
+fn check_mobility(model: &ReducedModel, options: &FlutterOptions) -> Result<(), Error> {
+    match (model.support, options.model, options.modes) {
         (Support::Clamped, Model::Rigid, _) => {
             Err(Error::Motionless { option: "--model rigid", allowed: "a flexible model" })
         }
-        (Support::Clamped, _, Some(0)) => {
+        (Support::Clamped, _, Some(0)) if !model.has_load_modes() => {
             Err(Error::Motionless { option: "--modes 0", allowed: "at least 1 mode" })
         }
         _ => Ok(()),
@@ -251,7 +257,7 @@ fn reduce(aircraft: &Aircraft, options: &FlutterOptions) -> Result<(ReducedModel
         Modes::Symmetric => (ModeKind::Symmetric, |family| family == ModeFamily::Symmetric),
     };
     let model = ReducedModel::with(aircraft, count, kind)?;
-    let count = model.modes.iter().filter(|mode| takes_part(mode.family)).count();
+    let count = model.modes.iter().filter(|mode| !mode.of_loads && takes_part(mode.family)).count();
     Ok((model, count))
 }
 

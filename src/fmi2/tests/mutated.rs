@@ -106,7 +106,7 @@ fn each<S: Strategy>(cases: u32, strategy: S, check: impl Fn(S::Value)) {
 fn fly(model: ReducedModel) {
     assert!(description::write(&model).contains(&guid(&model)));
     let settings =
-        Settings::from(PlantSettings { mode_count: model.modes.len(), ..PlantSettings::of(&model) });
+        Settings::from(PlantSettings { mode_count: model.natural_modes(), ..PlantSettings::of(&model) });
     let (inputs, zero) = (Inputs::zero(&model), Inputs::zero(&model));
     if let Ok(mut flight) = Simulation::new(Arc::new(model), &settings, 0.0) {
         flight.set_inputs(&inputs, &zero);
