@@ -17,6 +17,7 @@ mod modes_in_use;
 mod pairs;
 mod particles;
 mod reduced;
+mod sections;
 mod static_loads;
 mod strain_energy;
 #[cfg(test)]
@@ -32,6 +33,7 @@ pub use mode_count::ModeCount;
 pub use modes::ModalBasis;
 pub use modes_in_use::ModesInUse;
 pub use particles::Particle;
-pub use reduced::{ReducedEngine, ReducedModel, ReducedStation, ReducedStrip};
+pub use reduced::{Carrier, ReducedEngine, ReducedModel, ReducedStation, ReducedStrip};
+pub use sections::{BeamSection, RigidBody, SectionTree};
 pub use static_loads::StaticLoad;
 pub use strain_energy::StrainEnergy;
