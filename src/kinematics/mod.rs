@@ -1,5 +1,6 @@
 //! How the deformed aircraft moves [theory: kinematics.sections, frames.velocity; thesis eq. 2.1, 2.2].
 
+mod exact;
 mod freedom;
 mod kind;
 mod linear;
@@ -9,6 +10,8 @@ mod sections;
 pub(crate) mod test_kind;
 mod velocities;
 
+#[cfg_attr(not(test), expect(unused_imports, reason = "no level of fidelity has it yet"))]
+pub(crate) use exact::GeometricallyExact;
 pub(crate) use freedom::RigidFreedom;
 pub(crate) use kind::{Coordinates, Inertia, Kinematics};
 pub(crate) use linear::Superposition;
