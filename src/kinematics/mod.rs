@@ -1,5 +1,6 @@
 //! How the deformed aircraft moves [theory: kinematics.sections, frames.velocity; thesis eq. 2.1, 2.2].
 
+#[cfg_attr(not(test), allow(dead_code, reason = "no level of fidelity has it yet"))]
 mod exact;
 mod freedom;
 mod kind;
@@ -10,7 +11,7 @@ mod sections;
 pub(crate) mod test_kind;
 mod velocities;
 
-#[cfg_attr(not(test), expect(unused_imports, reason = "no level of fidelity has it yet"))]
+#[cfg_attr(not(test), allow(unused_imports, reason = "no level of fidelity has it yet"))]
 pub(crate) use exact::GeometricallyExact;
 pub(crate) use freedom::RigidFreedom;
 pub(crate) use kind::{Coordinates, Inertia, Kinematics};

@@ -104,6 +104,7 @@ impl Section for AttachedNow<'_> {
         self.arrow(&self.moving.turn.tr_mul(&self.arrow(vector)))
     }
 
+    /// [theory: geometrically-exact.twist]
     fn twist(&self, axis: &Vector3<f64>) -> f64 {
         let along_x = axis.cross(&Vector3::x());
         let forward = if along_x.norm() > ALONG_X { Vector3::x() } else { Vector3::y() };
