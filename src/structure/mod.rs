@@ -34,6 +34,6 @@ pub use modes::ModalBasis;
 pub use modes_in_use::ModesInUse;
 pub use particles::Particle;
 pub use reduced::{Carrier, ReducedEngine, ReducedModel, ReducedStation, ReducedStrip};
-pub use sections::{BeamSection, RigidBody, SectionTree};
+pub use sections::{BeamSection, RigidBody};
 pub use static_loads::StaticLoad;
 pub use strain_energy::StrainEnergy;

@@ -9,8 +9,9 @@ use crate::aircraft::{Aircraft, Control, Flap, Limits, Support, TrimRole, Tunnel
 
 use super::assembly::Structure;
 use super::mode_count::ModeCount;
+use super::sections::SectionTree;
 use super::{
-    BeamSection, ModalBasis, ModalIntegrals, Mode, ModeKind, ModeShapes, ModesInUse, SectionTree, StaticLoad,
+    BeamSection, ModalBasis, ModalIntegrals, Mode, ModeKind, ModeShapes, ModesInUse, StaticLoad,
     StrainEnergy, StructureError,
 };
 
