@@ -5,7 +5,7 @@ use pulp::Arch;
 
 use crate::air::Air;
 use crate::aircraft::{Control, Support};
-use crate::kinematics::{Kind, KindInertia, Kinematics, RigidFreedom, RigidMotion};
+use crate::kinematics::{AnyInertia, AnyKind, RigidFreedom, RigidMotion};
 use crate::math::LinearSystem;
 use crate::strips::{FlapFactor, InflowLayout, PetersInflow, StripSums, Strips};
 use crate::structure::{
@@ -47,7 +47,7 @@ pub struct EquationsOfMotion {
     /// 2ζω_k.
     pub(crate) damping: Vec<f64>,
     /// Where all that hangs on the structure is.
-    pub(super) kinematics: Kind,
+    pub(crate) kinematics: AnyKind,
     pub(crate) strips: Strips,
     pub(super) controls: Vec<Control>,
     pub(super) engines: Engines,
@@ -116,7 +116,7 @@ impl EquationsOfMotion {
             damping: model.modes.iter().map(|mode| damping(mode.angular_frequency)).collect(),
             self_adjoint: strips.zero_lift_lines_are_chords()
                 && configuration.fidelity != Fidelity::RuthlesslyLinearised,
-            kinematics: Kind::new(model, edge_on),
+            kinematics: AnyKind::new(model, edge_on, false),
             strips,
             controls: model.controls.clone(),
             engines: Engines::new(model),
@@ -224,7 +224,7 @@ impl EquationsOfMotion {
     }
 
     /// The inertia without deformation.
-    pub(crate) fn undeformed_inertia(&self) -> KindInertia {
+    pub(crate) fn undeformed_inertia(&self) -> AnyInertia {
         self.kinematics.inertia(&self.integrals, self.freedom)
     }
 
