@@ -1,4 +1,4 @@
-//! The five fidelity levels and the terms that each keeps [theory: equations-of-motion.levels; thesis §2.4].
+//! The six fidelity levels and the terms that each keeps [theory: equations-of-motion.levels; thesis §2.4].
 
 /// How much of the nonlinear dynamics a model keeps.
 ///
@@ -21,6 +21,8 @@ pub enum Fidelity {
     RuthlesslyLinearised,
     /// No deformation.
     Rigid,
+    /// GE: strains superpose, positions and turns follow by finite kinematics; for wings that bend visibly.
+    GeometricallyExact,
 }
 
 /// What is evaluated on the deformed aircraft ("hat"), and which parts of the strain energy count.
@@ -34,11 +36,23 @@ pub struct Terms {
     pub cubic_energy: bool,
     /// ⅓K₂(q)q.
     pub quartic_energy: bool,
+    /// Strains superpose, not displacements: finite kinematics, and each coordinate's own ω²q as elastic force.
+    pub superposed_strains: bool,
 }
 
 impl Fidelity {
     /// All levels, in the order of the FMI enumeration (1-based there).
-    pub const ALL: [Fidelity; 5] = [
+    pub const ALL: [Fidelity; 6] = [
+        Fidelity::Exact,
+        Fidelity::ConsistentlyLinearised,
+        Fidelity::Inconsistent,
+        Fidelity::RuthlesslyLinearised,
+        Fidelity::Rigid,
+        Fidelity::GeometricallyExact,
+    ];
+
+    /// Those that the thesis compares.
+    pub const OF_THESIS: [Fidelity; 5] = [
         Fidelity::Exact,
         Fidelity::ConsistentlyLinearised,
         Fidelity::Inconsistent,
@@ -46,7 +60,38 @@ impl Fidelity {
         Fidelity::Rigid,
     ];
 
-    /// The thesis' letters.
+    /// The name in files, on the command line and in the FMU.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Fidelity::Exact => "exact",
+            Fidelity::ConsistentlyLinearised => "consistently_linearised",
+            Fidelity::Inconsistent => "inconsistent",
+            Fidelity::RuthlesslyLinearised => "ruthlessly_linearised",
+            Fidelity::Rigid => "rigid",
+            Fidelity::GeometricallyExact => "geometrically_exact",
+        }
+    }
+
+    /// What it keeps, in a line.
+    pub const fn description(self) -> &'static str {
+        match self {
+            Fidelity::Exact => "All inertial and geometric nonlinearities of superposed displacements",
+            Fidelity::ConsistentlyLinearised => "Undeformed mass matrix, strain energy to third order",
+            Fidelity::Inconsistent => "Exact inertia with linear elasticity",
+            Fidelity::RuthlesslyLinearised => "Undeformed inertia and moment arms, linear elasticity",
+            Fidelity::Rigid => "No deformation",
+            Fidelity::GeometricallyExact => {
+                "Superposed strains, finite rotations: for wings that bend visibly"
+            }
+        }
+    }
+
+    /// The level of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Fidelity::ALL.into_iter().find(|level| level.name() == name)
+    }
+
+    /// The thesis' letters, and GE.
     pub fn symbol(self) -> &'static str {
         match self {
             Fidelity::Exact => "E",
@@ -54,6 +99,7 @@ impl Fidelity {
             Fidelity::Inconsistent => "I",
             Fidelity::RuthlesslyLinearised => "RL",
             Fidelity::Rigid => "Rigid",
+            Fidelity::GeometricallyExact => "GE",
         }
     }
 
@@ -65,6 +111,7 @@ impl Fidelity {
             Fidelity::Inconsistent => "inconsistent",
             Fidelity::RuthlesslyLinearised => "ruthlessly linearised",
             Fidelity::Rigid => "no deformation",
+            Fidelity::GeometricallyExact => "geometrically exact",
         }
     }
 
@@ -73,9 +120,23 @@ impl Fidelity {
         let (deformed_mass, deformed_forcing, cubic_energy, quartic_energy) = match self {
             Fidelity::Exact => (true, true, true, true),
             Fidelity::ConsistentlyLinearised => (false, true, true, false),
-            Fidelity::Inconsistent => (true, true, false, false),
+            Fidelity::Inconsistent | Fidelity::GeometricallyExact => (true, true, false, false),
             Fidelity::RuthlesslyLinearised | Fidelity::Rigid => (false, false, false, false),
         };
-        Terms { deformed_mass, deformed_forcing, cubic_energy, quartic_energy }
+        let superposed_strains = self == Fidelity::GeometricallyExact;
+        Terms { deformed_mass, deformed_forcing, cubic_energy, quartic_energy, superposed_strains }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_level_stands_at_its_number_and_has_a_name_of_its_own() {
+        for (number, level) in Fidelity::ALL.into_iter().enumerate() {
+            assert_eq!((level as usize, Fidelity::named(level.name())), (number, Some(level)));
+        }
+        assert_eq!(Fidelity::named("Exact"), None);
     }
 }

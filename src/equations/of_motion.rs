@@ -91,6 +91,11 @@ impl EquationsOfMotion {
         let damping = |frequency: f64| 2.0 * configuration.structural_damping * scale * frequency;
         let terms = configuration.fidelity.terms();
         let families: Vec<_> = model.modes.iter().map(|mode| mode.family).collect();
+        let strain_energy = if terms.superposed_strains {
+            StrainEnergy::of_superposed_strains(model.modes.iter().map(|mode| mode.angular_frequency))
+        } else {
+            model.strain_energy.clone()
+        };
         EquationsOfMotion {
             layout: StateLayout::new(
                 model.modes.len(),
@@ -104,19 +109,19 @@ impl EquationsOfMotion {
             },
             gravity: model.gravity,
             integrals: model.integrals.clone(),
-            strain_energy: model.strain_energy.clone(),
             elastic_forces: ElasticForces::new(
-                &model.strain_energy,
+                &strain_energy,
                 &families,
                 configuration.stiffness_scale,
                 terms.cubic_energy,
                 terms.quartic_energy,
             ),
+            strain_energy,
             stiffness_scale: configuration.stiffness_scale,
             damping: model.modes.iter().map(|mode| damping(mode.angular_frequency)).collect(),
             self_adjoint: strips.zero_lift_lines_are_chords()
                 && configuration.fidelity != Fidelity::RuthlesslyLinearised,
-            kinematics: AnyKind::new(model, edge_on, false),
+            kinematics: AnyKind::new(model, edge_on, terms.superposed_strains),
             strips,
             controls: model.controls.clone(),
             engines: Engines::new(model),

@@ -19,6 +19,7 @@ mod particles;
 mod reduced;
 mod static_loads;
 mod strain_energy;
+mod superposed_strains;
 #[cfg(test)]
 pub(crate) mod test_jet;
 
