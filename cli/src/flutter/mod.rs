@@ -63,9 +63,9 @@ pub struct FlutterOptions {
     #[arg(long, value_name = "RATIO", default_value_t = 0.0)]
     structural_damping: f64,
 
-    /// Fidelity level
-    #[arg(long, value_name = "LEVEL", value_parser = level(), default_value = Fidelity::Exact.name())]
-    model: Fidelity,
+    /// Fidelity level [default: the aircraft's]
+    #[arg(long, value_name = "LEVEL", value_parser = level())]
+    model: Option<Fidelity>,
 
     /// Number of modes, lowest frequencies first [default: 12, or all where there are fewer]
     #[arg(long, value_name = "N")]
@@ -191,9 +191,10 @@ fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
         return Err(Error::TunnelAltitude { altitude, aircraft: options.aircraft.display().to_string() });
     }
     let (model, mode_count) = reduce(&aircraft, options)?;
-    check_mobility(aircraft.support, options)?;
+    let fidelity = options.model.unwrap_or(aircraft.fidelity);
+    check_mobility(aircraft.support, fidelity, options)?;
     let settings = PlantSettings {
-        fidelity: options.model,
+        fidelity,
         altitude: options.altitude.unwrap_or(aircraft.altitude),
         stiffness_scale: options.stiffness_scale,
         structural_damping: options.structural_damping,
@@ -206,13 +207,13 @@ fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
     let sweep = Sweep::watched(&model, &settings, &airspeeds, &|| progress.advance())?;
     drop(progress);
     let model = model.in_use(&settings.choose_modes(&model)?);
-    let level = options.model.name().replace('_', " ");
+    let level = settings.fidelity.name().replace('_', " ");
     Ok(Analysis { model, level, settings, range: [options.from, options.to], sweep })
 }
 
 /// A clamped aircraft moves in its modes alone.
-fn check_mobility(support: Support, options: &FlutterOptions) -> Result<(), Error> {
-    match (support, options.model, options.modes) {
+fn check_mobility(support: Support, level: Fidelity, options: &FlutterOptions) -> Result<(), Error> {
+    match (support, level, options.modes) {
         (Support::Clamped, Fidelity::Rigid, _) => {
             Err(Error::Motionless { option: "--model rigid", allowed: "a flexible model" })
         }
