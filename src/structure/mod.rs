@@ -20,6 +20,7 @@ mod reduced;
 mod sections;
 mod static_loads;
 mod strain_energy;
+mod superposed_strains;
 #[cfg(test)]
 pub(crate) mod test_jet;
 

@@ -5,7 +5,7 @@
 use nalgebra::{DMatrix, Vector3};
 use serde::{Deserialize, Serialize};
 
-use crate::aircraft::{Aircraft, Control, Flap, Limits, Support, TrimRole, TunnelAir};
+use crate::aircraft::{Aircraft, Control, Fidelity, Flap, Limits, Support, TrimRole, TunnelAir};
 
 use super::assembly::Structure;
 use super::mode_count::ModeCount;
@@ -33,6 +33,8 @@ pub struct ReducedModel {
     pub gravity: f64,
     /// Free flight or wind tunnel.
     pub support: Support,
+    /// The level of fidelity at which it flies unless someone asks for another.
+    pub fidelity: Fidelity,
     /// Default number of inflow states.
     pub inflow_states: usize,
     /// Default airspeed, m/s.
@@ -214,6 +216,7 @@ impl ReducedModel {
             name: aircraft.name.clone(),
             gravity: aircraft.gravity,
             support: aircraft.support,
+            fidelity: aircraft.fidelity,
             inflow_states: aircraft.inflow_states,
             airspeed: aircraft.airspeed,
             altitude: aircraft.altitude,

@@ -115,6 +115,7 @@ fn model(strip: ReducedStrip) -> ReducedModel {
         name: "Strip".to_owned(),
         gravity: 0.0,
         support: Support::Free,
+        fidelity: Fidelity::Exact,
         inflow_states: 0,
         airspeed: 127.0,
         altitude: 7620.0,

@@ -54,6 +54,7 @@ fn model(elements: usize) -> ReducedModel {
         name: aircraft.name.clone(),
         gravity: 0.0,
         support: Support::Clamped,
+        fidelity: Fidelity::Exact,
         inflow_states: 0,
         airspeed: 127.0,
         altitude: 7620.0,

@@ -3,9 +3,10 @@
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use pulp::Scalar;
 
+use crate::kinematics::linear::Superposition;
 use crate::kinematics::{
     Coordinates, GeneralisedVector, Inertia, Kinematics, RigidFreedom, RigidMotion, Section, Sections,
-    SectionsInPlane, SectionsInSpace, Superposition, Turn,
+    SectionsInPlane, SectionsInSpace, Turn,
 };
 use crate::math::{Arrow, LANES, LaneVector, PlaneVector, SquareMatrix, Window};
 use crate::structure::test_jet::jet;
