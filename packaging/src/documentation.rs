@@ -45,6 +45,7 @@ pub(crate) fn page(aircraft: &Aircraft, model: &ReducedModel) -> String {
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{support}}", &support(aircraft))
         .replace("{{controls}}", &controls(aircraft))
+        .replace("{{level}}", model.fidelity.name())
         .replace("{{facts}}", &facts(aircraft, model))
         .replace("{{plan_view}}", &plan_view::svg(aircraft))
         .replace("{{contents}}", &contents(&groups))

@@ -12,6 +12,7 @@
 //! | `control`, `limits` | | what controls are, what trims should stay within |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
+//! | `fidelity` | | at which levels an aircraft can fly |
 //! | `flap` | | what a flap does to its section |
 //! | `branches` | the tree of beams | what is the mirror image of what |
 //! | `control_check`, `former` | the fields | names, roles and uses of controls |
@@ -31,6 +32,7 @@ mod control_tables;
 mod document;
 mod error;
 mod expand;
+mod fidelity;
 mod flap;
 mod former;
 mod geometry;
@@ -57,6 +59,7 @@ pub use control::{Control, Mirroring, TrimRole};
 #[cfg(test)]
 pub(crate) use control_check::{TAKEN, TAKEN_BY_TRIM};
 pub use error::{AircraftFileError, Diagnostic, Problem, looked_for};
+pub use fidelity::Fidelity;
 pub use flap::FlapEffect;
 pub use limits::{Bound, Bounds, Limits};
 pub use model::{

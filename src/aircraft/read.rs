@@ -11,6 +11,7 @@ use super::allowed::{
 use super::control_tables::read_controls;
 use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
+use super::fidelity::Fidelity;
 use super::law::Law;
 use super::limit_tables::read_limits;
 use super::model::{MOST_INFLOW_STATES, ModeBasis, Support};
@@ -27,6 +28,7 @@ const FILE: &[&str] = &[
     "gravity_m_s2",
     "support",
     "mode_basis",
+    "model",
     "inflow_states",
     "airspeed_m_s",
     "altitude_m",
@@ -124,6 +126,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         tunnel_air,
         mount: table.optional("mount_attitude_deg").and_then(|v| v.located(tunnel::read_mount)),
         load_modes: read_load_modes(&table),
+        fidelity: read_fidelity(&table),
         symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
         limits,
         former_limits,
@@ -142,6 +145,12 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
 fn read_load_modes(table: &Table) -> bool {
     let basis = table.optional("basis").and_then(|v| v.table(BASIS));
     basis.and_then(|basis| basis.optional("load_modes")?.flag()).unwrap_or(false)
+}
+
+/// The level of fidelity at which the aircraft flies.
+fn read_fidelity(table: &Table) -> Fidelity {
+    let levels = Fidelity::ALL.map(|level| (level.name(), level));
+    table.optional("model").and_then(|v| v.one_of(&levels)).unwrap_or(Fidelity::Exact)
 }
 
 fn vector_or_zero(table: &Table, field: &str, allowed: &Allowed) -> Vector3<f64> {

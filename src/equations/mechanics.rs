@@ -5,7 +5,7 @@
 use nalgebra::Vector3;
 use pulp::Scalar;
 
-use crate::kinematics::{GeneralisedVector, Inertia, Kinematics, RigidFreedom};
+use crate::kinematics::{GeneralisedVector, Inertia, Kinematics, OfKind, RigidFreedom, by_kind};
 use crate::math::{Attitude, SquareMatrix};
 
 use super::of_motion::EquationsOfMotion;
@@ -27,14 +27,15 @@ impl Mechanics {
     /// At a state of the given equations. Allocates.
     pub fn new(equations: &EquationsOfMotion, state: &[f64]) -> Self {
         let layout = equations.layout();
-        let (kinematics, at) = (&equations.kinematics, equations.coordinates(state));
-        let memory = equations.evaluate_kinematics(state);
-        let sections = kinematics.sections(at, &memory);
-        let mut inertia = kinematics.inertia(equations.integrals(), RigidFreedom::All);
-        inertia.deform(Scalar::new(), &sections);
         let size = layout.velocities();
         let mut mass = SquareMatrix::new(size);
-        inertia.write_mass_matrix(&sections, true, &mut mass);
+        by_kind!((&equations.kinematics), |kinematics| {
+            let (at, memory) = equations.evaluated(kinematics, state);
+            let sections = kinematics.sections(at, &memory);
+            let mut inertia = kinematics.inertia(equations.integrals(), RigidFreedom::All);
+            inertia.deform(Scalar::new(), &sections);
+            inertia.write_mass_matrix(&sections, true, &mut mass);
+        });
 
         let velocities = layout.velocities_of(state);
         let along =
@@ -47,7 +48,7 @@ impl Mechanics {
         let position = Vector3::from_column_slice(&state[layout.position()]);
         Mechanics {
             kinetic_energy: 0.5 * momenta.iter().zip(&velocities).map(|(p, v)| p * v).sum::<f64>(),
-            strain_energy: equations.strain_energy(at.q),
+            strain_energy: equations.strain_energy(&state[layout.coordinates()]),
             linear_momentum,
             angular_momentum: about_origin + position.cross(&linear_momentum),
         }

@@ -1,4 +1,4 @@
-//! The equations of motion of the flexible aircraft at five fidelity levels.
+//! The equations of motion of the flexible aircraft at six fidelity levels.
 //!
 //! [theory: equations-of-motion.rows, equations-of-motion.levels; thesis §2.2–2.4]
 //!

@@ -5,7 +5,7 @@ use pulp::Arch;
 
 use crate::air::Air;
 use crate::aircraft::{Control, Support};
-use crate::kinematics::{Kind, KindInertia, Kinematics, RigidFreedom, RigidMotion};
+use crate::kinematics::{AnyInertia, AnyKind, RigidFreedom, RigidMotion};
 use crate::math::LinearSystem;
 use crate::strips::{FlapFactor, InflowLayout, PetersInflow, StripSums, Strips};
 use crate::structure::{
@@ -47,7 +47,7 @@ pub struct EquationsOfMotion {
     /// 2ζω_k.
     pub(crate) damping: Vec<f64>,
     /// Where all that hangs on the structure is.
-    pub(super) kinematics: Kind,
+    pub(crate) kinematics: AnyKind,
     pub(crate) strips: Strips,
     pub(super) controls: Vec<Control>,
     pub(super) engines: Engines,
@@ -91,6 +91,11 @@ impl EquationsOfMotion {
         let damping = |frequency: f64| 2.0 * configuration.structural_damping * scale * frequency;
         let terms = configuration.fidelity.terms();
         let families: Vec<_> = model.modes.iter().map(|mode| mode.family).collect();
+        let strain_energy = if terms.superposed_strains {
+            StrainEnergy::of_superposed_strains(model.modes.iter().map(|mode| mode.angular_frequency))
+        } else {
+            model.strain_energy.clone()
+        };
         EquationsOfMotion {
             layout: StateLayout::new(
                 model.modes.len(),
@@ -104,19 +109,19 @@ impl EquationsOfMotion {
             },
             gravity: model.gravity,
             integrals: model.integrals.clone(),
-            strain_energy: model.strain_energy.clone(),
             elastic_forces: ElasticForces::new(
-                &model.strain_energy,
+                &strain_energy,
                 &families,
                 configuration.stiffness_scale,
                 terms.cubic_energy,
                 terms.quartic_energy,
             ),
+            strain_energy,
             stiffness_scale: configuration.stiffness_scale,
             damping: model.modes.iter().map(|mode| damping(mode.angular_frequency)).collect(),
             self_adjoint: strips.zero_lift_lines_are_chords()
                 && configuration.fidelity != Fidelity::RuthlesslyLinearised,
-            kinematics: Kind::new(model, edge_on),
+            kinematics: AnyKind::new(model, edge_on, terms.superposed_strains),
             strips,
             controls: model.controls.clone(),
             engines: Engines::new(model),
@@ -224,7 +229,7 @@ impl EquationsOfMotion {
     }
 
     /// The inertia without deformation.
-    pub(crate) fn undeformed_inertia(&self) -> KindInertia {
+    pub(crate) fn undeformed_inertia(&self) -> AnyInertia {
         self.kinematics.inertia(&self.integrals, self.freedom)
     }
 

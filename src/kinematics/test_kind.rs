@@ -81,11 +81,6 @@ impl Place {
         Vector3::new(0.003, -0.0005 * self.at_rest.y, -0.002)
     }
 
-    /// Number of modes.
-    pub fn modes(&self) -> usize {
-        self.shapes.modes()
-    }
-
     /// X.
     pub fn position(&self, q: &[f64]) -> Vector3<f64> {
         let displacement = |mode: usize| self.shapes.of_mode(mode)[0] * q[mode];

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::air::{Air, STANDARD_GRAVITY};
 use crate::equations::{Controls, EquationsOfMotion, StateLayout, Workspace};
-use crate::kinematics::{GeneralisedVector, Section, Sections};
+use crate::kinematics::{GeneralisedVector, Kinematics, OfKind, Section, Sections, by_kind};
 use crate::math::Attitude;
 use crate::structure::{ModesInUse, ReducedStation};
 
@@ -146,12 +146,24 @@ impl Outputs {
             gravity: to_body * Vector3::new(0.0, 0.0, equations.gravity),
             q_ddot: accelerations.modal,
         };
-        let sections = equations.sections(state, workspace.kinematics());
+        let at = equations.coordinates(state);
+        by_kind!((&equations.kinematics, workspace.kinematics()), |kinematics, memory| {
+            self.write_sections(kinematics.sections(at, memory).stations(), stations, &body);
+        });
+    }
+
+    /// Writes what is seen and measured at the sections of the stations.
+    fn write_sections(
+        &mut self,
+        sections: impl Iterator<Item = impl Section>,
+        stations: &[ReducedStation],
+        body: &BodyMotion,
+    ) {
         let places = self.deflections.iter_mut().zip(&mut self.sensors);
-        for (((deflection, sensors), station), section) in places.zip(stations).zip(sections.stations()) {
+        for (((deflection, sensors), station), section) in places.zip(stations).zip(sections) {
             let (displacement, twist) = (section.displacement(), section.twist(&station.twist_axis));
             *deflection = Deflection { displacement, twist };
-            *sensors = Sensors::read(&section, &body);
+            *sensors = Sensors::read(&section, body);
         }
     }
 

@@ -42,7 +42,7 @@ const USUAL_MODES: usize = 12;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlantSettings {
-    /// Fidelity level.
+    /// Fidelity level; that of the aircraft at first.
     pub fidelity: Fidelity,
     /// Trimmed airspeed, m/s, within [`Support::airspeeds`].
     pub airspeed: f64,
@@ -84,7 +84,7 @@ impl PlantSettings {
     /// Those of an aircraft before any parameter is set: its own flight condition.
     pub fn of(model: &ReducedModel) -> Self {
         PlantSettings {
-            fidelity: Fidelity::Exact,
+            fidelity: model.fidelity,
             airspeed: model.airspeed,
             altitude: model.altitude,
             heading: 0.0,

@@ -10,7 +10,6 @@ use nalgebra::Vector3;
 use crate::air::Air;
 use crate::aircraft::{Control, Support};
 use crate::equations::{Configuration, Controls, EquationsOfMotion, StateLayout, Workspace};
-use crate::kinematics::Sections;
 use crate::structure::{ModesInUse, ReducedModel, ReducedStation};
 
 use super::course::Course;
@@ -232,8 +231,7 @@ impl Plant {
 
     /// How far each strip is in a state from where it is on the undeformed aircraft, without those edge-on, m. Allocates.
     pub fn strip_displacements(&self, state: &[f64]) -> Vec<Vector3<f64>> {
-        let memory = self.equations.evaluate_kinematics(state);
-        self.equations.sections(state, &memory).strip_displacements().collect()
+        self.equations.strip_displacements(state)
     }
 
     /// The first lifting strip that met the air from behind at the last evaluation.

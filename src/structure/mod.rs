@@ -17,8 +17,10 @@ mod modes_in_use;
 mod pairs;
 mod particles;
 mod reduced;
+mod sections;
 mod static_loads;
 mod strain_energy;
+mod superposed_strains;
 #[cfg(test)]
 pub(crate) mod test_jet;
 
@@ -32,6 +34,7 @@ pub use mode_count::ModeCount;
 pub use modes::ModalBasis;
 pub use modes_in_use::ModesInUse;
 pub use particles::Particle;
-pub use reduced::{ReducedEngine, ReducedModel, ReducedStation, ReducedStrip};
+pub use reduced::{Carrier, ReducedEngine, ReducedModel, ReducedStation, ReducedStrip};
+pub use sections::{BeamSection, RigidBody};
 pub use static_loads::StaticLoad;
 pub use strain_energy::StrainEnergy;

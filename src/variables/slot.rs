@@ -54,13 +54,7 @@ impl EnumerationType {
     /// Names and descriptions of the items; the value of the first is 1.
     pub fn items(self) -> &'static [(&'static str, &'static str)] {
         match self {
-            EnumerationType::Model => &[
-                ("exact", "All inertial and geometric nonlinearities"),
-                ("consistently_linearised", "Undeformed mass matrix, strain energy to third order"),
-                ("inconsistent", "Exact inertia with linear elasticity"),
-                ("ruthlessly_linearised", "Undeformed inertia and moment arms, linear elasticity"),
-                ("rigid", "No deformation"),
-            ],
+            EnumerationType::Model => &LEVELS,
             EnumerationType::InputReference => {
                 &[("trim", "Inputs add to the trim values"), ("absolute", "Inputs replace the trim values")]
             }
@@ -70,6 +64,17 @@ impl EnumerationType {
         }
     }
 }
+
+/// Names and descriptions of the levels of fidelity.
+const LEVELS: [(&str, &str); Fidelity::ALL.len()] = {
+    let mut items = [("", ""); Fidelity::ALL.len()];
+    let mut item = 0;
+    while item < items.len() {
+        items[item] = (Fidelity::ALL[item].name(), Fidelity::ALL[item].description());
+        item += 1;
+    }
+    items
+};
 
 /// A coordinate: x, y, z; north, east, down; or roll, pitch, yaw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -250,9 +250,9 @@ fn every_input_has_its_own_place() {
 fn enumerations_list_their_items_and_refuse_others() {
     let model = row("model");
     let names: Vec<_> = EnumerationType::Model.items().iter().map(|(name, _)| *name).collect();
-    assert_eq!(names, ["exact", "consistently_linearised", "inconsistent", "ruthlessly_linearised", "rigid"]);
-    assert!(model.allowed().contains("5 (rigid)"), "{}", model.allowed());
-    for (value, allowed) in [(0, false), (1, true), (5, true), (6, false)] {
+    assert_eq!(names, Fidelity::ALL.map(Fidelity::name));
+    assert!(model.allowed().contains("5 (rigid), 6 (geometrically_exact)"), "{}", model.allowed());
+    for (value, allowed) in [(0, false), (1, true), (6, true), (7, false)] {
         assert_eq!(model.allows(Value::Integer(value)), allowed, "{value}");
     }
 }

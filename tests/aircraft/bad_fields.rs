@@ -133,7 +133,7 @@ fn missing_top_field() {
     assert_messages(
         &[("support = \"free\"\n", "")],
         &[
-            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, inflow_states, airspeed_m_s, altitude_m, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, basis, limits, control, component, engine, station",
+            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, model, inflow_states, airspeed_m_s, altitude_m, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, basis, limits, control, component, engine, station",
         ],
     );
 }
@@ -244,6 +244,16 @@ fn unknown_word() {
         &[("mode_basis = \"bending_torsion\"", "mode_basis = \"bending\"")],
         &[
             "small.toml:5:14: mode_basis: found the text \"bending\"; \"bending_torsion\" or \"full\" is allowed",
+        ],
+    );
+}
+
+#[test]
+fn unknown_level() {
+    assert_messages(
+        &[("model = \"exact\"", "model = \"Exact\"")],
+        &[
+            "small.toml:8:9: model: found the text \"Exact\"; \"exact\" or \"consistently_linearised\" or \"inconsistent\" or \"ruthlessly_linearised\" or \"rigid\" or \"geometrically_exact\" is allowed",
         ],
     );
 }

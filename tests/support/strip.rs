@@ -43,6 +43,7 @@ impl PrescribedStrip {
         let mut strip = ReducedStrip {
             component: "strip".to_owned(),
             position: Vector3::zeros(),
+            section: 0,
             forward: Vector3::x(),
             span: Vector3::y(),
             semichord: SEMICHORD,
@@ -114,6 +115,7 @@ fn model(strip: ReducedStrip) -> ReducedModel {
         name: "Strip".to_owned(),
         gravity: 0.0,
         support: Support::Free,
+        fidelity: Fidelity::Exact,
         inflow_states: 0,
         airspeed: 127.0,
         altitude: 7620.0,
@@ -134,6 +136,7 @@ fn model(strip: ReducedStrip) -> ReducedModel {
         },
         strain_energy: StrainEnergy::zero(0),
         static_loads: Vec::new(),
+        sections: Vec::new(),
         strips: vec![strip],
         controls: ["first", "second"].map(control).to_vec(),
         engines: Vec::new(),

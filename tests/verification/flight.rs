@@ -76,7 +76,7 @@ fn without_input_every_level_stays_trimmed_for_a_minute() {
         "Without input every level stays trimmed for a minute: changes of pitch (rad), load factor and distance (m)",
         "steady level flight is a solution",
     );
-    for fidelity in Fidelity::ALL {
+    for fidelity in Fidelity::OF_THESIS {
         let settings = Settings::from(PlantSettings { fidelity, ..PlantSettings::of(&jet()) });
         let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
         let pitch = flight.trim().pitch;

@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use flexible_aircraft::air::Air;
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Support};
@@ -62,9 +63,9 @@ pub struct FlutterOptions {
     #[arg(long, value_name = "RATIO", default_value_t = 0.0)]
     structural_damping: f64,
 
-    /// Fidelity level
-    #[arg(long, value_enum, default_value_t = Model::Exact)]
-    model: Model,
+    /// Fidelity level [default: the aircraft's]
+    #[arg(long, value_name = "LEVEL", value_parser = level())]
+    model: Option<Fidelity>,
 
     /// Number of natural modes, lowest frequencies first [default: 12, or all where there are fewer]
     #[arg(long, value_name = "N")]
@@ -88,22 +89,18 @@ pub struct FlutterOptions {
     output: PathBuf,
 }
 
-/// The fidelity levels under their names in the FMU.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-#[value(rename_all = "snake_case")]
-enum Model {
-    Exact,
-    ConsistentlyLinearised,
-    Inconsistent,
-    RuthlesslyLinearised,
-    Rigid,
-}
-
 /// The families under their names in the FMU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Modes {
     All,
     Symmetric,
+}
+
+/// The fidelity levels under their names.
+fn level() -> impl TypedValueParser<Value = Fidelity> {
+    // PROOF: the parser hands on nothing but these names.
+    PossibleValuesParser::new(Fidelity::ALL.map(Fidelity::name))
+        .map(|name| Fidelity::named(&name).expect("a name of a level"))
 }
 
 /// Why `flexair flutter` did not succeed.
@@ -200,9 +197,10 @@ fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
         return Err(Error::TunnelAltitude { altitude, aircraft: options.aircraft.display().to_string() });
     }
     let (model, mode_count) = reduce(&aircraft, options)?;
-    check_mobility(&model, options)?;
+    let fidelity = options.model.unwrap_or(aircraft.fidelity);
+    check_mobility(&model, fidelity, options)?;
     let settings = PlantSettings {
-        fidelity: options.model.fidelity(),
+        fidelity,
         altitude: options.altitude.unwrap_or(aircraft.altitude),
         stiffness_scale: options.stiffness_scale,
         structural_damping: options.structural_damping,
@@ -215,15 +213,14 @@ fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
     let sweep = Sweep::watched(&model, &settings, &airspeeds, &|| progress.advance())?;
     drop(progress);
     let model = model.in_use(&settings.choose_modes(&model)?);
-    let level =
-        options.model.to_possible_value().map_or(String::new(), |value| value.get_name().replace('_', " "));
+    let level = settings.fidelity.name().replace('_', " ");
     Ok(Analysis { model, level, settings, range: [options.from, options.to], sweep })
 }
 
 /// A clamped aircraft moves in its modes alone.
-fn check_mobility(model: &ReducedModel, options: &FlutterOptions) -> Result<(), Error> {
-    match (model.support, options.model, options.modes) {
-        (Support::Clamped, Model::Rigid, _) => {
+fn check_mobility(model: &ReducedModel, level: Fidelity, options: &FlutterOptions) -> Result<(), Error> {
+    match (model.support, level, options.modes) {
+        (Support::Clamped, Fidelity::Rigid, _) => {
             Err(Error::Motionless { option: "--model rigid", allowed: "a flexible model" })
         }
         (Support::Clamped, _, Some(0)) if !model.has_load_modes() => {
@@ -259,18 +256,6 @@ fn reduce(aircraft: &Aircraft, options: &FlutterOptions) -> Result<(ReducedModel
     let model = ReducedModel::with(aircraft, count, kind)?;
     let count = model.modes.iter().filter(|mode| !mode.of_loads && takes_part(mode.family)).count();
     Ok((model, count))
-}
-
-impl Model {
-    fn fidelity(self) -> Fidelity {
-        match self {
-            Model::Exact => Fidelity::Exact,
-            Model::ConsistentlyLinearised => Fidelity::ConsistentlyLinearised,
-            Model::Inconsistent => Fidelity::Inconsistent,
-            Model::RuthlesslyLinearised => Fidelity::RuthlesslyLinearised,
-            Model::Rigid => Fidelity::Rigid,
-        }
-    }
 }
 
 impl Modes {

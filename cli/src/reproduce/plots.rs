@@ -105,7 +105,8 @@ pub fn overview(title: &str, panels: &[&str]) -> String {
         let (x, y) = (width * (index % 2) as f64, head + height * (index / 2) as f64);
         format!("<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\">{panel}</svg>")
     });
-    let labels = Fidelity::ALL.map(|fidelity| format!("{}, {}", fidelity.symbol(), fidelity.in_words()));
+    let labels =
+        Fidelity::OF_THESIS.map(|fidelity| format!("{}, {}", fidelity.symbol(), fidelity.in_words()));
     let legend = legend(&labels.each_ref().map(String::as_str), whole);
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {whole} {}\"><rect width=\"100%\" height=\"100%\" \
