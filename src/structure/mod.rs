@@ -14,6 +14,7 @@ mod mode;
 mod mode_count;
 mod modes;
 mod modes_in_use;
+mod monomials;
 mod pairs;
 mod particles;
 mod reduced;
