@@ -13,6 +13,7 @@ mod fidelity_levels;
 mod flight;
 mod flutter;
 mod frequencies;
+mod geometrically_exact;
 mod gliding;
 mod inflow;
 mod limits;
