@@ -11,8 +11,12 @@ mod sections;
 pub(crate) mod test_kind;
 mod velocities;
 
+#[cfg(test)]
+pub(crate) use exact::GeometricallyExact;
 pub(crate) use freedom::RigidFreedom;
 pub(crate) use kind::{Coordinates, Inertia, Kinematics};
+#[cfg(test)]
+pub(crate) use linear::Superposition;
 pub(crate) use of_kind::{AnyInertia, AnyKind, AnyMemory, OfKind, by_kind};
 pub use rigid_motion::RigidMotion;
 pub(crate) use sections::{Bias, Section, SectionMotion, Sections, SectionsInPlane, SectionsInSpace, Turn};

@@ -30,6 +30,8 @@ pub struct ModalBasis {
     pub shapes: DMatrix<f64>,
     /// What the load modes are the strains of.
     pub static_loads: Vec<StaticLoad>,
+    /// The mirror of the structure, if it has one.
+    pub(super) mirror: Option<Reflection>,
 }
 
 impl ModalBasis {
@@ -84,7 +86,7 @@ impl ModalBasis {
             })
         });
         let static_loads = of_families.collect();
-        Ok(ModalBasis { modes, shapes, static_loads })
+        Ok(ModalBasis { modes, shapes, static_loads, mirror })
     }
 }
 

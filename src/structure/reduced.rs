@@ -10,8 +10,8 @@ use crate::aircraft::{Aircraft, Control, Fidelity, Flap, Limits, Support, TrimRo
 use super::assembly::Structure;
 use super::mode_count::ModeCount;
 use super::{
-    ModalBasis, ModalIntegrals, Mode, ModeKind, ModeShapes, ModesInUse, StaticLoad, StrainEnergy,
-    StructureError,
+    BeamSection, ModalBasis, ModalIntegrals, Mode, ModeKind, ModeShapes, ModesInUse, SectionTree, StaticLoad,
+    StrainEnergy, StructureError,
 };
 
 /// An aircraft reduced to its modes.
@@ -54,6 +54,8 @@ pub struct ReducedModel {
     pub strain_energy: StrainEnergy,
     /// The loads whose strains the load modes are; none where the model has no load modes.
     pub static_loads: Vec<StaticLoad>,
+    /// Where geometrically exact kinematics evaluates the structure, each after its parent.
+    pub sections: Vec<BeamSection>,
     /// Aerodynamic strips.
     pub strips: Vec<ReducedStrip>,
     /// What moves the flaps, in the order of the inputs.
@@ -71,6 +73,8 @@ pub struct ReducedStrip {
     pub component: String,
     /// Undeformed attachment, body axes, m.
     pub position: Vector3<f64>,
+    /// Which of the sections carries it.
+    pub section: usize,
     /// f, unit vector towards the leading edge.
     pub forward: Vector3<f64>,
     /// s, unit vector; positive rotation about it is nose-up.
@@ -115,6 +119,22 @@ impl ReducedStrip {
     }
 }
 
+/// A section that carries something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Carrier {
+    /// Which of the sections.
+    pub section: usize,
+    /// Whether that is the mirror image of what carries it, and moves so.
+    pub mirrored: bool,
+}
+
+impl Carrier {
+    /// The section itself.
+    pub(super) fn own(section: usize) -> Self {
+        Carrier { section, mirrored: false }
+    }
+}
+
 /// An engine with the mode shapes at the point where its thrust acts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReducedEngine {
@@ -122,6 +142,8 @@ pub struct ReducedEngine {
     pub name: String,
     /// Undeformed point of action, body axes, m.
     pub position: Vector3<f64>,
+    /// The section that carries it.
+    pub carrier: Carrier,
     /// Unit vector of positive thrust.
     pub direction: Vector3<f64>,
     /// At the point of action.
@@ -135,6 +157,8 @@ pub struct ReducedStation {
     pub name: String,
     /// Undeformed position, body axes, m.
     pub position: Vector3<f64>,
+    /// The section that carries it.
+    pub carrier: Carrier,
     /// Axis about which the twist counts.
     pub twist_axis: Vector3<f64>,
     /// On the elastic axis.
@@ -186,6 +210,7 @@ impl ReducedModel {
         if wanted > most {
             return Err(StructureError::TooManyModes { wanted, most });
         }
+        let tree = SectionTree::new(&structure, &basis.shapes, basis.mirror.as_ref());
         let model = ReducedModel {
             name: aircraft.name.clone(),
             gravity: aircraft.gravity,
@@ -201,9 +226,10 @@ impl ReducedModel {
             strain_energy: StrainEnergy::new(&structure, &basis.shapes),
             static_loads: basis.static_loads,
             controls: aircraft.controls.clone(),
-            strips: reduced_strips(&structure, &basis.shapes),
-            engines: reduced_engines(&structure, &basis.shapes),
-            stations: reduced_stations(&structure, &basis.shapes),
+            strips: reduced_strips(&structure, &tree, &basis.shapes),
+            engines: reduced_engines(&structure, &tree, &basis.shapes),
+            stations: reduced_stations(&structure, &tree, &basis.shapes),
+            sections: tree.sections,
             modes: basis.modes,
         };
         if model.is_finite() { Ok(model) } else { Err(StructureError::NotFinite) }
@@ -226,6 +252,7 @@ impl ReducedModel {
         self.modes.iter().all(|mode| mode.angular_frequency.is_finite())
             && self.integrals.is_finite()
             && self.strain_energy.is_finite()
+            && self.sections.iter().all(|section| finite(&section.steps) && section.body.is_finite())
             && self.strips.iter().all(|strip| finite(&strip.shapes))
             && self.engines.iter().all(|engine| finite(&engine.shapes))
             && self.stations.iter().all(|station| finite(&station.shapes))
@@ -269,7 +296,8 @@ impl ReducedModel {
     fn all_shapes_mut(&mut self) -> impl Iterator<Item = &mut ModeShapes> {
         let engines = self.engines.iter_mut().map(|engine| &mut engine.shapes);
         let stations = self.stations.iter_mut().map(|station| &mut station.shapes);
-        self.strips.iter_mut().map(|strip| &mut strip.shapes).chain(engines).chain(stations)
+        let sections = self.sections.iter_mut().map(|section| &mut section.steps);
+        self.strips.iter_mut().map(|strip| &mut strip.shapes).chain(engines).chain(stations).chain(sections)
     }
 }
 
@@ -298,10 +326,11 @@ impl ModeShapes {
     }
 }
 
-fn reduced_strips(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedStrip> {
+fn reduced_strips(structure: &Structure, tree: &SectionTree, shapes: &DMatrix<f64>) -> Vec<ReducedStrip> {
     let reduce = |strip: &crate::aircraft::Strip| ReducedStrip {
         component: structure.aircraft.beams[strip.attachment.beam].component.clone(),
         position: structure.geometry[strip.attachment.beam].position(strip.attachment.fraction),
+        section: tree.at(strip.attachment),
         forward: strip.forward,
         span: strip.span,
         semichord: strip.semichord,
@@ -318,7 +347,7 @@ fn reduced_strips(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedSt
     structure.aircraft.strips.iter().map(reduce).collect()
 }
 
-fn reduced_engines(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedEngine> {
+fn reduced_engines(structure: &Structure, tree: &SectionTree, shapes: &DMatrix<f64>) -> Vec<ReducedEngine> {
     let reduce = |engine: &crate::aircraft::Engine| {
         let beam = engine.attachment.beam;
         let geometry = &structure.geometry[beam];
@@ -327,6 +356,7 @@ fn reduced_engines(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedE
         ReducedEngine {
             name: engine.name.clone(),
             position: geometry.position(engine.attachment.fraction) + engine.offset,
+            carrier: Carrier::own(tree.at(engine.attachment)),
             direction: engine.direction,
             shapes: ModeShapes {
                 translation: structure.apply_map(beam, &displacement, shapes),
@@ -337,10 +367,11 @@ fn reduced_engines(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedE
     structure.aircraft.engines.iter().map(reduce).collect()
 }
 
-fn reduced_stations(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedStation> {
+fn reduced_stations(structure: &Structure, tree: &SectionTree, shapes: &DMatrix<f64>) -> Vec<ReducedStation> {
     let reduce = |station: &crate::aircraft::Station| ReducedStation {
         name: station.name.clone(),
         position: structure.geometry[station.attachment.beam].position(station.attachment.fraction),
+        carrier: Carrier::own(tree.at(station.attachment)),
         twist_axis: station.twist_axis,
         shapes: structure.shapes_at(station.attachment, shapes),
     };

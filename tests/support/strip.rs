@@ -43,6 +43,7 @@ impl PrescribedStrip {
         let mut strip = ReducedStrip {
             component: "strip".to_owned(),
             position: Vector3::zeros(),
+            section: 0,
             forward: Vector3::x(),
             span: Vector3::y(),
             semichord: SEMICHORD,
@@ -135,6 +136,7 @@ fn model(strip: ReducedStrip) -> ReducedModel {
         },
         strain_energy: StrainEnergy::zero(0),
         static_loads: Vec::new(),
+        sections: Vec::new(),
         strips: vec![strip],
         controls: ["first", "second"].map(control).to_vec(),
         engines: Vec::new(),

@@ -1,0 +1,125 @@
+//! A point fixed to a section at a constant offset [theory: geometrically-exact.attached, geometrically-exact.half].
+//!
+//! Of an aircraft that is its own mirror image, one side alone is evaluated; what hangs on the other moves as its image.
+
+use nalgebra::Vector3;
+
+use crate::structure::Carrier;
+
+use super::super::sections::Section;
+use super::tree::{Moving, MovingTree};
+
+/// A point fixed to a section.
+#[derive(Clone, Debug)]
+pub struct Attached {
+    carrier: Carrier,
+    /// Undeformed, body axes, m.
+    at_rest: Vector3<f64>,
+    /// From the section that is evaluated to the point, or to its mirror image, m.
+    offset: Vector3<f64>,
+}
+
+/// The same at an instant.
+#[derive(Clone, Copy, Debug)]
+pub struct AttachedNow<'a> {
+    place: &'a Attached,
+    /// The point, or its mirror image.
+    moving: Moving,
+    /// Rows J° and S over the modes.
+    twists: &'a [f64],
+}
+
+impl Attached {
+    /// At a place of the undeformed aircraft, carried by a section that stands at another.
+    pub fn new(at_rest: Vector3<f64>, carrier: Carrier, section: &Vector3<f64>) -> Self {
+        let evaluated = if carrier.mirrored { mirror(&at_rest) } else { at_rest };
+        Attached { carrier, at_rest, offset: evaluated - section }
+    }
+
+    /// At an instant.
+    pub fn now<'a>(&'a self, tree: &'a MovingTree) -> AttachedNow<'a> {
+        let section = self.carrier.section;
+        AttachedNow {
+            place: self,
+            moving: tree.sections[section].with_offset(&self.offset),
+            twists: tree.twists.of(section),
+        }
+    }
+}
+
+/// An arrow's image in the plane y = 0.
+fn mirror(arrow: &Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(arrow.x, -arrow.y, arrow.z)
+}
+
+impl AttachedNow<'_> {
+    /// An arrow from the section that is evaluated to the one that it stands for, or back.
+    fn arrow(&self, arrow: &Vector3<f64>) -> Vector3<f64> {
+        if self.place.carrier.mirrored { mirror(arrow) } else { *arrow }
+    }
+
+    /// The same of an axis of rotation.
+    fn axis(&self, axis: &Vector3<f64>) -> Vector3<f64> {
+        if self.place.carrier.mirrored { -mirror(axis) } else { *axis }
+    }
+
+    /// J of a mode, as it is evaluated.
+    fn row(&self, mode: usize) -> Vector3<f64> {
+        let width = self.twists.len() / 6;
+        let [x, y, z, about_x, about_y, about_z] = std::array::from_fn(|row| self.twists[row * width + mode]);
+        Vector3::new(x, y, z) + Vector3::new(about_x, about_y, about_z).cross(&self.moving.position)
+    }
+}
+
+impl Section for AttachedNow<'_> {
+    fn displacement(&self) -> Vector3<f64> {
+        self.arrow(&self.moving.position) - self.place.at_rest
+    }
+
+    fn at_rest(&self) -> Vector3<f64> {
+        self.place.at_rest
+    }
+
+    fn velocity(&self) -> Vector3<f64> {
+        self.arrow(&self.moving.velocity)
+    }
+
+    fn acceleration(&self, q_ddot: &[f64]) -> Vector3<f64> {
+        let mut sum = self.moving.acceleration;
+        for (mode, q_ddot) in q_ddot.iter().enumerate() {
+            sum += self.row(mode) * *q_ddot;
+        }
+        self.arrow(&sum)
+    }
+
+    fn angular_velocity(&self, body_rate: &Vector3<f64>) -> Vector3<f64> {
+        body_rate + self.axis(&self.moving.spin)
+    }
+
+    fn turned(&self, vector: &Vector3<f64>) -> Vector3<f64> {
+        self.arrow(&(self.moving.turn * self.arrow(vector)))
+    }
+
+    fn turned_back(&self, vector: &Vector3<f64>) -> Vector3<f64> {
+        self.arrow(&self.moving.turn.tr_mul(&self.arrow(vector)))
+    }
+
+    /// [theory: geometrically-exact.twist]
+    fn twist(&self, axis: &Vector3<f64>) -> f64 {
+        let along_x = axis.cross(&Vector3::x());
+        let forward = if along_x.norm() > ALONG_X { Vector3::x() } else { Vector3::y() };
+        let forward = (forward - axis * axis.dot(&forward)).normalize();
+        let turned = self.turned(&forward);
+        libm::atan2(-forward.cross(axis).dot(&turned), forward.dot(&turned))
+    }
+
+    fn write_generalised_force(&self, force: &Vector3<f64>, generalised: &mut [f64]) {
+        let force = self.arrow(force);
+        for (mode, generalised) in generalised.iter_mut().enumerate() {
+            *generalised = self.row(mode).dot(&force);
+        }
+    }
+}
+
+/// Sine of the angle to the x axis below which an axis is along it.
+const ALONG_X: f64 = 1e-6;
