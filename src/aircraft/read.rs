@@ -150,7 +150,7 @@ fn read_load_modes(table: &Table) -> bool {
 /// The level of fidelity at which the aircraft flies.
 fn read_fidelity(table: &Table) -> Fidelity {
     let levels = Fidelity::ALL.map(|level| (level.name(), level));
-    table.optional("model").and_then(|v| v.one_of(&levels)).unwrap_or(Fidelity::Exact)
+    table.optional("model").and_then(|v| v.one_of(&levels)).unwrap_or(Fidelity::GeometricallyExact)
 }
 
 fn vector_or_zero(table: &Table, field: &str, allowed: &Allowed) -> Vector3<f64> {

@@ -38,7 +38,7 @@ fn an_aircraft_flies_at_the_level_that_its_file_names() {
         let variable = table.named("model").unwrap();
         assert_eq!(variable.start, Some(Value::Integer(level as i32 + 1)));
     }
-    assert_eq!(aircraft(&[("model = \"exact\"", "")]).fidelity, Fidelity::Exact);
+    assert_eq!(aircraft(&[("model = \"exact\"", "")]).fidelity, Fidelity::GeometricallyExact);
 }
 
 #[test]
