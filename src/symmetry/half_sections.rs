@@ -88,7 +88,7 @@ impl<'a> Poses<'a> {
             shapes.push((0..steps.modes()).map(of_mode).collect());
         }
         let size = largest(sections.iter().map(|section| section.position.norm()));
-        let shape = largest(shapes.iter().flatten().flatten().map(|vector| vector.amax()));
+        let shape = largest(shapes.iter().flatten().flatten().map(Vector3::amax));
         Poses { sections, shapes, size, shape }
     }
 

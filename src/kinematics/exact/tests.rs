@@ -197,7 +197,7 @@ fn inertial_forces_are_those_by_which_momentum_and_energy_of_the_mass_matrix_are
         momenta.fixed_rows::<3>(0),
         momenta.fixed_rows::<3>(3),
     ]
-    .map(|rows| rows.into_owned());
+    .map(nalgebra::Matrix::into_owned);
     let mut expected = -&rates;
     let turned = [rate.cross(&p), rate.cross(&h) + v.cross(&p)];
     for (part, turned) in turned.iter().enumerate() {
