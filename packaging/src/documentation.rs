@@ -64,7 +64,7 @@ fn support(aircraft: &Aircraft) -> String {
             };
             format!(
                 "With the default parameters and all inputs zero the aircraft flies trimmed, {level}: it is trimmed when \
-                 initialisation ends, and surface and thrust inputs count from the trim values \
+                 initialisation ends, and control and thrust inputs count from the trim values \
                  (<code>input_reference = trim</code>). One that is not symmetric is banked by <code>trim.roll</code>."
             )
         }
@@ -78,7 +78,7 @@ fn support(aircraft: &Aircraft) -> String {
                  <code>airspeed</code> is the speed of the tunnel's flow, {air}, and <code>heading</code> turns aircraft and \
                  flow together. Incidence comes from <code>wind_down</code> or from the aircraft file alone. When \
                  initialisation ends the aircraft is in equilibrium with the flow; there is nothing to trim, so all \
-                 <code>trim.*</code> are 0, and surface and thrust inputs are the values themselves."
+                 <code>trim.*</code> are 0, and control and thrust inputs are the values themselves."
             )
         }
     }

@@ -148,7 +148,7 @@ fn instantaneous(fidelity: Fidelity) -> f64 {
 fn the_work_of_air_thrust_and_gravity_is_the_change_of_energy() {
     let mut record = Record::new(
         "energy-balance",
-        "Jet at one-tenth stiffness in air, all surfaces and thrust moving: energy and work over 4 s, and at random states",
+        "Jet at one-tenth stiffness in air, all controls and thrust moving: energy and work over 4 s, and at random states",
         "work of the loads of [theory: air-loads.distribution, gravity-and-thrust.gravity, gravity-and-thrust.thrust], summed here; Runge–Kutta steps of 1 ms",
     );
     for fidelity in [Fidelity::Exact, Fidelity::Inconsistent] {
