@@ -13,6 +13,8 @@ else
     cargo test --workspace --lib --bins --tests --release --no-fail-fast
 fi
 cargo test --workspace --doc --release
+# With the packages that the tests above had, so that nothing is compiled anew.
+cargo build --workspace --examples --release
 
 cargo run --release --quiet -- package --no-check --output "$target/fmu/FlexibleAircraft.fmu"
 
@@ -30,7 +32,7 @@ python_of() {
 # An importer whose packages conflict with those of the others.
 GEMSEO_PYTHON=$(python_of tests/masters/requirements-gemseo.txt gemseo)
 export GEMSEO_PYTHON
-export FMU=$target/fmu/FlexibleAircraft.fmu FLEXAIR=$target/release/flexair
+export FMU=$target/fmu/FlexibleAircraft.fmu FLEXAIR=$target/release/flexair EXAMPLES=$target/release/examples
 for tests in fmpy masters coupling; do
     python=$(python_of tests/$tests/requirements.txt $tests)
     "$python" -m pytest -rs tests/$tests

@@ -1,6 +1,7 @@
 """Systems of the aircraft, a control law and a gust, and how the same loops go in Rust.
 
-The FMU of the aircraft is the file named by the environment variable FMU, the command the one named by FLEXAIR.
+The FMU of the aircraft is the file named by the environment variable FMU, the command the one named by FLEXAIR, examples are
+in the folder named by EXAMPLES.
 """
 
 import csv
@@ -96,7 +97,9 @@ def in_rust():
 
     @functools.cache
     def in_rust(*arguments):
-        command = ["cargo", "run", "--release", "--quiet", "--example", "closed_loop", "--", *arguments]
+        program = Path(os.environ.get("EXAMPLES", ROOT / "target/release/examples")).absolute() / "closed_loop"
+        assert program.is_file(), f"{program} does not exist: run `cargo build --release --examples`"
+        command = [program, *arguments]
         table = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
         rows = list(csv.reader(table.splitlines()))
         return dict(zip(rows[0], np.array(rows[1:], dtype=float).T))
