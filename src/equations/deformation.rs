@@ -24,7 +24,7 @@ impl EquationsOfMotion {
         let around = self.surroundings(state, &attitude, controls);
         let present = state.to_vec();
         let (strips, layout) = (&self.strips, self.layout.inflow_layout());
-        by_kind!((&self.kinematics), |kinematics| {
+        by_kind!(&self.kinematics, |kinematics| {
             let (at, memory) = self.evaluated(kinematics, &present);
             strips.settle_inflow(&kinematics.sections(at, &memory), &around, layout, state);
         });
@@ -32,7 +32,7 @@ impl EquationsOfMotion {
 
     /// How far each strip is in a state from where it is on the undeformed aircraft, without those edge-on, m. Allocates.
     pub(crate) fn strip_displacements(&self, state: &[f64]) -> Vec<Vector3<f64>> {
-        by_kind!((&self.kinematics), |kinematics| {
+        by_kind!(&self.kinematics, |kinematics| {
             let (at, memory) = self.evaluated(kinematics, state);
             kinematics.sections(at, &memory).strip_displacements().collect()
         })

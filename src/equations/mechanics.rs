@@ -29,7 +29,7 @@ impl Mechanics {
         let layout = equations.layout();
         let size = layout.velocities();
         let mut mass = SquareMatrix::new(size);
-        by_kind!((&equations.kinematics), |kinematics| {
+        by_kind!(&equations.kinematics, |kinematics| {
             let (at, memory) = equations.evaluated(kinematics, state);
             let sections = kinematics.sections(at, &memory);
             let mut inertia = kinematics.inertia(equations.integrals(), RigidFreedom::All);

@@ -115,7 +115,8 @@ impl EquationsOfMotion {
     ) {
         let Workspace { memory, inertia, forces, elastic_force, elastic_scratch, system, strip_sums, .. } =
             workspace;
-        by_kind!((&self.kinematics, memory, inertia), |kinematics, memory, inertia| {
+        let written = memory.as_mut().with(inertia.as_mut());
+        by_kind!(self.kinematics.as_ref().with(written), |(kinematics, (memory, inertia))| {
             let assembly = Assembly {
                 equations: self,
                 kinematics,

@@ -125,7 +125,7 @@ mod tests {
         hashes.dedup();
         assert_eq!(hashes.len(), count);
         // Written out by hand: one byte for each choice, counts, then the real numbers.
-        let mut bytes = vec![0, 0, 0, 12, 0, 0, 0, 5, 0, 0, 0];
+        let mut bytes = vec![0, 0, 0, 0, 12, 0, 0, 0, 5, 0, 0, 0];
         for number in [127.0_f64, 7620.0, 0.0, 1.0, 0.0, 1e-5] {
             bytes.extend(number.to_le_bytes());
         }

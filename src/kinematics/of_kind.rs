@@ -29,21 +29,55 @@ pub type AnyMemory =
 pub type AnyInertia =
     OfKind<<Superposition as Kinematics>::Inertia, <GeometricallyExact as Kinematics>::Inertia>;
 
-/// Does the same with things of whichever kind, compiled for each: `by_kind!((kind, memory), |kind, memory| …)`.
-///
-/// # Panics
-/// When the things are not of one kind, as a workspace and equations that it was not made for.
+/// Does the same with something of whichever kind, compiled for each: `by_kind!(kind, |kind| …)`.
 macro_rules! by_kind {
-    (($($thing:expr),+), |$($name:ident),+| $work:expr) => {
-        match ($($thing,)+) {
-            ($(OfKind::Superposition($name),)+) => $work,
-            ($(OfKind::GeometricallyExact($name),)+) => $work,
-            #[allow(unreachable_patterns)]
-            _ => unreachable!("a workspace goes with the equations for which it was made"),
+    ($thing:expr, |$name:pat_param| $work:expr) => {
+        match $thing {
+            OfKind::Superposition($name) => $work,
+            OfKind::GeometricallyExact($name) => $work,
         }
     };
 }
 pub(crate) use by_kind;
+
+impl<S, E> OfKind<S, E> {
+    /// Two things of one kind together.
+    ///
+    /// # Panics
+    /// When they are of different kinds, as a workspace and equations for which it was not made.
+    #[inline(always)]
+    pub fn with<T, F>(self, other: OfKind<T, F>) -> OfKind<(S, T), (E, F)> {
+        let both = match (self, other) {
+            (OfKind::Superposition(one), OfKind::Superposition(other)) => {
+                Some(OfKind::Superposition((one, other)))
+            }
+            (OfKind::GeometricallyExact(one), OfKind::GeometricallyExact(other)) => {
+                Some(OfKind::GeometricallyExact((one, other)))
+            }
+            _ => None,
+        };
+        // PROOF: a workspace goes with the equations for which it was made, and has all of one kind.
+        both.expect("a workspace that was made for the equations")
+    }
+
+    /// A look at it.
+    #[inline(always)]
+    pub fn as_ref(&self) -> OfKind<&S, &E> {
+        match self {
+            OfKind::Superposition(own) => OfKind::Superposition(own),
+            OfKind::GeometricallyExact(own) => OfKind::GeometricallyExact(own),
+        }
+    }
+
+    /// The same, to write to.
+    #[inline(always)]
+    pub fn as_mut(&mut self) -> OfKind<&mut S, &mut E> {
+        match self {
+            OfKind::Superposition(own) => OfKind::Superposition(own),
+            OfKind::GeometricallyExact(own) => OfKind::GeometricallyExact(own),
+        }
+    }
+}
 
 impl AnyKind {
     /// Of a model, and of other strips with the same modes that flow in the mirror plane meets edge-on.
@@ -73,11 +107,11 @@ impl AnyKind {
 
     /// The largest displacement of any strip, without those edge-on, by a small unit coordinate, m.
     pub fn largest_displacement(&self) -> f64 {
-        by_kind!((self), |kind| kind.largest_displacement())
+        by_kind!(self, |kind| kind.largest_displacement())
     }
 
     /// The largest displacement or rotation, m or rad.
     pub fn largest_shape(&self) -> f64 {
-        by_kind!((self), |kind| kind.largest_shape())
+        by_kind!(self, |kind| kind.largest_shape())
     }
 }

@@ -147,7 +147,10 @@ impl Outputs {
             q_ddot: accelerations.modal,
         };
         let at = equations.coordinates(state);
-        by_kind!((&equations.kinematics, workspace.kinematics()), |kinematics, memory| {
+        by_kind!(equations.kinematics.as_ref().with(workspace.kinematics().as_ref()), |(
+            kinematics,
+            memory,
+        )| {
             self.write_sections(kinematics.sections(at, memory).stations(), stations, &body);
         });
     }

@@ -123,7 +123,7 @@ impl PlantSettings {
         let natural = &candidates[..self.mode_count + pairs];
         match (self.load_modes, model.has_load_modes()) {
             (false, _) => Ok(ModesInUse::chosen(natural)),
-            (true, true) => ModesInUse::beside_loads(model, natural, watched)
+            (true, true) => ModesInUse::beside_loads((&model.modes, &model.static_loads), natural, watched)
                 .or_else(|error| refuse("load_modes", "true", &format!("false: {error}"))),
             (true, false) => refuse("load_modes", "true", "false: the model has none"),
         }

@@ -1,5 +1,6 @@
-//! Load modes: the shapes that static loads give the clamped structure, beside the natural modes [theory:
-//! load-modes.shapes].
+//! Load modes: the shapes that static loads give the clamped structure, beside the natural modes.
+//!
+//! [theory: load-modes.shapes]
 //!
 //! A few of them spare many natural modes, for strains of loads converge slowly in those. What is orthogonal to
 //! eigenvectors in the mass is so in the stiffness, so that natural modes stay what they are, and all together are
@@ -8,7 +9,9 @@
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use super::StructureError;
-use super::modes::MAX_ITERATIONS;
+
+/// Of a search for eigenvalues.
+pub(super) const MAX_ITERATIONS: usize = 100_000;
 
 /// A load of which less than this is left without the natural modes, or a part of a load that is smaller, gives none.
 const OF_NATURAL_MODES: f64 = 1e-6;

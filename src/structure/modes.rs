@@ -5,7 +5,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 use crate::aircraft::ModeBasis;
 
 use super::assembly::Structure;
-use super::load_modes::{Metric, load_modes};
+use super::load_modes::{MAX_ITERATIONS, Metric, load_modes};
 use super::mirror::{self, Reflection};
 use super::mode_count::ModeCount;
 use super::pairs::Pairs;
@@ -17,9 +17,6 @@ const DEGENERATE: f64 = 1e-9;
 
 /// A smaller part of a load than this does not act in a family.
 const PART_OF_A_LOAD: f64 = 1e-9;
-
-/// Cap on the iterations of the eigensolver.
-pub(super) const MAX_ITERATIONS: usize = 100_000;
 
 /// Modes with their shapes.
 #[derive(Debug)]

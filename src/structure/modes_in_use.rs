@@ -6,7 +6,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::load_modes::{Metric, load_modes};
-use super::{Mode, ModeFamily, ReducedModel, StructureError};
+use super::{Mode, ModeFamily, StaticLoad, StructureError};
 
 /// The coordinates of a model, each one packaged mode or a combination of several.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,30 +29,30 @@ impl ModesInUse {
         ModesInUse { coordinates: modes.iter().map(|&mode| Coordinate::Packaged(mode)).collect() }
     }
 
-    /// Natural modes of a packaged model (ascending indices) and, of the families that are `watched`, the load modes that
+    /// Natural ones of the packaged modes (ascending indices) and, of the families that are `watched`, the load modes that
     /// belong to them.
     ///
     /// # Errors
     /// When no eigenvalues of the load modes are found.
     pub fn beside_loads(
-        model: &ReducedModel,
+        (packaged, loads): (&[Mode], &[StaticLoad]),
         natural: &[usize],
         watched: impl Fn(ModeFamily) -> bool,
     ) -> Result<Self, StructureError> {
         let mut in_use = ModesInUse::chosen(natural);
         for family in [ModeFamily::Symmetric, ModeFamily::Antisymmetric, ModeFamily::Unsymmetric] {
             let rest = |mode: &usize| {
-                let Mode { family: own, of_loads, .. } = model.modes[*mode];
+                let Mode { family: own, of_loads, .. } = packaged[*mode];
                 own == family && (of_loads || !natural.contains(mode))
             };
-            let rest: Vec<usize> = (0..model.modes.len()).filter(rest).collect();
+            let rest: Vec<usize> = (0..packaged.len()).filter(rest).collect();
             if !watched(family) {
                 continue;
             }
-            if rest.iter().all(|&mode| model.modes[mode].of_loads) {
+            if rest.iter().all(|&mode| packaged[mode].of_loads) {
                 in_use.coordinates.extend(rest.into_iter().map(Coordinate::Packaged));
             } else {
-                in_use.coordinates.extend(combined(model, natural, family)?);
+                in_use.coordinates.extend(combined((packaged, loads), natural, family)?);
             }
         }
         Ok(in_use)
@@ -111,13 +111,13 @@ impl ModesInUse {
 /// The load modes of one family beside natural modes: in the packaged coordinates, the mass of which is 1 and the stiffness
 /// diagonal, a static load strains each by its force over ω².
 fn combined(
-    model: &ReducedModel,
+    (packaged, loads): (&[Mode], &[StaticLoad]),
     natural: &[usize],
     family: ModeFamily,
 ) -> Result<Vec<Coordinate>, StructureError> {
-    let n = model.modes.len();
-    let squares = DVector::from_iterator(n, model.modes.iter().map(|mode| mode.angular_frequency.powi(2)));
-    let of_family = model.static_loads.iter().filter(|load| load.family == family);
+    let n = packaged.len();
+    let squares = DVector::from_iterator(n, packaged.iter().map(|mode| mode.angular_frequency.powi(2)));
+    let of_family = loads.iter().filter(|load| load.family == family);
     let strained = of_family.map(|load| DVector::from_column_slice(&load.forces).component_div(&squares));
     let unit = |&mode: &usize| DVector::from_fn(n, |i, _| f64::from(u8::from(i == mode)));
     let natural: Vec<_> = natural.iter().map(unit).collect();

@@ -206,7 +206,7 @@ fn every_parameter_reads_back_what_was_set() {
         slot.set(&mut settings, value);
         assert_eq!(slot.get(&settings), value, "{}", variable.name);
     }
-    assert_eq!(settings.plant.fidelity, Fidelity::Rigid);
+    assert_eq!(settings.plant.fidelity, Fidelity::GeometricallyExact);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::{assert_messages, edited};
 
-const BEFORE: &str = "symmetric = true\n";
+const BEFORE: &str = "model = \"exact\"\n";
 
 fn with_basis(table: &str) -> String {
     format!("{BEFORE}\n[basis]\n{table}\n")
@@ -22,11 +22,11 @@ fn what_is_no_flag_and_what_no_basis_has_is_refused() {
     let refused = |text: &str, message: &str| assert_messages(&[(BEFORE, text)], &[message]);
     refused(
         &with_basis("load_modes = 1"),
-        "small.toml:10:14: basis.load_modes: found 1; true or false is allowed",
+        "small.toml:11:14: basis.load_modes: found 1; true or false is allowed",
     );
     refused(
         &with_basis("load_mode = true"),
-        "small.toml:10:1: basis.load_mode: found the unknown field \"load_mode\"; allowed here: load_modes",
+        "small.toml:11:1: basis.load_mode: found the unknown field \"load_mode\"; allowed here: load_modes",
     );
-    refused(&format!("{BEFORE}basis = true\n"), "small.toml:8:9: basis: found true; a table is allowed");
+    refused(&format!("{BEFORE}basis = true\n"), "small.toml:9:9: basis: found true; a table is allowed");
 }

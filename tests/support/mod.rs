@@ -4,6 +4,8 @@ pub mod beams;
 pub mod kane;
 pub mod linearised;
 pub mod plain_loads;
+pub mod plain_points;
+pub mod plain_sections;
 pub mod ritz;
 pub mod strip;
 

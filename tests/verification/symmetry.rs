@@ -32,7 +32,7 @@ fn half_the_aircraft_flies_as_the_whole_one_does() {
         "the whole aircraft, kept from using its symmetry by an aileron of 1e-14 rad",
     );
     // The bounds are about ten times the most that any level shows: 4e-14, 1.2e-11, 7e-13, 3e-12, 5e-12.
-    for fidelity in Fidelity::OF_THESIS {
+    for fidelity in Fidelity::ALL {
         let settings = Settings {
             tolerance: 1e-8,
             ..PlantSettings { fidelity, stiffness_scale: 0.3, heading: 1.0, ..PlantSettings::of(&jet()) }

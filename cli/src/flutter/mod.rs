@@ -98,9 +98,9 @@ enum Modes {
 
 /// The fidelity levels under their names.
 fn level() -> impl TypedValueParser<Value = Fidelity> {
-    // PROOF: the parser hands on nothing but these names.
+    // PROOF: the parser hands on nothing but these names, all of small letters, in any case.
     PossibleValuesParser::new(Fidelity::ALL.map(Fidelity::name))
-        .map(|name| Fidelity::named(&name).expect("a name of a level"))
+        .map(|name| Fidelity::named(&name.to_ascii_lowercase()).expect("a name of a level"))
 }
 
 /// Why `flexair flutter` did not succeed.

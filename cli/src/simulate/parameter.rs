@@ -176,9 +176,9 @@ mod tests {
             ),
             (
                 "model=rigit",
-                "model=rigit: found `rigit`, allowed is 1 (exact), 2 (consistently_linearised), 3 (inconsistent), 4 (ruthlessly_linearised), 5 (rigid), did you mean `rigid`?",
+                "model=rigit: found `rigit`, allowed is 1 (exact), 2 (consistently_linearised), 3 (inconsistent), 4 (ruthlessly_linearised), 5 (rigid), 6 (geometrically_exact), did you mean `rigid`?",
             ),
-            ("model=6", "model=6: found `6`, allowed is 1 (exact), "),
+            ("model=7", "model=7: found `7`, allowed is 1 (exact), "),
             ("airspeed=fast", "airspeed=fast: found `fast`, allowed is 1 to 400 m/s"),
             ("airspeed=NaN", "airspeed=NaN: found `NaN`, allowed is 1 to 400 m/s"),
             ("altitude=25000", "altitude=25000: found `25000`, allowed is -1000 to 20000 m"),
