@@ -113,7 +113,7 @@ fn exponential(phi: &Jet<Vector3<f64>>, from: u32) -> Jet<Matrix3<f64>> {
     let cross = Jet(phi.0.map(|vector| vector.cross_matrix()));
     let mut term = Jet::ONE;
     let mut sum = term;
-    for n in 1..30 {
+    for n in 1..25 {
         term = term.times(&cross).over(f64::from(n + from));
         sum = sum.plus(&term);
     }

@@ -22,8 +22,8 @@ fn a_refused_value_leaves_all_of_the_call_undone() {
         fmu.assert_refused(&parts);
         assert_eq!(fmu.get("elevator"), 0.0);
     }
-    assert_eq!(fmu.set_integer("model", 6), Status::Error);
-    fmu.assert_refused(&["found 6", "1 (exact)", "5 (rigid)"]);
+    assert_eq!(fmu.set_integer("model", 7), Status::Error);
+    fmu.assert_refused(&["found 7", "1 (exact)", "6 (geometrically_exact)"]);
     assert_eq!(fmu.get_integer("model"), Ok(1));
 }
 
