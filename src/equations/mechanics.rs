@@ -23,24 +23,30 @@ pub struct Mechanics {
     pub angular_momentum: Vector3<f64>,
 }
 
+impl EquationsOfMotion {
+    /// M̂ over ν at a state, with exact inertia whatever the fidelity level, without apparent mass. Allocates.
+    pub fn exact_mass_matrix(&self, state: &[f64]) -> SquareMatrix {
+        let mut mass = SquareMatrix::new(self.layout().velocities());
+        by_kind!((&self.kinematics), |kinematics| {
+            let (at, memory) = self.evaluated(kinematics, state);
+            let sections = kinematics.sections(at, &memory);
+            let mut inertia = kinematics.inertia(self.integrals(), RigidFreedom::All);
+            inertia.deform(Scalar::new(), &sections);
+            inertia.write_mass_matrix(&sections, true, &mut mass);
+        });
+        mass
+    }
+}
+
 impl Mechanics {
     /// At a state of the given equations. Allocates.
     pub fn new(equations: &EquationsOfMotion, state: &[f64]) -> Self {
         let layout = equations.layout();
-        let size = layout.velocities();
-        let mut mass = SquareMatrix::new(size);
-        by_kind!((&equations.kinematics), |kinematics| {
-            let (at, memory) = equations.evaluated(kinematics, state);
-            let sections = kinematics.sections(at, &memory);
-            let mut inertia = kinematics.inertia(equations.integrals(), RigidFreedom::All);
-            inertia.deform(Scalar::new(), &sections);
-            inertia.write_mass_matrix(&sections, true, &mut mass);
-        });
-
+        let mass = equations.exact_mass_matrix(state);
         let velocities = layout.velocities_of(state);
         let along =
             |row: &[f64]| row.iter().zip(&velocities).map(|(mass, velocity)| mass * velocity).sum::<f64>();
-        let momenta: Vec<f64> = (0..size).map(|row| along(mass.row(row))).collect();
+        let momenta: Vec<f64> = (0..mass.size()).map(|row| along(mass.row(row))).collect();
         let to_inertial = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial.transpose();
         let momentum = GeneralisedVector::of(&momenta);
         let linear_momentum = to_inertial * momentum.translation;

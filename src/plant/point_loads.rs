@@ -30,7 +30,7 @@ use super::system::Plant;
 ///     let outputs = plant.outputs_at(&trim.state, &trim.controls, &mut plant.workspace());
 ///     Ok(-outputs.deflections[0].displacement.z) // m
 /// };
-/// assert!(up(&pulled)? > up(&plant)? + 0.01);
+/// assert!(up(&pulled)? > up(&plant)? + 0.005);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]

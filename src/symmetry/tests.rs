@@ -72,7 +72,7 @@ fn half_moves_as(whole_model: &ReducedModel) {
         // Every station has its mirror image.
         let load = StationLoad { force: Vector3::new(900.0, 0.0, -3e3), moment: Vector3::new(0.0, 2e3, 0.0) };
         let loads = StationLoads::new(vec![load; whole_model.stations.len()]);
-        [&mut whole, &mut halved].map(|equations| equations.take_loads(loads.clone()));
+        [&mut whole, &mut halved].into_iter().for_each(|equations| equations.take_loads(loads.clone()));
         let q: Vec<f64> = (0..halved.layout().modes()).map(|mode| 20.0 / (1.0 + mode as f64)).collect();
         let mut whole_q = vec![0.0; whole.layout().modes()];
         if fidelity != Fidelity::Rigid {

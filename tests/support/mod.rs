@@ -4,6 +4,7 @@ pub mod beams;
 pub mod kane;
 pub mod linearised;
 pub mod plain_loads;
+pub mod planar;
 pub mod ritz;
 pub mod strip;
 

@@ -7,6 +7,7 @@ mod coincident_nodes;
 mod conservation;
 mod controls;
 mod eigenvalues;
+mod elastica;
 mod energy_balance;
 mod equations_of_motion;
 mod fidelity_levels;

@@ -21,6 +21,7 @@ const CLAIMS: &[Claim] = &[
     ("Equations of motion", "equations_of_motion", &["equations-of-motion"]),
     ("Strain energy", "strain_energy", &["strain-energy", "string"]),
     ("Geometric stiffening", "spin_up", &["spin-up", "spin-up-taut", "spinning"]),
+    ("Large deflections", "elastica", &["elastica", "half-circle", "bend"]),
     ("Unsteady aerodynamics", "inflow", &["theodorsen", "wagner", "garrick", "flap"]),
     ("Loads of strips", "strip_loads", &["strip-loads", "flow-rates"]),
     ("Leading-edge suction", "suction", &["steady-drag", "camber-thrust", "adverse-yaw"]),
