@@ -30,8 +30,12 @@ pub fn with_strains_of_tip_loads(aircraft: &Aircraft, natural: usize) -> Reduced
         &shape / shape.amax()
     };
     // Force along z, moment about y.
-    let columns: Vec<DVector<f64>> =
-        modes.shapes.column_iter().map(|column| column / column.amax()).chain([strain(2), strain(4)]).collect();
+    let columns: Vec<DVector<f64>> = modes
+        .shapes
+        .column_iter()
+        .map(|column| column / column.amax())
+        .chain([strain(2), strain(4)])
+        .collect();
     let (modes, shapes) = ritz_modes(&structure, &DMatrix::from_columns(&columns));
     ReducedModel::of_basis(&structure, ModalBasis::of_shapes(modes, shapes)).unwrap()
 }
