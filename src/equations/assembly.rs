@@ -74,6 +74,8 @@ impl<K: Kinematics> Assembly<'_, K> {
         inertia.add_gravity(&sections, &gravity, forces.passive_mut());
         let deformed_arms = equations.terms.deformed_forcing;
         equations.engines.write_effects(&sections, deformed_arms, forces.of_thrust_mut());
+        let to_body = &attitude.body_from_inertial;
+        equations.station_loads.add(&sections, to_body, deformed_arms, forces.passive_mut());
 
         let around = &equations.surroundings(state, attitude, controls);
         let (strips, layout) = (&equations.strips, equations.layout.inflow_layout());

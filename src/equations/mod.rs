@@ -39,6 +39,7 @@ mod mechanics;
 mod of_motion;
 mod propulsion;
 mod rates;
+mod station_loads;
 mod workspace;
 
 pub use controls::Controls;
@@ -46,6 +47,7 @@ pub use fidelity::{Fidelity, Terms};
 pub use layout::StateLayout;
 pub use mechanics::Mechanics;
 pub use of_motion::{Configuration, EquationsOfMotion};
+pub(crate) use station_loads::{StationLoad, StationLoads};
 pub use workspace::Workspace;
 
 #[cfg(test)]

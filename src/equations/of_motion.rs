@@ -15,6 +15,7 @@ use crate::structure::{
 use super::fidelity::{Fidelity, Terms};
 use super::layout::StateLayout;
 use super::propulsion::Engines;
+use super::station_loads::StationLoads;
 
 /// What distinguishes one set of equations of the same reduced model from another.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +52,7 @@ pub struct EquationsOfMotion {
     pub(crate) strips: Strips,
     pub(super) controls: Vec<Control>,
     pub(super) engines: Engines,
+    pub(super) station_loads: StationLoads,
     pub(crate) inflow: PetersInflow,
     pub(crate) tunnel_flow: Vector3<f64>,
     /// `None`: the standard atmosphere.
@@ -125,6 +127,7 @@ impl EquationsOfMotion {
             strips,
             controls: model.controls.clone(),
             engines: Engines::new(model),
+            station_loads: StationLoads::default(),
             inflow,
             tunnel_flow: configuration.tunnel_flow,
             tunnel_air: model.tunnel_air.as_ref().map(Air::of_tunnel),
@@ -151,6 +154,11 @@ impl EquationsOfMotion {
         let damping = libm::sqrt(stiffness);
         varied.damping.iter_mut().for_each(|rate| *rate *= damping);
         varied
+    }
+
+    /// From now on these loads act on the stations.
+    pub(crate) fn take_loads(&mut self, loads: StationLoads) {
+        self.station_loads = loads;
     }
 
     /// The same equations without wide vectors: slower, with the same bits. For comparisons.

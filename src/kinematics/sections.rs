@@ -94,6 +94,9 @@ pub trait Section {
 
     /// Writes the generalised force on each q of a force that acts here.
     fn write_generalised_force(&self, force: &Vector3<f64>, generalised: &mut [f64]);
+
+    /// Adds the generalised forces on each q of a force and a moment that act here: by w and by the true spin σ.
+    fn add_generalised_load(&self, force: &Vector3<f64>, moment: &Vector3<f64>, generalised: &mut [f64]);
 }
 
 /// How sections turn vectors, of a kind `V`, that were fixed to them undeformed.

@@ -346,4 +346,10 @@ impl Section for &Written {
             *generalised = Vector3::new(*x, *y, *z).dot(force);
         }
     }
+
+    fn add_generalised_load(&self, force: &Vector3<f64>, moment: &Vector3<f64>, generalised: &mut [f64]) {
+        for (generalised, [x, y, z, _, about_y, _]) in generalised.iter_mut().zip(&self.rows) {
+            *generalised += Vector3::new(*x, *y, *z).dot(force) + about_y * moment.y;
+        }
+    }
 }

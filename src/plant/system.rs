@@ -34,7 +34,7 @@ pub struct Plant {
     pub(super) equations: EquationsOfMotion,
     packaged: Packaged,
     /// With the shapes of the modes that take part.
-    stations: Vec<ReducedStation>,
+    pub(super) stations: Vec<ReducedStation>,
 }
 
 /// What a plant consists of, by its numbers in the packaged model.

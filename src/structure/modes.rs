@@ -32,6 +32,11 @@ pub struct ModalBasis {
 }
 
 impl ModalBasis {
+    /// Modes of one's own: with a column of mass-normalised shapes for each, orthogonal in mass and stiffness.
+    pub fn of_shapes(modes: Vec<Mode>, shapes: DMatrix<f64>) -> Self {
+        ModalBasis { modes, shapes, static_loads: Vec::new(), mirror: None }
+    }
+
     /// The lowest modes of all families together; more where they would cut a pair in half.
     ///
     /// # Errors

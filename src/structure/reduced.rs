@@ -207,11 +207,20 @@ impl ReducedModel {
     pub fn with(aircraft: &Aircraft, count: ModeCount, kind: ModeKind) -> Result<Self, StructureError> {
         let structure = Structure::new(aircraft)?;
         let basis = ModalBasis::with(&structure, count, kind)?;
+        Self::of_basis(&structure, basis)
+    }
+
+    /// Reduces a structure to the modes of a basis.
+    ///
+    /// # Errors
+    /// When there are too many, or the numbers overflow.
+    pub fn of_basis(structure: &Structure, basis: ModalBasis) -> Result<Self, StructureError> {
+        let aircraft = structure.aircraft;
         let (wanted, most) = (basis.modes.len(), Self::MOST_MODES);
         if wanted > most {
             return Err(StructureError::TooManyModes { wanted, most });
         }
-        let tree = SectionTree::new(&structure, &basis.shapes, basis.mirror.as_ref());
+        let tree = SectionTree::new(structure, &basis.shapes, basis.mirror.as_ref());
         let model = ReducedModel {
             name: aircraft.name.clone(),
             gravity: aircraft.gravity,
@@ -223,13 +232,13 @@ impl ReducedModel {
             limits: aircraft.limits,
             tunnel_air: aircraft.tunnel_air,
             mount: aircraft.mount,
-            integrals: ModalIntegrals::new(&structure, &basis.shapes),
-            strain_energy: StrainEnergy::new(&structure, &basis.shapes),
+            integrals: ModalIntegrals::new(structure, &basis.shapes),
+            strain_energy: StrainEnergy::new(structure, &basis.shapes),
             static_loads: basis.static_loads,
             controls: aircraft.controls.clone(),
-            strips: reduced_strips(&structure, &tree, &basis.shapes),
-            engines: reduced_engines(&structure, &tree, &basis.shapes),
-            stations: reduced_stations(&structure, &tree, &basis.shapes),
+            strips: reduced_strips(structure, &tree, &basis.shapes),
+            engines: reduced_engines(structure, &tree, &basis.shapes),
+            stations: reduced_stations(structure, &tree, &basis.shapes),
             sections: tree.sections,
             modes: basis.modes,
         };

@@ -6,6 +6,7 @@ pub mod linearised;
 pub mod plain_loads;
 pub mod plain_points;
 pub mod plain_sections;
+pub mod planar;
 pub mod ritz;
 pub mod strip;
 

@@ -63,11 +63,17 @@ impl AttachedNow<'_> {
         if self.place.carrier.mirrored { -mirror(axis) } else { *axis }
     }
 
-    /// J of a mode, as it is evaluated.
-    fn row(&self, mode: usize) -> Vector3<f64> {
+    /// J° and S of a mode, as they are evaluated.
+    fn twist_of(&self, mode: usize) -> [Vector3<f64>; 2] {
         let width = self.twists.len() / 6;
         let [x, y, z, about_x, about_y, about_z] = std::array::from_fn(|row| self.twists[row * width + mode]);
-        Vector3::new(x, y, z) + Vector3::new(about_x, about_y, about_z).cross(&self.moving.position)
+        [Vector3::new(x, y, z), Vector3::new(about_x, about_y, about_z)]
+    }
+
+    /// J of a mode, as it is evaluated.
+    fn row(&self, mode: usize) -> Vector3<f64> {
+        let [slide, turn] = self.twist_of(mode);
+        slide + turn.cross(&self.moving.position)
     }
 }
 
@@ -117,6 +123,16 @@ impl Section for AttachedNow<'_> {
         let force = self.arrow(force);
         for (mode, generalised) in generalised.iter_mut().enumerate() {
             *generalised = self.row(mode).dot(&force);
+        }
+    }
+
+    /// By the twists about O [theory: kinematics.twist].
+    fn add_generalised_load(&self, force: &Vector3<f64>, moment: &Vector3<f64>, generalised: &mut [f64]) {
+        let (force, moment) = (self.arrow(force), self.axis(moment));
+        let about_origin = self.moving.position.cross(&force) + moment;
+        for (mode, generalised) in generalised.iter_mut().enumerate() {
+            let [slide, turn] = self.twist_of(mode);
+            *generalised += slide.dot(&force) + turn.dot(&about_origin);
         }
     }
 }
