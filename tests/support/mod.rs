@@ -5,6 +5,7 @@ pub mod kane;
 pub mod linearised;
 pub mod plain_loads;
 pub mod ritz;
+pub mod rod;
 pub mod strip;
 
 use std::path::Path;

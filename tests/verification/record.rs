@@ -37,6 +37,12 @@ const CLAIMS: &[Claim] = &[
     ("Symmetric motion", "symmetry", &["half"]),
     ("Flutter", "flutter", &["flutter-section", "flutter-wings"]),
     ("Wind tunnel", "wind_tunnel", &["divergence"]),
+    (
+        "Very flexible wings",
+        "flexible_wings",
+        &["patils-wing", "very-flexible-wing", "very-flexible-wing-flutter", "pazy"],
+    ),
+    ("High altitude, long endurance", "high_altitude", &["flying-wing", "high-altitude"]),
 ];
 
 /// The cases of one test.
