@@ -212,7 +212,7 @@ fn every_shipped_file_is_an_aircraft() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft");
     let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let files: Vec<_> = paths.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect();
-    assert!(files.len() >= 4, "{files:?}");
+    assert!(files.len() >= 5, "{files:?}");
     for file in files {
         Aircraft::read(&file).unwrap_or_else(|error| panic!("{error}"));
     }

@@ -8,6 +8,7 @@ pub mod plain_points;
 pub mod plain_sections;
 pub mod planar;
 pub mod ritz;
+pub mod rod;
 pub mod strip;
 
 use std::path::Path;

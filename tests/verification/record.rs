@@ -45,6 +45,12 @@ const CLAIMS: &[Claim] = &[
     ("Flutter", "flutter", &["flutter-section", "flutter-wings"]),
     ("A loaded wing", "loaded_wing", &["flutter-loaded", "weightless-rod"]),
     ("Wind tunnel", "wind_tunnel", &["divergence"]),
+    (
+        "Very flexible wings",
+        "flexible_wings",
+        &["patils-wing", "very-flexible-wing", "very-flexible-wing-flutter", "pazy"],
+    ),
+    ("High altitude, long endurance", "high_altitude", &["flying-wing", "high-altitude"]),
 ];
 
 /// The cases of one test.

@@ -119,6 +119,20 @@ pub fn overview(title: &str, panels: &[&str]) -> String {
     )
 }
 
+/// Some drawings of one width, px, one below the other, as one.
+pub fn column(drawings: &[String]) -> String {
+    let (width, height) = (720.0, 492.0);
+    let place = |(index, drawing): (usize, &String)| {
+        format!("<svg y=\"{}\" width=\"{width}\" height=\"{height}\">{drawing}</svg>", height * index as f64)
+    };
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {}\"><rect width=\"100%\" height=\"100%\" \
+         fill=\"#ffffff\"/>{}</svg>\n",
+        height * drawings.len() as f64,
+        drawings.iter().enumerate().map(place).collect::<String>()
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
