@@ -15,6 +15,8 @@ mod velocities;
 pub(crate) use exact::GeometricallyExact;
 pub(crate) use freedom::RigidFreedom;
 pub(crate) use kind::{Coordinates, Inertia, Kinematics};
+#[cfg(test)]
+pub(crate) use linear::Superposition;
 pub(crate) use of_kind::{AnyInertia, AnyKind, AnyMemory, OfKind, by_kind};
 pub use rigid_motion::RigidMotion;
 pub(crate) use sections::{Bias, Section, SectionMotion, Sections, SectionsInPlane, SectionsInSpace, Turn};
