@@ -119,9 +119,9 @@ pub fn overview(title: &str, panels: &[&str]) -> String {
     )
 }
 
-/// Some drawings of one width, px, one below the other, as one.
+/// Some charts with legends of up to three rows, one below the other, as one.
 pub fn column(drawings: &[String]) -> String {
-    let (width, height) = (720.0, 492.0);
+    let (width, height) = (720.0, 524.0);
     let place = |(index, drawing): (usize, &String)| {
         format!("<svg y=\"{}\" width=\"{width}\" height=\"{height}\">{drawing}</svg>", height * index as f64)
     };
