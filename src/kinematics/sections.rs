@@ -44,8 +44,8 @@ pub trait SectionsInSpace {
         window: Window<S>,
     ) -> SectionMotion<LaneVector<S>, LaneVector<S>, Self::Turn<S>>;
 
-    /// J_x, J_y, J_z, S_x, S_y, S_z of each generalised coordinate.
-    fn rows(&self) -> impl Iterator<Item = &[Eight; 6]>;
+    /// J_x, J_y, J_z, S_x, S_y, S_z of the generalised coordinates that move them, each with what is its own of `all` coordinates.
+    fn rows<T>(&self, all: impl Iterator<Item = T>) -> impl Iterator<Item = (&[Eight; 6], T)>;
 }
 
 /// Eight sections side by side that stay in the mirror plane: vectors have x and z components, turns are about y.
@@ -62,8 +62,8 @@ pub trait SectionsInPlane {
         window: Window<S>,
     ) -> SectionMotion<PlaneVector<S>, Lanes<S>, Self::Turn<S>>;
 
-    /// J_x, J_z, S_y of each generalised coordinate.
-    fn rows(&self) -> impl Iterator<Item = [&Eight; 3]>;
+    /// J_x, J_z, S_y of the generalised coordinates that move them, each with what is its own of `all` coordinates.
+    fn rows<T>(&self, all: impl Iterator<Item = T>) -> impl Iterator<Item = ([&Eight; 3], T)>;
 }
 
 /// A single section.

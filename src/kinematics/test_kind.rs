@@ -268,8 +268,8 @@ impl SectionsInSpace for &EightWritten {
         }
     }
 
-    fn rows(&self) -> impl Iterator<Item = &[Eight; 6]> {
-        self.rows.iter()
+    fn rows<T>(&self, all: impl Iterator<Item = T>) -> impl Iterator<Item = (&[Eight; 6], T)> {
+        self.rows.iter().zip(all)
     }
 }
 
@@ -297,8 +297,8 @@ impl SectionsInPlane for &EightWritten {
         }
     }
 
-    fn rows(&self) -> impl Iterator<Item = [&Eight; 3]> {
-        self.rows.iter().map(|[x, _, z, _, about_y, _]| [x, z, about_y])
+    fn rows<T>(&self, all: impl Iterator<Item = T>) -> impl Iterator<Item = ([&Eight; 3], T)> {
+        self.rows.iter().map(|[x, _, z, _, about_y, _]| [x, z, about_y]).zip(all)
     }
 }
 

@@ -4,10 +4,13 @@
 
 use nalgebra::Vector3;
 
+use crate::math::LANES;
 use crate::structure::Carrier;
 
 use super::super::sections::Section;
-use super::tree::{Moving, MovingTree};
+use super::moving::Moving;
+use super::tree::MovingTree;
+use super::twists::EightTwists;
 
 /// A point fixed to a section.
 #[derive(Clone, Debug)]
@@ -17,6 +20,8 @@ pub struct Attached {
     at_rest: Vector3<f64>,
     /// From the section that is evaluated to the point, or to its mirror image, m.
     offset: Vector3<f64>,
+    /// The modes that move it, and their rows.
+    modes: Vec<(usize, usize)>,
 }
 
 /// The same at an instant.
@@ -25,15 +30,20 @@ pub struct AttachedNow<'a> {
     place: &'a Attached,
     /// The point, or its mirror image.
     moving: Moving,
-    /// Rows J° and S over the modes.
-    twists: &'a [f64],
+    /// Of its section's group.
+    twists: &'a EightTwists,
 }
 
 impl Attached {
-    /// At a place of the undeformed aircraft, carried by a section that stands at another.
-    pub fn new(at_rest: Vector3<f64>, carrier: Carrier, section: &Vector3<f64>) -> Self {
+    /// At a place of the undeformed aircraft, carried by a section that stands at another and is moved by some modes.
+    pub fn new(
+        at_rest: Vector3<f64>,
+        carrier: Carrier,
+        section: &Vector3<f64>,
+        modes: Vec<(usize, usize)>,
+    ) -> Self {
         let evaluated = if carrier.mirrored { mirror(&at_rest) } else { at_rest };
-        Attached { carrier, at_rest, offset: evaluated - section }
+        Attached { carrier, at_rest, offset: evaluated - section, modes }
     }
 
     /// At an instant.
@@ -41,8 +51,8 @@ impl Attached {
         let section = self.carrier.section;
         AttachedNow {
             place: self,
-            moving: tree.sections[section].with_offset(&self.offset),
-            twists: tree.twists.of(section),
+            moving: tree.section(section).with_offset(&self.offset),
+            twists: &tree.twists[section / LANES],
         }
     }
 }
@@ -63,17 +73,19 @@ impl AttachedNow<'_> {
         if self.place.carrier.mirrored { -mirror(axis) } else { *axis }
     }
 
-    /// J° and S of a mode, as they are evaluated.
-    fn twist_of(&self, mode: usize) -> [Vector3<f64>; 2] {
-        let width = self.twists.len() / 6;
-        let [x, y, z, about_x, about_y, about_z] = std::array::from_fn(|row| self.twists[row * width + mode]);
-        [Vector3::new(x, y, z), Vector3::new(about_x, about_y, about_z)]
+    /// Each mode that moves it with its J° and S, as they are evaluated.
+    fn twists(&self) -> impl Iterator<Item = (usize, [Vector3<f64>; 2])> {
+        self.place.modes.iter().map(|&(mode, row)| {
+            let lane = self.place.carrier.section % LANES;
+            let [x, y, z, about_x, about_y, about_z] = self.twists[row].1.each_ref().map(|row| row.0[lane]);
+            (mode, [Vector3::new(x, y, z), Vector3::new(about_x, about_y, about_z)])
+        })
     }
 
-    /// J of a mode, as it is evaluated.
-    fn row(&self, mode: usize) -> Vector3<f64> {
-        let [slide, turn] = self.twist_of(mode);
-        slide + turn.cross(&self.moving.position)
+    /// Each of them with its J.
+    fn rows(&self) -> impl Iterator<Item = (usize, Vector3<f64>)> {
+        self.twists().map(|(mode, [slide, turn])| (mode, slide + turn.cross(&self.moving.position)))
+    }
     }
 }
 
@@ -92,8 +104,8 @@ impl Section for AttachedNow<'_> {
 
     fn acceleration(&self, q_ddot: &[f64]) -> Vector3<f64> {
         let mut sum = self.moving.acceleration;
-        for (mode, q_ddot) in q_ddot.iter().enumerate() {
-            sum += self.row(mode) * *q_ddot;
+        for (mode, row) in self.rows() {
+            sum += row * q_ddot[mode];
         }
         self.arrow(&sum)
     }
@@ -121,8 +133,9 @@ impl Section for AttachedNow<'_> {
 
     fn write_generalised_force(&self, force: &Vector3<f64>, generalised: &mut [f64]) {
         let force = self.arrow(force);
-        for (mode, generalised) in generalised.iter_mut().enumerate() {
-            *generalised = self.row(mode).dot(&force);
+        generalised.fill(0.0);
+        for (mode, row) in self.rows() {
+            generalised[mode] = row.dot(&force);
         }
     }
 
@@ -130,9 +143,8 @@ impl Section for AttachedNow<'_> {
     fn add_generalised_load(&self, force: &Vector3<f64>, moment: &Vector3<f64>, generalised: &mut [f64]) {
         let (force, moment) = (self.arrow(force), self.axis(moment));
         let about_origin = self.moving.position.cross(&force) + moment;
-        for (mode, generalised) in generalised.iter_mut().enumerate() {
-            let [slide, turn] = self.twist_of(mode);
-            *generalised += slide.dot(&force) + turn.dot(&about_origin);
+        for (mode, [slide, turn]) in self.twists() {
+            generalised[mode] += slide.dot(&force) + turn.dot(&about_origin);
         }
     }
 }

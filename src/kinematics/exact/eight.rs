@@ -7,16 +7,29 @@ use nalgebra::Vector3;
 use crate::math::{
     Arithmetic, Eight, EightVectors, LANES, LaneVector, Lanes, PlaneRotation, PlaneVector, Window,
 };
-use crate::structure::ReducedStrip;
+use crate::structure::{ModeShapes, ReducedStrip};
 
 use super::super::sections::{Bias, SectionMotion, SectionsInPlane, SectionsInSpace, Turn};
-use super::tree::{Moving, MovingTree};
+use super::strands::Strands;
+use super::tree::MovingTree;
 
 /// Where eight strips hang; those that a group lacks rest at O.
 #[derive(Clone, Debug)]
 pub struct EightStrips {
-    sections: [usize; LANES],
+    lanes: Vec<LaneOfStrip>,
     at_rest: EightVectors,
+    /// Of each mode the row that there is for it if it moves any of them.
+    rows: Vec<Option<usize>>,
+    /// Whether all of them stay in the mirror plane.
+    in_plane: bool,
+}
+
+/// Where a strip hangs.
+#[derive(Clone, Debug)]
+struct LaneOfStrip {
+    place: usize,
+    /// Of the modes that move it the rows here and in its section's group.
+    rows: Vec<[usize; 2]>,
 }
 
 /// What an evaluation writes of their sections.
@@ -30,7 +43,9 @@ pub struct EightSections {
     spin: EightVectors,
     acceleration: EightVectors,
     angular_acceleration: EightVectors,
-    /// J and S of each mode.
+    /// Of each mode its row, if it moves them.
+    row_of: Vec<Option<usize>>,
+    /// J and S.
     rows: Vec<[Eight; 6]>,
 }
 
@@ -48,48 +63,79 @@ impl<S: Arithmetic> Turn<LaneVector<S>> for LaneTurn<S> {
 }
 
 impl EightStrips {
-    /// Of up to eight strips; `place` says where a section stands in the tree.
-    pub fn new(strips: &[ReducedStrip], place: impl Fn(usize) -> usize) -> Self {
+    /// Of up to eight strips that hang at some places.
+    pub fn new(strips: &[ReducedStrip], places: &[usize], order: &Strands, modes: usize) -> Self {
+        let moved = |mode: usize| {
+            places.iter().any(|&place| order.modes_at(place).iter().any(|(moved, _)| *moved == mode))
+        };
+        let mut count = 0;
+        let row = |mode: usize| {
+            moved(mode).then(|| {
+                count += 1;
+                count - 1
+            })
+        };
+        let rows: Vec<Option<usize>> = (0..modes).map(row).collect();
+        let lane = |&place: &usize| LaneOfStrip {
+            place,
+            rows: order.modes_at(place).iter().filter_map(|&(mode, row)| Some([rows[mode]?, row])).collect(),
+        };
         EightStrips {
-            sections: std::array::from_fn(|lane| strips.get(lane).map_or(0, |strip| place(strip.section))),
+            lanes: places.iter().map(lane).collect(),
             at_rest: EightVectors::of(strips, |strip| strip.position, Vector3::zeros()),
+            rows,
+            in_plane: places.iter().all(|&place| place / LANES < order.in_plane),
         }
     }
 
     /// Room for an evaluation.
-    pub fn resting(&self, modes: usize) -> EightSections {
-        let none = EightVectors::new([Vector3::zeros(); LANES]);
+    pub fn resting(&self) -> EightSections {
+        let of = |vector: Vector3<f64>| EightVectors::new([vector; LANES]);
+        let none = of(Vector3::zeros());
         EightSections {
             at_rest: self.at_rest,
             position: none,
-            turn: [none; 3],
+            turn: [Vector3::x(), Vector3::y(), Vector3::z()].map(of),
             velocity: none,
             spin: none,
             acceleration: none,
             angular_acceleration: none,
-            rows: vec![[Eight::ZERO; 6]; modes],
+            row_of: self.rows.clone(),
+            rows: vec![[Eight::ZERO; 6]; self.rows.iter().flatten().count()],
         }
     }
 
     /// Gathers the sections from an evaluated tree.
     #[inline(always)]
     pub fn write<S: Arithmetic>(&self, simd: S, tree: &MovingTree, written: &mut EightSections) {
-        for (lane, &section) in self.sections.iter().enumerate() {
-            let Moving { turn, position, velocity, spin, acceleration, angular_acceleration } =
-                &tree.sections[section];
-            set(&mut written.position, lane, position);
-            set(&mut written.velocity, lane, velocity);
-            set(&mut written.spin, lane, spin);
-            set(&mut written.acceleration, lane, acceleration);
-            set(&mut written.angular_acceleration, lane, angular_acceleration);
-            for (axis, column) in written.turn.iter_mut().enumerate() {
-                set(column, lane, &turn.column(axis).into_owned());
+        if self.in_plane {
+            self.write_in_plane(simd, tree, written);
+        } else {
+            self.write_in_space(simd, tree, written);
+        }
+    }
+
+    #[inline(always)]
+    fn write_in_space<S: Arithmetic>(&self, simd: S, tree: &MovingTree, written: &mut EightSections) {
+        for (lane, LaneOfStrip { place, rows }) in self.lanes.iter().enumerate() {
+            let (moving, from) = (&tree.eights[place / LANES], place % LANES);
+            let copy = |to: &mut EightVectors, vectors: &EightVectors| {
+                to.x.0[lane] = vectors.x.0[from];
+                to.y.0[lane] = vectors.y.0[from];
+                to.z.0[lane] = vectors.z.0[from];
+            };
+            copy(&mut written.position, &moving.position);
+            copy(&mut written.velocity, &moving.velocity);
+            copy(&mut written.spin, &moving.spin);
+            copy(&mut written.acceleration, &moving.acceleration);
+            copy(&mut written.angular_acceleration, &moving.angular_acceleration);
+            for (to, column) in written.turn.iter_mut().zip(&moving.turn) {
+                copy(to, column);
             }
-            let width = tree.twists.width();
-            let twists = tree.twists.of(section);
-            for (mode, rows) in written.rows.iter_mut().enumerate() {
-                for (row, eight) in rows.iter_mut().enumerate() {
-                    eight.0[lane] = twists[row * width + mode];
+            let twists = &tree.twists[place / LANES];
+            for &[row, of_group] in rows {
+                for (eight, twist) in written.rows[row].iter_mut().zip(&twists[of_group].1) {
+                    eight.0[lane] = twist.0[from];
                 }
             }
         }
@@ -108,18 +154,44 @@ impl EightStrips {
     }
 }
 
-#[inline(always)]
-fn set(vectors: &mut EightVectors, lane: usize, vector: &Vector3<f64>) {
-    (vectors.x.0[lane], vectors.y.0[lane], vectors.z.0[lane]) = (vector.x, vector.y, vector.z);
+impl EightStrips {
+    /// The same of sections that stay in the mirror plane.
+    #[inline(always)]
+    fn write_in_plane<S: Arithmetic>(&self, simd: S, tree: &MovingTree, written: &mut EightSections) {
+        for (lane, LaneOfStrip { place, rows }) in self.lanes.iter().enumerate() {
+            let (moving, from) = (&tree.eights[place / LANES], place % LANES);
+            let copy = |to: &mut EightVectors, vectors: &EightVectors| {
+                to.x.0[lane] = vectors.x.0[from];
+                to.z.0[lane] = vectors.z.0[from];
+            };
+            copy(&mut written.position, &moving.position);
+            copy(&mut written.velocity, &moving.velocity);
+            copy(&mut written.acceleration, &moving.acceleration);
+            copy(&mut written.turn[0], &moving.turn[0]);
+            copy(&mut written.turn[2], &moving.turn[2]);
+            written.spin.y.0[lane] = moving.spin.y.0[from];
+            let twists = &tree.twists[place / LANES];
+            for &[row, of_group] in rows {
+                let (_, twists) = &twists[of_group];
+                for component in ModeShapes::IN_PLANE {
+                    written.rows[row][component].0[lane] = twists[component].0[from];
+                }
+            }
+        }
+        for [x, _, z, _, about_y, _] in &mut written.rows {
+            for window in Window::all(simd) {
+                let turned = in_plane(window, &written.position).turned_by(window.load(about_y));
+                window.store(x, window.load(x) + turned.x);
+                window.store(z, window.load(z) + turned.z);
+            }
+        }
+    }
 }
 
 impl EightSections {
     /// How far each section is from where it is at rest.
     pub fn displacements(&self) -> impl Iterator<Item = Vector3<f64>> {
-        let at = |vectors: &EightVectors, lane: usize| {
-            Vector3::new(vectors.x.0[lane], vectors.y.0[lane], vectors.z.0[lane])
-        };
-        (0..LANES).map(move |lane| at(&self.position, lane) - at(&self.at_rest, lane))
+        (0..LANES).map(|lane| self.position.of_lane(lane) - self.at_rest.of_lane(lane))
     }
 }
 
@@ -151,8 +223,8 @@ impl SectionsInSpace for &EightSections {
     }
 
     #[inline(always)]
-    fn rows(&self) -> impl Iterator<Item = &[Eight; 6]> {
-        self.rows.iter()
+    fn rows<T>(&self, all: impl Iterator<Item = T>) -> impl Iterator<Item = (&[Eight; 6], T)> {
+        self.row_of.iter().zip(all).filter_map(|(row, own)| Some((&self.rows[(*row)?], own)))
     }
 }
 
@@ -191,7 +263,7 @@ impl SectionsInPlane for &EightSections {
     }
 
     #[inline(always)]
-    fn rows(&self) -> impl Iterator<Item = [&Eight; 3]> {
-        self.rows.iter().map(|[x, _, z, _, about_y, _]| [x, z, about_y])
+    fn rows<T>(&self, all: impl Iterator<Item = T>) -> impl Iterator<Item = ([&Eight; 3], T)> {
+        SectionsInSpace::rows(self, all).map(|([x, _, z, _, about_y, _], own)| ([x, z, about_y], own))
     }
 }

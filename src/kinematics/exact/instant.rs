@@ -3,11 +3,12 @@
 use nalgebra::Vector3;
 
 use crate::math::{Arithmetic, LANES};
-use crate::structure::{BeamSection, Carrier, ModeShapes, ReducedModel, ReducedStrip, RigidBody};
+use crate::structure::{BeamSection, Carrier, ModeShapes, ReducedModel, ReducedStrip};
 
 use super::super::kind::Coordinates;
 use super::super::sections::{Section, Sections, SectionsInPlane, SectionsInSpace};
 use super::attached::Attached;
+use super::bodies::Bodies;
 use super::eight::{EightSections, EightStrips};
 use super::tree::{MovingTree, Tree};
 
@@ -18,10 +19,7 @@ use super::tree::{MovingTree, Tree};
 pub struct GeometricallyExact {
     modes: usize,
     tree: Tree,
-    /// Of the section at O, m.
-    origin: Vector3<f64>,
-    /// Sections with mass.
-    bodies: Vec<(usize, RigidBody)>,
+    bodies: Bodies,
     strip_count: usize,
     strips: Vec<EightStrips>,
     edge_on: Vec<EightStrips>,
@@ -51,34 +49,39 @@ impl GeometricallyExact {
     pub fn of(model: &ReducedModel, edge_on: &[ReducedStrip]) -> Self {
         let modes = model.modes.len();
         let kept = Kept::new(model, edge_on);
-        let place = |section: usize| kept.places[section];
-        let attached = |at_rest: Vector3<f64>, carrier: Carrier| {
-            let section = &model.sections[carrier.section].position;
-            Attached::new(at_rest, Carrier { section: place(carrier.section), ..carrier }, section)
-        };
         let sections: Vec<&BeamSection> =
             kept.sections.iter().map(|&section| &model.sections[section]).collect();
-        let parents = sections.iter().map(|section| place(section.parent)).collect();
-        let bodies = sections.iter().map(|section| section.body).enumerate();
+        let parents: Vec<usize> = sections.iter().map(|section| kept.places[section.parent]).collect();
+        let tree = Tree::new(&sections, &parents, modes);
+        let order = tree.order();
+        let place = |section: usize| order.places[kept.places[section]];
+        let attached = |at_rest: Vector3<f64>, carrier: Carrier| {
+            let section = &model.sections[carrier.section].position;
+            let at = place(carrier.section);
+            Attached::new(at_rest, Carrier { section: at, ..carrier }, section, order.modes_at(at))
+        };
+        let strip = |strips: &[ReducedStrip]| {
+            let at: Vec<usize> = strips.iter().map(|strip| place(strip.section)).collect();
+            EightStrips::new(strips, &at, order, modes)
+        };
         GeometricallyExact {
             modes,
-            tree: Tree::new(&sections, parents, modes),
-            origin: sections[0].position,
-            bodies: bodies.filter(|(_, body)| body.mass > 0.0).collect(),
+            bodies: Bodies::new(&sections, order),
             strip_count: model.strips.len(),
-            strips: model.strips.chunks(LANES).map(|strips| EightStrips::new(strips, place)).collect(),
-            edge_on: edge_on.chunks(LANES).map(|strips| EightStrips::new(strips, place)).collect(),
+            strips: model.strips.chunks(LANES).map(strip).collect(),
+            edge_on: edge_on.chunks(LANES).map(strip).collect(),
             engines: model.engines.iter().map(|at| attached(at.position, at.carrier)).collect(),
             stations: model.stations.iter().map(|at| attached(at.position, at.carrier)).collect(),
             largest: [largest(&model.strips, &[0, 1, 2]), largest(&model.strips, &[0, 1, 2, 3, 4, 5])],
+            tree,
         }
     }
 
     /// Room for an evaluation, of the undeformed aircraft at rest.
     pub fn room(&self) -> ExactMemory {
-        let eights = |strips: &[EightStrips]| strips.iter().map(|eight| eight.resting(self.modes)).collect();
+        let eights = |strips: &[EightStrips]| strips.iter().map(|eight| eight.resting()).collect();
         ExactMemory {
-            tree: self.tree.at_rest(self.origin, self.modes),
+            tree: self.tree.at_rest(),
             strips: eights(&self.strips),
             edge_on: eights(&self.edge_on),
         }
@@ -157,6 +160,14 @@ impl ExactMemory {
     }
 }
 
+#[cfg(test)]
+impl GeometricallyExact {
+    /// In which order sections are evaluated.
+    pub fn order(&self) -> &super::strands::Strands {
+        self.tree.order()
+    }
+}
+
 impl<'a> Instant<'a> {
     /// The evaluated tree.
     #[inline(always)]
@@ -164,9 +175,9 @@ impl<'a> Instant<'a> {
         &self.memory.tree
     }
 
-    /// Sections with mass, and what is on them.
+    /// All mass.
     #[inline(always)]
-    pub fn bodies(&self) -> &'a [(usize, RigidBody)] {
+    pub fn bodies(&self) -> &'a Bodies {
         &self.kinematics.bodies
     }
 }

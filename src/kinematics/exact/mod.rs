@@ -6,14 +6,20 @@
 //! Everything that an evaluation writes is found once, for all sections; what hangs on them then reads it.
 
 mod attached;
+mod bodies;
 mod eight;
+mod helix;
+mod in_plane;
 mod inertia;
 mod instant;
+mod moving;
 mod series;
-mod step;
+mod strands;
+mod sums;
 #[cfg(test)]
 mod tests;
 mod tree;
+mod twists;
 
 use pulp::Scalar;
 

@@ -29,6 +29,34 @@ const fn coefficients(first: usize) -> [f64; TERMS] {
     coefficients
 }
 
+/// (−1)ⁿ / (4ⁿ (2n)!).
+const HALF_COSINE: [f64; TERMS] = halved(coefficients(0), 1.0);
+
+/// (−1)ⁿ / (2·4ⁿ (2n + 1)!).
+const HALF_SINE: [f64; TERMS] = halved(coefficients(1), 0.5);
+
+/// Coefficients for a quarter of the argument, times a factor.
+const fn halved(mut coefficients: [f64; TERMS], mut factor: f64) -> [f64; TERMS] {
+    let mut n = 0;
+    while n < TERMS {
+        coefficients[n] *= factor;
+        factor *= 0.25;
+        n += 1;
+    }
+    coefficients
+}
+
+/// cos(φ/2) and sin(φ/2)/φ of φ².
+#[inline(always)]
+pub fn half_angle<S: Arithmetic>(square: Lanes<S>) -> [Lanes<S>; 2] {
+    [HALF_COSINE, HALF_SINE].map(|coefficients| {
+        let [rest @ .., last] = coefficients;
+        rest.iter()
+            .rev()
+            .fold(square.splat(last), |sum, &coefficient| sum * square + square.splat(coefficient))
+    })
+}
+
 /// A function of s = φ².
 #[derive(Clone, Copy, Debug)]
 pub struct Series<S: Arithmetic> {
@@ -97,6 +125,9 @@ mod tests {
             let (sin, cos) = libm::sincos(angle);
             assert!((versine - (1.0 - cos) / (angle * angle)).abs() < bound, "{angle}");
             assert!((deficit - (1.0 - sin / angle) / (angle * angle)).abs() < bound, "{angle}");
+            let (sin, cos) = libm::sincos(0.5 * angle);
+            let [half_cosine, half_sine] = half_angle(square).map(|lanes| lanes.numbers()[0]);
+            assert!((half_cosine - cos).abs() < bound && (half_sine - sin / angle).abs() < bound, "{angle}");
         }
     }
 

@@ -15,7 +15,7 @@ use crate::structure::{ModeFamily, ReducedModel};
 use super::GeometricallyExact;
 use super::inertia::ExactInertia;
 use super::instant::ExactMemory;
-use super::tree::Moving;
+use super::moving::Moving;
 
 const MODES: usize = 12;
 
@@ -75,11 +75,11 @@ fn a_wing_tip_bends_by_more_than_two_metres_in_these_tests() {
 fn velocities_spins_and_biases_are_the_rates_of_what_moves_at_constant_rates_of_coordinates() {
     let kinematics = GeometricallyExact::of(&model(), &[]);
     let [q, q_dot] = large();
-    let sections = evaluated(&kinematics, &q, &q_dot).tree().sections.clone();
-    let of = |section: usize, time: f64| {
-        evaluated(&kinematics, &ahead(&q, &q_dot, time), &q_dot).tree().sections[section]
+    let of = |place: usize, time: f64| {
+        evaluated(&kinematics, &ahead(&q, &q_dot, time), &q_dot).tree().section(place)
     };
-    for (place, own) in sections.iter().enumerate().step_by(5) {
+    for place in kinematics.order().places.iter().copied().step_by(5) {
+        let own = of(place, 0.0);
         let rate = |value: fn(&Moving) -> Vector3<f64>| derivative(0.01, |time| value(&of(place, time)));
         assert_close(&own.velocity, &rate(|section| section.position), 1e-11);
         assert_close(&own.acceleration, &rate(|section| section.velocity), 1e-10);
@@ -99,19 +99,28 @@ fn twists_of_each_coordinate_are_those_by_which_its_rate_moves_and_turns_a_secti
         let mut q_dot = vec![0.0; MODES];
         q_dot[mode] = 1.0;
         let memory = evaluated(&kinematics, &q, &q_dot);
-        for (place, own) in memory.tree().sections.iter().enumerate() {
-            let [translation, rotation] = twist(&memory, place, mode);
+        for &place in &kinematics.order().places {
+            let own = memory.tree().section(place);
+            let [translation, rotation] = twist(&kinematics, &memory, place, mode);
             assert_close(&(translation + rotation.cross(&own.position)), &own.velocity, 1e-14);
             assert_close(&rotation, &own.spin, 1e-15);
         }
     }
 }
 
-/// J° and S of a section and a mode.
-fn twist(memory: &ExactMemory, section: usize, mode: usize) -> [Vector3<f64>; 2] {
-    let rows = memory.tree().twists.of(section);
-    let width = rows.len() / 6;
-    [0, 3].map(|first| Vector3::from([0, 1, 2].map(|axis| rows[(first + axis) * width + mode])))
+/// J° and S of the section at a place and a mode.
+fn twist(
+    kinematics: &GeometricallyExact,
+    memory: &ExactMemory,
+    place: usize,
+    mode: usize,
+) -> [Vector3<f64>; 2] {
+    let modes = kinematics.order().modes_at(place);
+    let Some((_, row)) = modes.into_iter().find(|(moved, _)| *moved == mode) else {
+        return [Vector3::zeros(); 2];
+    };
+    let (_, rows) = &memory.tree().twists[place / LANES][row];
+    [0, 3].map(|first| Vector3::from([0, 1, 2].map(|axis| rows[first + axis].0[place % LANES])))
 }
 
 fn write_undeformed<K: Kinematics>(model: &ReducedModel, freedom: RigidFreedom) -> SquareMatrix {
@@ -166,8 +175,9 @@ impl Body {
         let memory = evaluated(&self.kinematics, q, modal);
         let mut forces = DVector::zeros(velocities.len());
         let motion = RigidMotion { velocity: translation, rate: rotation };
-        let sections = self.kinematics.at(&memory);
-        self.inertia.clone().add_forces(Scalar::new(), &sections, &motion, true, forces.as_mut_slice());
+        let (sections, mut inertia) = (self.kinematics.at(&memory), self.inertia.clone());
+        inertia.deform(Scalar::new(), &sections);
+        inertia.add_forces(Scalar::new(), &sections, &motion, true, forces.as_mut_slice());
         forces
     }
 
@@ -258,7 +268,8 @@ fn strips_and_stations_read_the_section_that_carries_them() {
         let window = Window::all(Scalar::new()).nth(index % LANES).unwrap();
         let eight = sections.of_strips(index / LANES);
         // All sections of the jet carry something.
-        let own = &memory.tree().sections[strip.section];
+        let place = kinematics.order().places[strip.section];
+        let own = memory.tree().section(place);
         let motion = SectionsInSpace::motion(&eight, window);
         assert_eq!(motion.position.vector(), own.position);
         assert_eq!(motion.velocity.vector(), own.velocity);
@@ -269,13 +280,16 @@ fn strips_and_stations_read_the_section_that_carries_them() {
         let turned = motion.turn.apply(&LaneVector::single(&arrow)).vector();
         assert_close(&turned, &(own.turn * arrow), 1e-15);
         assert_close(&SectionsInSpace::at_rest(&eight, window).vector(), &strip.position, 1e-15);
-        for (mode, rows) in SectionsInSpace::rows(&eight).enumerate() {
+        let mut moved = 0;
+        for (rows, mode) in SectionsInSpace::rows(&eight, 0..MODES) {
             let rows = rows.map(|row| row.0[index % LANES]);
-            let [translation, rotation] = twist(&memory, strip.section, mode);
+            let [translation, rotation] = twist(&kinematics, &memory, place, mode);
+            moved += usize::from(rotation != Vector3::zeros());
             let [j, s] = [0, 3].map(|first| Vector3::from_column_slice(&rows[first..first + 3]));
             assert_close(&j, &(translation + rotation.cross(&own.position)), 1e-15);
             assert_eq!(s, rotation);
         }
+        assert_eq!(moved, kinematics.order().modes_at(place).len());
     }
 }
 
@@ -292,7 +306,7 @@ fn sections_that_stay_in_the_mirror_plane_turn_there_as_in_space() {
     for (index, strip) in model.strips.iter().enumerate().filter(|(_, strip)| strip.position.y.abs() < 1e-9) {
         let window = Window::all(Scalar::new()).nth(index % LANES).unwrap();
         let eight = sections.of_strips(index / LANES);
-        let own = &memory.tree().sections[strip.section];
+        let own = memory.tree().section(kinematics.order().places[strip.section]);
         let in_plane = SectionsInPlane::motion(&eight, window);
         let PlaneVector { x, z } = in_plane.turn.apply(&PlaneVector::splat(window, &arrow));
         let expected = own.turn * arrow;

@@ -2,226 +2,178 @@
 //!
 //! [theory: geometrically-exact.recursion, geometrically-exact.rates, geometrically-exact.biases, geometrically-exact.jacobians]
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
-use crate::math::{AlignedNumbers, Arithmetic, Eight, LANES, Window, zeros};
-use crate::structure::BeamSection;
+use crate::math::{Arithmetic, Eight, EightVectors, LANES};
+use crate::structure::{BeamSection, ModeShapes};
 
 use super::super::kind::Coordinates;
-use super::step::{EightConstants, EightMatrices, EightSteps};
+use super::helix::{EightConstants, EightHelices};
+use super::in_plane;
+use super::moving::{EightMoving, Moving};
+use super::strands::{Part, Strand, Strands};
+use super::twists::{self, EightTwists};
 
 /// What of the sections is constant.
 #[derive(Clone, Debug)]
 pub struct Tree {
-    /// The section before each, O's own for the first.
-    parents: Vec<usize>,
-    /// All but O's own, eight by eight.
+    order: Strands,
     constants: Vec<EightConstants>,
-    /// Dλ and Dφ of each section as rows over the modes.
-    steps: Rows,
-}
-
-/// Six rows over the modes for each section, each padded to whole groups of lanes.
-#[derive(Clone, Debug)]
-pub struct Rows {
-    width: usize,
-    numbers: AlignedNumbers,
-}
-
-/// A section at an instant, relative to the body axes.
-#[derive(Clone, Copy, Debug)]
-pub struct Moving {
-    /// R.
-    pub turn: Matrix3<f64>,
-    /// x, m.
-    pub position: Vector3<f64>,
-    /// w, m/s.
-    pub velocity: Vector3<f64>,
-    /// σ, rad/s.
-    pub spin: Vector3<f64>,
-    /// a, m/s².
-    pub acceleration: Vector3<f64>,
-    /// α, rad/s².
-    pub angular_acceleration: Vector3<f64>,
 }
 
 /// All sections at an instant.
 #[derive(Clone, Debug)]
 pub struct MovingTree {
-    steps: Vec<EightSteps>,
-    /// Each section.
-    pub sections: Vec<Moving>,
-    /// J°_x, J°_y, J°_z, S_x, S_y, S_z of each section.
-    pub twists: Rows,
-}
-
-impl Rows {
-    /// Zeros.
-    fn new(sections: usize, modes: usize) -> Self {
-        let width = modes.next_multiple_of(LANES);
-        Rows { width, numbers: zeros(6 * width * sections) }
-    }
-
-    /// Length of a row with what stands beyond the modes.
-    #[inline(always)]
-    pub fn width(&self) -> usize {
-        self.width
-    }
-
-    /// The six rows of a section, one after the other.
-    #[inline(always)]
-    pub fn of(&self, section: usize) -> &[f64] {
-        &self.numbers[6 * self.width * section..][..6 * self.width]
-    }
-
-    #[inline(always)]
-    fn split(&mut self, section: usize) -> (&[f64], &mut [f64]) {
-        let (before, own) = self.numbers.split_at_mut(6 * self.width * section);
-        (before, &mut own[..6 * self.width])
-    }
-}
-
-impl Moving {
-    /// At rest.
-    fn resting(position: Vector3<f64>) -> Self {
-        let zero = Vector3::zeros();
-        Moving {
-            turn: Matrix3::identity(),
-            position,
-            velocity: zero,
-            spin: zero,
-            acceleration: zero,
-            angular_acceleration: zero,
-        }
-    }
-
-    /// What is fixed to the section at an offset [theory: geometrically-exact.attached].
-    #[inline(always)]
-    pub fn with_offset(&self, offset: &Vector3<f64>) -> Self {
-        let arm = self.turn * offset;
-        let circling = self.spin.cross(&arm);
-        Moving {
-            position: self.position + arm,
-            velocity: self.velocity + circling,
-            acceleration: self.acceleration
-                + self.angular_acceleration.cross(&arm)
-                + self.spin.cross(&circling),
-            ..*self
-        }
-    }
+    helices: Vec<EightHelices>,
+    /// Eight by eight.
+    pub eights: Vec<EightMoving>,
+    /// By each coordinate that moves them.
+    pub twists: Vec<EightTwists>,
 }
 
 impl Tree {
     /// Of sections, each after its parent, with the shapes of so many modes.
-    pub fn new(sections: &[&BeamSection], parents: Vec<usize>, modes: usize) -> Self {
-        let mut steps = Rows::new(sections.len(), modes);
-        for (place, section) in sections.iter().enumerate() {
-            let (_, own) = steps.split(place);
-            for (row, own) in own.chunks_exact_mut(modes.next_multiple_of(LANES).max(1)).enumerate() {
-                own[..modes].copy_from_slice(section.steps.row(row));
-            }
-        }
-        let arms = sections.iter().zip(&parents);
-        let arms: Vec<_> =
-            arms.map(|(own, &parent)| (*own, own.position - sections[parent].position)).collect();
-        let constants = arms[1..].chunks(LANES).map(|eight| EightConstants::new(eight, modes)).collect();
-        Tree { parents, constants, steps }
+    pub fn new(sections: &[&BeamSection], parents: &[usize], modes: usize) -> Self {
+        let order = Strands::new(sections, parents, modes);
+        let with_arm = |section: &Option<usize>| {
+            let section = (*section)?;
+            // O's own section is reached from the origin.
+            let before = if section == 0 { Vector3::zeros() } else { sections[parents[section]].position };
+            Some((sections[section], sections[section].position - before))
+        };
+        let placed: Vec<_> = order.sections.iter().map(with_arm).collect();
+        let constants = placed.chunks(LANES).enumerate().map(|(eight, sections)| {
+            let moves = |mode: usize, lane: usize| {
+                order.modes_at(eight * LANES + lane).iter().any(|(moved, _)| *moved == mode)
+            };
+            EightConstants::new(sections, order.modes_of_eight(eight), moves)
+        });
+        Tree { constants: constants.collect(), order }
     }
 
-    /// Room for an evaluation; O's own section rests there.
-    pub fn at_rest(&self, position: Vector3<f64>, modes: usize) -> MovingTree {
+    /// In which order sections are evaluated.
+    pub fn order(&self) -> &Strands {
+        &self.order
+    }
+
+    /// Room for an evaluation.
+    pub fn at_rest(&self) -> MovingTree {
         MovingTree {
-            steps: vec![EightSteps::NONE; self.constants.len()],
-            sections: vec![Moving::resting(position); self.parents.len()],
-            twists: Rows::new(self.parents.len(), modes),
+            helices: vec![EightHelices::resting(); self.order.eights()],
+            eights: vec![EightMoving::resting(); self.order.eights()],
+            twists: self.constants.iter().map(twists::none).collect(),
         }
     }
 
     /// Writes all sections at some q and q̇.
     #[inline(always)]
     pub fn write<S: Arithmetic>(&self, simd: S, at: Coordinates, moving: &mut MovingTree) {
-        for (constants, steps) in self.constants.iter().zip(&mut moving.steps) {
-            constants.write(simd, at, steps);
+        let MovingTree { helices, eights, twists } = moving;
+        let Strands { strands, in_plane: plane, .. } = &self.order;
+        for (constants, helices) in self.constants[..*plane].iter().zip(&mut *helices) {
+            constants.write_in_plane(simd, at, helices);
         }
-        for (section, &parent) in self.parents.iter().enumerate().skip(1) {
-            let step = Step { eight: &moving.steps[(section - 1) / LANES], lane: (section - 1) % LANES };
-            let before = moving.sections[parent];
-            let own = before.after(step);
-            moving.sections[section] = own;
-            let tangent = before.turn * step.matrix(&step.eight.tangent);
-            let bend = before.turn * step.matrix(&step.eight.bend) + own.position.cross_matrix() * tangent;
-            let (twists, own) = moving.twists.split(section);
-            let before = &twists[own.len() * parent..][..own.len()];
-            add_steps(simd, [before, self.steps.of(section)], [&bend, &tangent], own);
+        for (constants, helices) in self.constants[*plane..].iter().zip(&mut helices[*plane..]) {
+            constants.write(simd, at, helices);
         }
-    }
-}
-
-/// The step to one of eight sections.
-#[derive(Clone, Copy)]
-struct Step<'a> {
-    eight: &'a EightSteps,
-    lane: usize,
-}
-
-impl Step<'_> {
-    #[inline(always)]
-    fn vector(self, eight: &[Eight; 3]) -> Vector3<f64> {
-        Vector3::from(eight.each_ref().map(|component| component.0[self.lane]))
-    }
-
-    #[inline(always)]
-    fn matrix(self, columns: &EightMatrices) -> Matrix3<f64> {
-        Matrix3::from_columns(&columns.each_ref().map(|column| self.vector(column)))
-    }
-}
-
-impl Moving {
-    /// The section that a step leads to.
-    #[inline(always)]
-    fn after(&self, step: Step) -> Self {
-        let Moving { turn, position, velocity, spin, acceleration, angular_acceleration } = self;
-        let [distance, stretching, turning, bias, spin_bias] = {
-            let EightSteps { distance, velocity, spin, bias, spin_bias, .. } = step.eight;
-            [distance, velocity, spin, bias, spin_bias].map(|vectors| turn * step.vector(vectors))
-        };
-        let circling = spin.cross(&distance);
-        Moving {
-            turn: turn * step.matrix(&step.eight.turn),
-            position: position + distance,
-            velocity: velocity + circling + stretching,
-            spin: spin + turning,
-            acceleration: acceleration
-                + angular_acceleration.cross(&distance)
-                + spin.cross(&(circling + stretching * 2.0))
-                + bias,
-            angular_acceleration: angular_acceleration + spin.cross(&turning) + spin_bias,
-        }
-    }
-}
-
-/// Writes the twists of a section: those of the one before it, and what its own steps Dλ and Dφ add by C and A.
-#[inline(always)]
-fn add_steps<S: Arithmetic>(
-    simd: S,
-    [before, steps]: [&[f64]; 2],
-    [bend, tangent]: [&Matrix3<f64>; 2],
-    own: &mut [f64],
-) {
-    let width = own.len() / 6;
-    for first in (0..width).step_by(LANES) {
-        for window in Window::all(simd) {
-            let load = |rows: &[f64], row: usize| window.load_slice(&rows[row * width + first..][..LANES]);
-            let [slides, turns] = [0, 3].map(|row| [0, 1, 2].map(|axis| load(steps, row + axis)));
-            for axis in 0..3 {
-                let product = |matrix: &Matrix3<f64>, [x, y, z]: [_; 3]| {
-                    x * matrix[(axis, 0)] + y * matrix[(axis, 1)] + z * matrix[(axis, 2)]
-                };
-                let translation = load(before, axis) + product(bend, turns) + product(tangent, slides);
-                let rotation = load(before, 3 + axis) + product(tangent, turns);
-                window.store_slice(&mut own[axis * width + first..][..LANES], translation);
-                window.store_slice(&mut own[(3 + axis) * width + first..][..LANES], rotation);
+        for strand in strands {
+            if strand.in_plane {
+                in_plane::turn_along(strand, helices);
+            } else {
+                turn_along(strand, helices);
             }
         }
+        for (helices, moving) in helices[..*plane].iter().zip(&mut *eights) {
+            helices.unroll_in_plane(simd, moving);
+        }
+        for (helices, moving) in helices[*plane..].iter().zip(&mut eights[*plane..]) {
+            helices.unroll(simd, moving);
+        }
+        for strand in strands {
+            if strand.in_plane {
+                in_plane::add_positions(strand, eights);
+            } else {
+                add_up(strand, eights, |EightMoving { position: x, spin, .. }| {
+                    [&mut x.x, &mut x.y, &mut x.z, &mut spin.x, &mut spin.y, &mut spin.z]
+                });
+            }
+        }
+        let carried = eights.iter_mut().zip(&self.constants).zip(&mut *twists).enumerate();
+        for (index, ((moving, constants), twists)) in carried {
+            if index < *plane {
+                moving.carry_in_plane(simd, constants, twists);
+            } else {
+                moving.carry(simd, constants, twists);
+            }
+        }
+        for strand in strands {
+            if strand.in_plane {
+                in_plane::add_motion(strand, eights);
+                twists::add_up(strand, ModeShapes::IN_PLANE, twists);
+            } else {
+                twists::add_up(strand, [0, 1, 2, 3, 4, 5], twists);
+                add_up(strand, eights, |moving| {
+                    let EightMoving { velocity: w, acceleration: a, angular_acceleration: alpha, .. } =
+                        moving;
+                    let [w, a] = [w, a].map(|EightVectors { x, y, z }| [x, y, z]);
+                    let ([w_x, w_y, w_z], [a_x, a_y, a_z]) = (w, a);
+                    [w_x, w_y, w_z, a_x, a_y, a_z, &mut alpha.x, &mut alpha.y, &mut alpha.z]
+                });
+            }
+        }
+        eights[..*plane].iter_mut().for_each(|moving| moving.settle_in_plane(simd));
+        eights[*plane..].iter_mut().for_each(|moving| moving.settle(simd));
+    }
+}
+
+/// Turns each section by all turns before it.
+#[inline(always)]
+fn turn_along(strand: &Strand, helices: &mut [EightHelices]) {
+    let [eight, lane] = strand.parent;
+    let mut before = helices[eight].turn.each_ref().map(|part| part.0[lane]);
+    for Part { eight, lanes, .. } in &strand.parts {
+        let EightHelices { turn, turn_before, .. } = &mut helices[*eight];
+        for lane in lanes.clone().map(|lane| lane % LANES) {
+            let [w, x, y, z] = before;
+            let [own_w, own_x, own_y, own_z] = turn.each_ref().map(|part| part.0[lane]);
+            let turned = [
+                (w * own_w - x * own_x) - (y * own_y + z * own_z),
+                (w * own_x + x * own_w) + (y * own_z - z * own_y),
+                (w * own_y + y * own_w) + (z * own_x - x * own_z),
+                (w * own_z + z * own_w) + (x * own_y - y * own_x),
+            ];
+            for part in 0..4 {
+                turn_before[part].0[lane] = before[part];
+                turn[part].0[lane] = turned[part];
+            }
+            before = turned;
+        }
+    }
+}
+
+/// Sums what each section adds along a strand, in its place.
+#[inline(always)]
+pub fn add_up<const N: usize>(
+    strand: &Strand,
+    eights: &mut [EightMoving],
+    summed: impl Fn(&mut EightMoving) -> [&mut Eight; N],
+) {
+    let [eight, lane] = strand.parent;
+    let mut sums = summed(&mut eights[eight]).map(|own| own.0[lane]);
+    for Part { eight, lanes, .. } in &strand.parts {
+        let mut own = summed(&mut eights[*eight]);
+        for lane in lanes.clone().map(|lane| lane % LANES) {
+            for (own, sum) in own.iter_mut().zip(&mut sums) {
+                *sum += own.0[lane];
+                own.0[lane] = *sum;
+            }
+        }
+    }
+}
+
+impl MovingTree {
+    /// The section at a place.
+    pub fn section(&self, place: usize) -> Moving {
+        self.eights[place / LANES].single(place % LANES)
     }
 }

@@ -1,0 +1,138 @@
+//! Eight sections side by side at an instant, and a single one of them.
+//!
+//! [theory: geometrically-exact.recursion, geometrically-exact.rates, geometrically-exact.biases, geometrically-exact.jacobians]
+//!
+//! What sections add to those before them is summed along the strands in its own place. Velocities and biases add up without
+//! what the motion of the section before does at a distance if they are taken about O, as twists.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::math::{Arithmetic, EightVectors, LANES, LaneVector, Window};
+
+use super::helix::EightConstants;
+use super::twists::{EightTwists, write_steps};
+
+/// Eight sections relative to the body axes.
+#[derive(Clone, Debug)]
+pub struct EightMoving {
+    /// Columns of R.
+    pub turn: [EightVectors; 3],
+    /// x, m.
+    pub position: EightVectors,
+    /// w, m/s.
+    pub velocity: EightVectors,
+    /// σ, rad/s.
+    pub spin: EightVectors,
+    /// a, m/s².
+    pub acceleration: EightVectors,
+    /// α, rad/s².
+    pub angular_acceleration: EightVectors,
+    /// Columns of A.
+    pub tangent: [EightVectors; 3],
+    /// Columns of C − x×A.
+    pub bend: [EightVectors; 3],
+    /// d, m.
+    pub distance: EightVectors,
+    /// Aφ̇, rad/s.
+    pub turning: EightVectors,
+}
+
+/// A section at an instant, relative to the body axes.
+#[derive(Clone, Copy, Debug)]
+pub struct Moving {
+    /// R.
+    pub turn: Matrix3<f64>,
+    /// x, m.
+    pub position: Vector3<f64>,
+    /// w, m/s.
+    pub velocity: Vector3<f64>,
+    /// σ, rad/s.
+    pub spin: Vector3<f64>,
+    /// a, m/s².
+    pub acceleration: Vector3<f64>,
+    /// α, rad/s².
+    pub angular_acceleration: Vector3<f64>,
+}
+
+impl EightMoving {
+    /// At rest at O.
+    pub fn resting() -> Self {
+        let of = |vector: Vector3<f64>| EightVectors::new([vector; LANES]);
+        let (none, axes) = (of(Vector3::zeros()), [Vector3::x(), Vector3::y(), Vector3::z()].map(of));
+        EightMoving {
+            turn: axes,
+            position: none,
+            velocity: none,
+            spin: none,
+            acceleration: none,
+            angular_acceleration: none,
+            tangent: axes,
+            bend: [none; 3],
+            distance: none,
+            turning: none,
+        }
+    }
+
+    /// As soon as x and σ are known: what each section adds to the twists by each coordinate, to those of w and a about O, and
+    /// to α.
+    #[inline(always)]
+    pub fn carry<S: Arithmetic>(&mut self, simd: S, constants: &EightConstants, twists: &mut EightTwists) {
+        for window in Window::all(simd) {
+            let load = |vectors: &EightVectors| LaneVector::load(window, vectors);
+            let (position, turning) = (load(&self.position), load(&self.turning));
+            let tangent = self.tangent.each_ref().map(load);
+            let bend = std::array::from_fn(|axis| load(&self.bend[axis]) + position.cross(&tangent[axis]));
+            write_steps(window, constants, [&tangent, &bend], twists);
+            let stretching = load(&self.velocity);
+            (stretching + position.cross(&turning)).store(window, &mut self.velocity);
+            let spin_before = load(&self.spin) - turning;
+            let added = load(&self.angular_acceleration) + spin_before.cross(&turning);
+            added.store(window, &mut self.angular_acceleration);
+            let circling = spin_before.cross(&load(&self.distance)) + stretching * window.splat(2.0);
+            let bias = load(&self.acceleration) + position.cross(&added) + spin_before.cross(&circling);
+            bias.store(window, &mut self.acceleration);
+        }
+    }
+
+    /// Turns twists about O into w and a at the sections.
+    #[inline(always)]
+    pub fn settle<S: Arithmetic>(&mut self, simd: S) {
+        for window in Window::all(simd) {
+            let load = |vectors: &EightVectors| LaneVector::load(window, vectors);
+            let position = load(&self.position);
+            let velocity = load(&self.velocity) + load(&self.spin).cross(&position);
+            velocity.store(window, &mut self.velocity);
+            let acceleration = load(&self.acceleration) + load(&self.angular_acceleration).cross(&position);
+            acceleration.store(window, &mut self.acceleration);
+        }
+    }
+
+    /// One of the sections.
+    pub fn single(&self, lane: usize) -> Moving {
+        Moving {
+            turn: Matrix3::from_columns(&self.turn.each_ref().map(|column| column.of_lane(lane))),
+            position: self.position.of_lane(lane),
+            velocity: self.velocity.of_lane(lane),
+            spin: self.spin.of_lane(lane),
+            acceleration: self.acceleration.of_lane(lane),
+            angular_acceleration: self.angular_acceleration.of_lane(lane),
+        }
+    }
+}
+
+impl Moving {
+    /// What is fixed to the section at an offset [theory: geometrically-exact.attached].
+    #[inline(always)]
+    pub fn with_offset(&self, offset: &Vector3<f64>) -> Self {
+        let arm = self.turn * offset;
+        let circling = self.spin.cross(&arm);
+        Moving {
+            position: self.position + arm,
+            velocity: self.velocity + circling,
+            acceleration: self.acceleration
+                + self.angular_acceleration.cross(&arm)
+                + self.spin.cross(&circling),
+            ..*self
+        }
+    }
+}
