@@ -1,13 +1,15 @@
 //! `flexair converge`: how trim, deflections, critical airspeeds and roots change with the number of modes, and how many are
-//! enough.
+//! enough [theory: structure.convergence].
 
 use std::path::PathBuf;
 
 use clap::Args;
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::plant::{PlantSettings, SettingError};
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft_packaging::FileError;
+use rayon::prelude::*;
 
 use crate::condition::{self, ConditionOptions, check_airspeed};
 use crate::files::{Drafts, Overwriting, refuse_overwriting};
@@ -135,16 +137,14 @@ fn study(options: &ConvergeOptions) -> Result<Study, Error> {
     condition::check_mobility(&model, condition.fidelity(&aircraft), counts.first().copied())?;
     // The trims' own airspeed is one more, of which the roots are listed.
     let progress = Progress::new(counts.len() * (airspeeds.len() + 1), "airspeeds");
-    let mut rows: Vec<Row> = Vec::new();
-    for count in counts {
-        let mut settings = condition.settings(&aircraft, &model, count);
-        settings.airspeed = airspeed;
-        let row = Row::new(&model, settings, range, &airspeeds, &progress).map_err(condition::Error::from)?;
-        // The other one of a pair comes with the last: two numbers may be one.
-        if rows.last().is_none_or(|last| last.natural < row.natural) {
-            rows.push(row);
-        }
-    }
+    let row = |count: usize| {
+        let settings = PlantSettings { airspeed, ..condition.settings(&aircraft, &model, count) };
+        Row::new(&model, settings, range, &airspeeds, &progress)
+    };
+    let rows: Result<Vec<Row>, SettingError> = counts.into_par_iter().with_max_len(1).map(row).collect();
+    let mut rows = rows.map_err(condition::Error::from)?;
+    // The other one of a pair comes with the last: two numbers may be one.
+    rows.dedup_by_key(|row| row.natural);
     drop(progress);
     let last = rows.last().map_or(0, |row| row.natural);
     Ok(Study::new(rows, airspeed, || has_no_more(&aircraft, condition, last)))

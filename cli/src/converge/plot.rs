@@ -3,7 +3,8 @@
 use super::quantity::{Kind, Quantity};
 use super::report::distinct;
 use super::study::Study;
-use crate::chart::{Axis, Chart, Curve, Window};
+use super::verdict::Verdict;
+use crate::chart::{Axis, Chart, Curve, Mark, Window};
 
 /// What has converged is in this frame, %.
 const CONVERGED: Window = Window::new(-1.0, 1.0);
@@ -35,8 +36,16 @@ pub fn departures(study: &Study) -> Chart {
         x: Axis::new("number of modes", Window::new(first, most.max(first + 1.0))),
         y: Axis::new(format!("departure from {last} modes (%)"), Window::new(low, high)),
         curves,
-        marks: Vec::new(),
+        marks: enough(study, &counts).into_iter().collect(),
         frame: Some(CONVERGED),
+    }
+}
+
+/// The number of modes that are enough.
+fn enough(study: &Study, counts: &[f64]) -> Option<Mark> {
+    match &study.verdict {
+        Verdict::Enough { row, .. } => Some(Mark::Vertical(counts[*row], "enough".to_owned())),
+        _ => None,
     }
 }
 

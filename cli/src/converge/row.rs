@@ -64,14 +64,15 @@ impl Row {
         let at = Analysis::new(model, settings, [settings.airspeed; 2], &[settings.airspeed], progress)?;
         let analysis = Analysis::new(model, settings, range, airspeeds, progress)?;
         let natural = at.model.natural_modes();
+        let trim = Trimmed::new(&at.model, &settings);
         Ok(Row {
             natural,
             loads: at.model.modes.len() - natural,
-            trim: Trimmed::new(&at.model, &settings),
             roots: oscillations(&at),
             flutter: Critical::first(CrossingKind::Flutter, &analysis),
             divergence: Critical::first(CrossingKind::Divergence, &analysis),
-            remarks: remarks(&analysis),
+            remarks: remarks(&analysis, trim.is_ok()),
+            trim,
             analysis,
         })
     }
@@ -97,24 +98,29 @@ impl Trimmed {
             warning: LimitExceeded::warning(&exceeded, model, settings),
         })
     }
+}
 
-    /// Angles of the trim that the aircraft has, by their names, rad; nothing holds one in a tunnel.
-    pub fn angles(&self, model: &ReducedModel) -> Vec<(String, f64)> {
-        if model.support == Support::Clamped {
-            return Vec::new();
-        }
-        let TrimPoint { pitch, roll, sideslip, climb_angle, .. } = self.point;
-        let mut angles = vec![("pitch".to_owned(), pitch)];
-        for role in [TrimRole::Pitch, TrimRole::Roll, TrimRole::Yaw] {
-            let control = model.control_for(role).map(|control| model.controls[control].name.clone());
-            angles.extend(control.map(|name| (name, self.point.control(role))));
-        }
-        angles.extend([("bank angle".to_owned(), roll), ("sideslip".to_owned(), sideslip)]);
-        if model.engines.is_empty() {
-            angles.push(("climb angle".to_owned(), climb_angle));
-        }
-        angles
+/// An angle of a trim, rad.
+pub type Angle = Box<dyn Fn(&TrimPoint) -> f64>;
+
+/// The angles that a trim of an aircraft has, by their names; nothing holds one in a tunnel.
+pub fn angles(model: &ReducedModel) -> Vec<(String, Angle)> {
+    if model.support == Support::Clamped {
+        return Vec::new();
     }
+    let mut angles: Vec<(String, Angle)> = vec![("pitch".to_owned(), Box::new(|point| point.pitch))];
+    for role in [TrimRole::Pitch, TrimRole::Roll, TrimRole::Yaw] {
+        if let Some(control) = model.control_for(role) {
+            let name = model.controls[control].name.clone();
+            angles.push((name, Box::new(move |point| point.control(role))));
+        }
+    }
+    angles.push(("bank angle".to_owned(), Box::new(|point| point.roll)));
+    angles.push(("sideslip".to_owned(), Box::new(|point| point.sideslip)));
+    if model.engines.is_empty() {
+        angles.push(("climb angle".to_owned(), Box::new(|point| point.climb_angle)));
+    }
+    angles
 }
 
 /// The roots of an analysis of one airspeed that oscillate, slowest first, 1/s: no faster than by 1 rad while the air passes the
@@ -168,18 +174,19 @@ fn is_seen(range: &UnstableRange, kind: CrossingKind, analysis: &Analysis) -> bo
         && root.is_none_or(|root| !is_of_flight(root, analysis))
 }
 
-/// Airspeeds that could not be analysed, and where the equilibrium is lost.
-fn remarks(analysis: &Analysis) -> Vec<String> {
+/// Airspeeds that could not be analysed, with the reason where it is not that of the trim, and where the equilibrium is lost.
+fn remarks(analysis: &Analysis, with_reason: bool) -> Vec<String> {
     let sweep = &analysis.sweep;
     let mut remarks = Vec::new();
     if let (Some(first), Some(last)) = (sweep.skipped.first(), sweep.skipped.last()) {
+        let count = sweep.skipped.len();
+        let reason =
+            if with_reason { format!(", the first because: {}", first.reason) } else { String::new() };
         remarks.push(format!(
-            "{} of {} airspeeds of the search, {:.2} to {:.2} m/s, could not be analysed, the first because: {}",
-            sweep.skipped.len(),
-            sweep.skipped.len() + sweep.airspeeds.len(),
+            "{count} of {} airspeeds of the search, {:.2} to {:.2} m/s, could not be analysed{reason}",
+            count + sweep.airspeeds.len(),
             first.airspeed,
-            last.airspeed,
-            first.reason
+            last.airspeed
         ));
     }
     if let Some(loss) = sweep.losses.first() {

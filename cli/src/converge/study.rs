@@ -9,7 +9,7 @@ use flexible_aircraft::stability::Complex;
 use flexible_aircraft::structure::{ReducedModel, ReducedStation};
 
 use super::quantity::{Kind, Quantity, Value};
-use super::row::{Row, Trimmed};
+use super::row::{Angle, Row, Trimmed, angles};
 use super::verdict::{Verdict, moved};
 
 /// Angles are measured by this at least, rad.
@@ -86,24 +86,28 @@ fn greatest(values: &[Value], least: f64) -> f64 {
     values.iter().filter_map(Value::number).fold(least, |greatest, number| greatest.max(number.abs()))
 }
 
+/// Gives some quantities one scale, the greatest of their values with the most modes.
+fn measure(quantities: &mut [Quantity], least: f64) {
+    let lasts: Vec<Value> =
+        quantities.iter().filter_map(|quantity| quantity.values.last().cloned()).collect();
+    let scale = greatest(&lasts, least);
+    quantities.iter_mut().for_each(|quantity| quantity.scale = scale);
+}
+
 fn trims(rows: &[Row], model: &ReducedModel) -> Vec<Quantity> {
     if model.support == Support::Clamped {
         return Vec::new();
     }
-    let names =
-        rows.iter().find_map(|row| row.trim.as_ref().ok()).map_or(Vec::new(), |trim| trim.angles(model));
-    let last = rows.iter().rev().find_map(|row| row.trim.as_ref().ok());
-    let angles = last.map_or(Vec::new(), |trim| trim.angles(model));
-    let scale = angles.iter().fold(LEAST_ANGLE, |greatest, (_, angle)| greatest.max(angle.abs()));
-    let quantity = |(place, (name, _)): (usize, &(String, f64))| Quantity {
+    let quantity = |(name, angle): (String, Angle)| Quantity {
         kind: Some(Kind::Trim),
-        name: name.clone(),
+        name,
         unit: "rad",
         places: 5,
-        scale,
-        values: of_trims(rows, |trim| trim.angles(model)[place].1),
+        scale: 1.0,
+        values: of_trims(rows, |trim| angle(&trim.point)),
     };
-    let mut quantities: Vec<Quantity> = names.iter().enumerate().map(quantity).collect();
+    let mut quantities: Vec<Quantity> = angles(model).into_iter().map(quantity).collect();
+    measure(&mut quantities, LEAST_ANGLE);
     quantities.retain(|quantity| quantity.name == "pitch" || greatest(&quantity.values, 0.0) >= HOLDS);
     if !model.engines.is_empty() {
         let values = of_trims(rows, |trim| trim.point.thrust);
@@ -137,9 +141,7 @@ fn deflections(rows: &[Row], model: &ReducedModel) -> Vec<Quantity> {
     if quantities.is_empty() {
         quantities.push(quantity("farthest strip".to_owned(), of_trims(rows, |trim| trim.farthest)));
     }
-    let lasts = quantities.iter().flat_map(|quantity| quantity.values.last().cloned());
-    let scale = greatest(&lasts.collect::<Vec<_>>(), LEAST_DEFLECTION * size);
-    quantities.iter_mut().for_each(|quantity| quantity.scale = scale);
+    measure(&mut quantities, LEAST_DEFLECTION * size);
     quantities
 }
 

@@ -15,7 +15,7 @@ pub enum Verdict {
     Alone,
     /// Those of a row are; with more, each kind of quantity moves by at most such a share.
     Enough { row: usize, moves: Vec<(Kind, f64)> },
-    /// All modes of the structure are needed.
+    /// Only those of the last row are, all modes of the structure.
     All,
     /// Not those of the last row: this quantity, the one that moved most in the last step, shows it.
     Not { quantity: usize },
@@ -38,7 +38,8 @@ impl Verdict {
         }
         let judged = quantities.iter().enumerate().filter(|(_, quantity)| quantity.kind.is_some());
         let changes = judged.map(|(place, quantity)| (place, quantity.change(rows - 2, rows - 1)));
-        let quantity = changes.max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(place, _)| place);
+        // The first of equals.
+        let quantity = changes.rev().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(place, _)| place);
         Verdict::Not { quantity }
     }
 
@@ -62,7 +63,9 @@ impl Verdict {
                     moves.collect::<Vec<_>>().join(", ")
                 )
             }
-            Verdict::All => format!("All {} modes that the structure has are needed.", label(last)),
+            Verdict::All => {
+                format!("Of these numbers only {} modes will do: all that the structure has.", label(last))
+            }
             Verdict::Not { quantity } => {
                 let moved = quantities.get(*quantity).map_or(String::new(), |quantity| {
                     let (name, by) = (&quantity.name, by(quantity, last));
