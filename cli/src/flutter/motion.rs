@@ -92,6 +92,11 @@ pub fn leading_motion(root: &Root, analysis: &Analysis) -> String {
     }
 }
 
+/// Whether a root is one of flight mechanics.
+pub fn is_of_flight(root: &Root, analysis: &Analysis) -> bool {
+    Shares::of(root, analysis).leading_mode().is_none()
+}
+
 /// A branch by the motion and the frequency it begins with.
 pub fn name(branch: &Branch, analysis: &Analysis) -> String {
     let Some(root) = branch.roots.iter().flatten().next() else { return String::new() };
