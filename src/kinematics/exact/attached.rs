@@ -86,7 +86,6 @@ impl AttachedNow<'_> {
     fn rows(&self) -> impl Iterator<Item = (usize, Vector3<f64>)> {
         self.twists().map(|(mode, [slide, turn])| (mode, slide + turn.cross(&self.moving.position)))
     }
-    }
 }
 
 impl Section for AttachedNow<'_> {
