@@ -59,9 +59,9 @@ def sheet(path):
         strings = ElementTree.fromstring(book.read("xl/sharedStrings.xml")).findall("m:si", SPREADSHEET)
         cells = ElementTree.fromstring(book.read("xl/worksheets/sheet1.xml"))
     rows = [[cell for cell in row if len(cell)] for row in cells.iterfind(".//m:row", SPREADSHEET)]
-    value = lambda cell: cell.find("m:v", SPREADSHEET).text
-    names = ["".join(strings[int(value(cell))].itertext()) for cell in rows[0]]
-    return {name: [float(value(row[place])) for row in rows[1:]] for place, name in enumerate(names)}
+    values = [[cell.findtext("m:v", namespaces=SPREADSHEET) for cell in row] for row in rows]
+    names = ["".join(strings[int(index)].itertext()) for index in values[0]]
+    return {name: [float(row[place]) for row in values[1:]] for place, name in enumerate(names)}
 
 
 def table(path, separator=None):
