@@ -80,11 +80,13 @@ fn spin_up(model: &ReducedModel, base: Base, step: f64) -> History {
         state[layout.coordinates()].copy_from_slice(q.as_slice());
         state[layout.coordinate_rates()].copy_from_slice(q_dot.as_slice());
         plant.rates(&state, &controls, &mut rates, &mut workspace);
+        let held = DVector::from_row_slice(&workspace.accelerations()[6..]);
+        if rate_change == 0.0 {
+            return held;
+        }
         let mass = equations.exact_mass_matrix(&state);
         let forcing = mass.view((6, 5), (n, 1)) * rate_change;
-        let modal = mass.view((6, 6), (n, n)).into_owned();
-        let answer = modal.lu().solve(&forcing).unwrap();
-        DVector::from_fn(n, |mode, _| workspace.accelerations()[6 + mode] - answer[mode])
+        held - mass.view((6, 6), (n, n)).into_owned().lu().solve(&forcing).unwrap()
     };
     integrate(DVector::zeros(n), step, accelerate, |q| {
         let tip = tip(&plant, q);
@@ -100,13 +102,13 @@ fn the_geometrically_exact_beam_lags_as_in_kanes_theory_and_stretches_only_where
         "theory: Kane's, in its continuous form; an independent computation with the same three modes; stretch: ρω²L³/3E",
     );
     let theory = kane().spin_up(FROM_REST);
-    let bending = spin_up(&model(false), FROM_REST, 4e-3);
+    let bending = spin_up(&model(false), FROM_REST, 5e-3);
     record.absolute("largest lag of the tip, theory, m", theory.peak_lag, 1e-3, bending.peak_lag);
     record.absolute("largest lag of the tip, independent, m", 0.5739, 1e-3, bending.peak_lag);
     record.absolute("time of the largest lag, independent, s", 6.76, 1e-2, bending.peak_time);
     record.absolute("lateral motion in the last two seconds, m", theory.residual, 5e-4, bending.residual);
     record.error("stretch in the last two seconds without axial strain, m", 1e-6, bending.stretch);
-    let stretching = spin_up(&model(true), FROM_REST, 2e-3);
+    let stretching = spin_up(&model(true), FROM_REST, 2.5e-3);
     record.absolute(
         "with axial strain: largest lag of the tip, m",
         theory.peak_lag,
