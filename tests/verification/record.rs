@@ -23,6 +23,7 @@ const CLAIMS: &[Claim] = &[
     ("Geometric stiffening", "spin_up", &["spin-up", "spin-up-taut", "spinning"]),
     ("Large deflections of beams", "elastica", &["elastica", "half-circle", "bend"]),
     ("A turning beam that keeps its length", "turning_beam", &["spin-up-geometrically-exact"]),
+    ("Geometrically exact kinematics", "exact_kinematics", &["exact-kinematics", "exact-rows"]),
     (
         "Small motions of the geometrically exact level",
         "small_motions",
@@ -30,7 +31,7 @@ const CLAIMS: &[Claim] = &[
     ),
     ("Unsteady aerodynamics", "inflow", &["theodorsen", "wagner", "garrick", "flap"]),
     ("Loads of strips", "strip_loads", &["strip-loads", "flow-rates"]),
-    ("Leading-edge suction", "suction", &["steady-drag", "camber-thrust", "adverse-yaw"]),
+    ("Leading-edge suction", "suction", &["steady-drag", "camber-thrust", "adverse-yaw", "steady-power"]),
     ("Clamped frequencies and mass of the jet", "frequencies", &["frequencies"]),
     ("Trim", "trim", &["trim"]),
     ("Load modes", "load_modes", &["load-modes", "load-modes-trim"]),
@@ -43,6 +44,7 @@ const CLAIMS: &[Claim] = &[
     ("Invariance of the flight", "flight", &["mirror", "steadiness", "heading"]),
     ("Symmetric motion", "symmetry", &["half"]),
     ("Flutter", "flutter", &["flutter-section", "flutter-wings"]),
+    ("Dead forces", "point_loads", &["dead-force"]),
     ("A loaded wing", "loaded_wing", &["flutter-loaded", "weightless-rod"]),
     ("Wind tunnel", "wind_tunnel", &["divergence"]),
     (

@@ -30,10 +30,10 @@ fn the_mass_matrix_of_the_undeformed_jet_is_that_of_the_modal_integrals() {
         "Jet with 12 modes, geometrically exact and undeformed: largest difference of an entry, over the largest of its block",
         "the modal integrals, of particles",
     );
-    record.rounding("M − 1", 1e-12, apart([6, 6], DMatrix::identity(12, 12)));
-    record.rounding("P − p", 1e-12, apart([0, 6], rows(&integrals.momentum)));
-    record.rounding("H − h", 1e-12, apart([3, 6], rows(&integrals.angular_momentum)));
-    record.rounding("Ĵ − J₀", 1e-12, apart([3, 3], DMatrix::from_fn(3, 3, |i, j| inertia[(i, j)])));
+    record.rounding("M − 1", 2e-14, apart([6, 6], DMatrix::identity(12, 12)));
+    record.rounding("P − p", 2e-14, apart([0, 6], rows(&integrals.momentum)));
+    record.rounding("H − h", 2e-14, apart([3, 6], rows(&integrals.angular_momentum)));
+    record.rounding("Ĵ − J₀", 2e-14, apart([3, 3], DMatrix::from_fn(3, 3, |i, j| inertia[(i, j)])));
     record.finish();
 }
 
@@ -83,6 +83,6 @@ fn small_motions_about_the_unloaded_jet_are_those_of_superposition() {
         "State matrix of the jet with 12 modes flying unloaded (no weight, no drag, incidence of the tail 0), N = 2: GE against E",
         "E with K₀ = diag ω², for its own K₀ has the real axial stiffness; largest difference of an entry, over the largest of its row",
     );
-    record.rounding("largest difference", 1e-7, largest);
+    record.rounding("largest difference", 1e-13, largest);
     record.finish();
 }
