@@ -7,7 +7,7 @@
 
 use nalgebra::Vector3;
 
-use crate::math::{Arithmetic, Arrow, Eight, EightVectors, LaneVector, Lanes, Window};
+use crate::math::{Arithmetic, Arrow, Eight, EightVectors, LANES, LaneVector, Lanes, Window};
 use crate::structure::BeamSection;
 
 use super::super::kind::Coordinates;
@@ -23,7 +23,7 @@ pub struct EightConstants {
     pub steps: Vec<(usize, [Eight; 6])>,
 }
 
-/// The helices to eight sections.
+/// The helices to eight sections, and what comes of them on the way.
 #[derive(Clone, Debug)]
 pub struct EightHelices {
     /// φ.
@@ -34,26 +34,36 @@ pub struct EightHelices {
     pub rotation_rate: EightVectors,
     /// λ̇.
     pub slide_rate: EightVectors,
-    /// How the sections are turned: unit quaternions, scalar first; at first only from those before them.
-    pub turn: [Eight; 4],
-    /// How those before them are.
+    /// How the sections before are turned: unit quaternions, scalar first.
     pub turn_before: [Eight; 4],
+    /// Columns of A.
+    pub tangent: [EightVectors; 3],
+    /// Columns of C − x×A.
+    pub bend: [EightVectors; 3],
+    /// d, m.
+    pub distance: EightVectors,
+    /// Aφ̇, rad/s.
+    pub turning: EightVectors,
 }
 
 /// No turn.
-const AT_REST: [Eight; 4] = [Eight([1.0; 8]), Eight::ZERO, Eight::ZERO, Eight::ZERO];
+pub const AT_REST: [Eight; 4] = [Eight([1.0; 8]), Eight::ZERO, Eight::ZERO, Eight::ZERO];
 
 impl EightHelices {
     /// Of sections that rest where those before them are.
     pub fn resting() -> Self {
-        let none = EightVectors::new([Vector3::zeros(); 8]);
+        let of = |vector: Vector3<f64>| EightVectors::new([vector; LANES]);
+        let none = of(Vector3::zeros());
         EightHelices {
             rotation: none,
             slide: none,
             rotation_rate: none,
             slide_rate: none,
-            turn: AT_REST,
             turn_before: AT_REST,
+            tangent: [Vector3::x(), Vector3::y(), Vector3::z()].map(of),
+            bend: [none; 3],
+            distance: none,
+            turning: none,
         }
     }
 }
@@ -78,14 +88,16 @@ impl EightConstants {
         EightConstants { arm: EightVectors::of(sections, arm, Vector3::zeros()), steps: steps.collect() }
     }
 
-    /// Writes the helices at some q and q̇.
+    /// Writes the helices at some q and q̇, and how they turn the sections.
     #[inline(always)]
     pub fn write<S: Arithmetic>(
         &self,
         simd: S,
         Coordinates { q, q_dot }: Coordinates,
         helices: &mut EightHelices,
+        turns: &mut [Eight; 4],
     ) {
+        helices.turn_before = AT_REST;
         for window in Window::all(simd) {
             let (mut sums, mut rates) = ([window.splat(0.0); 6], [window.splat(0.0); 6]);
             for (mode, step) in &self.steps {
@@ -102,7 +114,7 @@ impl EightConstants {
             let slide = LaneVector::load(window, &self.arm) + LaneVector { x: lx, y: ly, z: lz };
             let [cosine, sine] = half_angle(rotation.dot(&rotation));
             let vector = rotation * sine;
-            for (turn, part) in helices.turn.iter_mut().zip([cosine, vector.x, vector.y, vector.z]) {
+            for (turn, part) in turns.iter_mut().zip([cosine, vector.x, vector.y, vector.z]) {
                 window.store(turn, part);
             }
             rotation.store(window, &mut helices.rotation);
@@ -155,9 +167,9 @@ impl EightHelices {
     /// Writes what the helices make where they begin: how sections are turned, and in the place of sums along the strands what
     /// each section adds.
     #[inline(always)]
-    pub fn unroll<S: Arithmetic>(&self, simd: S, moving: &mut EightMoving) {
+    pub fn unroll<S: Arithmetic>(&mut self, simd: S, moving: &mut EightMoving) {
         for window in Window::all(simd) {
-            for (axis, column) in turned_axes(window, &self.turn).iter().zip(&mut moving.turn) {
+            for (axis, column) in turned_axes(window, &moving.quaternion).iter().zip(&mut moving.turn) {
                 axis.store(window, column);
             }
             let before = turned_axes(window, &self.turn_before);
@@ -166,8 +178,8 @@ impl EightHelices {
                 vectors.map(|vectors| times(&before, &LaneVector::load(window, vectors)));
             let square = phi.dot(&phi);
             let helix = Helix { phi, lambda, b: Series::versine(square), c: Series::sine_deficit(square) };
-            helix.write_matrices(window, square, &before, moving);
-            helix.write_motion(window, [phi_dot, lambda_dot], moving);
+            helix.write_matrices(window, square, &before, self);
+            helix.write_motion(window, [phi_dot, lambda_dot], self, moving);
         }
     }
 }
@@ -188,7 +200,7 @@ impl<S: Arithmetic> Helix<S> {
         window: Window<S>,
         square: Lanes<S>,
         before: &LaneMatrix<S>,
-        moving: &mut EightMoving,
+        helices: &mut EightHelices,
     ) {
         let Helix { phi, lambda, b, c } = self;
         let (by_b, by_c) = (*phi * b.value, *phi * c.value);
@@ -199,8 +211,8 @@ impl<S: Arithmetic> Helix<S> {
         let axis = (*lambda * b.value + once * c.value) * window.splat(-1.0);
         let bend = matrix(phi.dot(lambda) * c.value, axis, [&along, phi]);
         for axis in 0..3 {
-            times(&tangent, &before[axis]).store(window, &mut moving.tangent[axis]);
-            times(&bend, &before[axis]).store(window, &mut moving.bend[axis]);
+            times(&tangent, &before[axis]).store(window, &mut helices.tangent[axis]);
+            times(&bend, &before[axis]).store(window, &mut helices.bend[axis]);
         }
     }
 
@@ -210,6 +222,7 @@ impl<S: Arithmetic> Helix<S> {
         &self,
         window: Window<S>,
         [phi_dot, lambda_dot]: [LaneVector<S>; 2],
+        helices: &mut EightHelices,
         moving: &mut EightMoving,
     ) {
         let Helix { phi, lambda, b, c } = self;
@@ -228,7 +241,7 @@ impl<S: Arithmetic> Helix<S> {
         let twice_rate = phi_dot.cross(&once) + phi.cross(&once_rate);
         let twice_acceleration = phi_dot.cross(&once_rate) * two + phi.cross(&once_acceleration);
         let distance = *lambda + once * b + twice * c;
-        distance.store(window, &mut moving.distance);
+        distance.store(window, &mut helices.distance);
         distance.store(window, &mut moving.position);
         let stretching = lambda_dot + once * b_dot + once_rate * b + twice * c_dot + twice_rate * c;
         stretching.store(window, &mut moving.velocity);
@@ -243,7 +256,7 @@ impl<S: Arithmetic> Helix<S> {
         let spin = phi.cross(&phi_dot);
         let spin_twice = phi.cross(&spin);
         let turning = phi_dot + spin * b + spin_twice * c;
-        turning.store(window, &mut moving.turning);
+        turning.store(window, &mut helices.turning);
         turning.store(window, &mut moving.spin);
         let spin_bias = spin * b_dot + spin_twice * c_dot + phi_dot.cross(&spin) * c;
         spin_bias.store(window, &mut moving.angular_acceleration);

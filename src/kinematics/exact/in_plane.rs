@@ -8,10 +8,10 @@
 use crate::math::{Arithmetic, Eight, EightVectors, LANES, Lanes, PlaneVector, Window};
 
 use super::super::kind::Coordinates;
-use super::helix::{EightConstants, EightHelices};
+use super::helix::{AT_REST, EightConstants, EightHelices};
 use super::moving::EightMoving;
 use super::series::{Series, half_angle};
-use super::strands::{Part, Strand};
+use super::strands::Part;
 use super::tree::add_up;
 use super::twists::EightTwists;
 
@@ -34,9 +34,16 @@ fn quarter_turn<S: Arithmetic>(PlaneVector { x, z }: PlaneVector<S>) -> PlaneVec
 }
 
 impl EightConstants {
-    /// Writes the helices at some q and q̇.
+    /// Writes the helices at some q and q̇, and how they turn the sections.
     #[inline(always)]
-    pub fn write_in_plane<S: Arithmetic>(&self, simd: S, at: Coordinates, helices: &mut EightHelices) {
+    pub fn write_in_plane<S: Arithmetic>(
+        &self,
+        simd: S,
+        at: Coordinates,
+        helices: &mut EightHelices,
+        turns: &mut [Eight; 4],
+    ) {
+        helices.turn_before = AT_REST;
         let Coordinates { q, q_dot } = at;
         for window in Window::all(simd) {
             let (mut sums, mut rates) = ([window.splat(0.0); 3], [window.splat(0.0); 3]);
@@ -51,8 +58,8 @@ impl EightConstants {
             let [x, z, rotation] = sums;
             let [x_rate, z_rate, rotation_rate] = rates;
             let [cosine, sine] = half_angle(rotation * rotation);
-            window.store(&mut helices.turn[0], cosine);
-            window.store(&mut helices.turn[2], rotation * sine);
+            window.store(&mut turns[0], cosine);
+            window.store(&mut turns[2], rotation * sine);
             window.store(&mut helices.rotation.y, rotation);
             window.store(&mut helices.rotation_rate.y, rotation_rate);
             store(window, &mut helices.slide, load(window, &self.arm) + PlaneVector { x, z });
@@ -61,22 +68,20 @@ impl EightConstants {
     }
 }
 
-/// Turns each section of a strand by all turns before it.
+/// Turns each section of a part by all turns before it.
 #[inline(always)]
-pub fn turn_along(strand: &Strand, helices: &mut [EightHelices]) {
-    let ([eight, lane], parts) = (strand.parent, [0, 2]);
-    let mut before = parts.map(|part| helices[eight].turn[part].0[lane]);
-    for Part { eight, lanes, .. } in &strand.parts {
-        let EightHelices { turn, turn_before, .. } = &mut helices[*eight];
-        for lane in lanes.clone().map(|lane| lane % LANES) {
-            let ([w, y], [own_w, own_y]) = (before, parts.map(|part| turn[part].0[lane]));
-            let turned = [w * own_w - y * own_y, w * own_y + y * own_w];
-            for (place, part) in parts.into_iter().enumerate() {
-                turn_before[part].0[lane] = before[place];
-                turn[part].0[lane] = turned[place];
-            }
-            before = turned;
+pub fn turn_along(part: &Part, eights: &mut [EightMoving], index: usize, helices: &mut EightHelices) {
+    let ([eight, lane], parts) = (part.parent, [0, 2]);
+    let mut before = parts.map(|part| eights[eight].quaternion[part].0[lane]);
+    let turn = &mut eights[index].quaternion;
+    for lane in part.lanes.clone().map(|lane| lane % LANES) {
+        let ([w, y], [own_w, own_y]) = (before, parts.map(|part| turn[part].0[lane]));
+        let turned = [w * own_w - y * own_y, w * own_y + y * own_w];
+        for (place, part) in parts.into_iter().enumerate() {
+            helices.turn_before[part].0[lane] = before[place];
+            turn[part].0[lane] = turned[place];
         }
+        before = turned;
     }
 }
 
@@ -97,9 +102,9 @@ fn turned<S: Arithmetic>([c, s]: [Lanes<S>; 2], vector: PlaneVector<S>) -> Plane
 impl EightHelices {
     /// Writes what the helices make where they begin, as in space.
     #[inline(always)]
-    pub fn unroll_in_plane<S: Arithmetic>(&self, simd: S, moving: &mut EightMoving) {
+    pub fn unroll_in_plane<S: Arithmetic>(&mut self, simd: S, moving: &mut EightMoving) {
         for window in Window::all(simd) {
-            let [cosine, sine] = cosine_and_sine(window, &self.turn);
+            let [cosine, sine] = cosine_and_sine(window, &moving.quaternion);
             let [x_axis, _, z_axis] = &mut moving.turn;
             store(window, x_axis, PlaneVector { x: cosine, z: -sine });
             store(window, z_axis, PlaneVector { x: sine, z: cosine });
@@ -121,21 +126,21 @@ impl EightHelices {
                 b_ddot * phi + b_dot * phi_dot * two,
             ];
             let distance = turned(straight, lambda);
-            store(window, &mut moving.distance, distance);
+            store(window, &mut self.distance, distance);
             store(window, &mut moving.position, distance);
             store(window, &mut moving.velocity, turned(straight, lambda_dot) + turned(straight_rate, lambda));
             let bias = turned(straight_rate, lambda_dot) * two + turned(straight_acceleration, lambda);
             store(window, &mut moving.acceleration, bias);
-            window.store(&mut moving.turning.y, phi_dot);
+            window.store(&mut self.turning.y, phi_dot);
             window.store(&mut moving.spin.y, phi_dot);
 
             // A, and the part of C that does not depend on where the section is: the derivative of t by φ.
-            let [x_axis, _, z_axis] = &mut moving.tangent;
+            let [x_axis, _, z_axis] = &mut self.tangent;
             let [cosine, sine] = before;
             store(window, x_axis, turned(straight, PlaneVector { x: cosine, z: -sine }));
             store(window, z_axis, turned(straight, PlaneVector { x: sine, z: cosine }));
             let slope = [-(c.slope * square + c.value) * phi * two, b.value + b.slope * square * two];
-            store(window, &mut moving.bend[1], turned(slope, lambda));
+            store(window, &mut self.bend[1], turned(slope, lambda));
         }
     }
 }
@@ -146,14 +151,14 @@ impl EightMoving {
     pub fn carry_in_plane<S: Arithmetic>(
         &mut self,
         simd: S,
-        constants: &EightConstants,
+        (constants, helices): (&EightConstants, &EightHelices),
         twists: &mut EightTwists,
     ) {
         for window in Window::all(simd) {
             // A rotation about y moves O's point of the section against Jx.
             let against = quarter_turn(load(window, &self.position)) * window.splat(-1.0);
-            let bend = load(window, &self.bend[1]) + against;
-            let [of_x, _, of_z] = self.tangent.each_ref().map(|column| load(window, column));
+            let bend = load(window, &helices.bend[1]) + against;
+            let [of_x, _, of_z] = helices.tangent.each_ref().map(|column| load(window, column));
             for ((_, step), (_, twist)) in constants.steps.iter().zip(&mut *twists) {
                 let [slide_x, slide_z, turn] = [0, 2, 4].map(|row| window.load(&step[row]));
                 let along = bend * turn + (of_x * slide_x + of_z * slide_z);
@@ -161,11 +166,11 @@ impl EightMoving {
                     window.store(&mut twist[row], lanes);
                 }
             }
-            let (stretching, turning) = (load(window, &self.velocity), window.load(&self.turning.y));
+            let (stretching, turning) = (load(window, &self.velocity), window.load(&helices.turning.y));
             store(window, &mut self.velocity, stretching + against * turning);
             let spin_before = window.load(&self.spin.y) - turning;
             let circling =
-                load(window, &self.distance).turned_by(spin_before) + stretching * window.splat(2.0);
+                load(window, &helices.distance).turned_by(spin_before) + stretching * window.splat(2.0);
             let bias = load(window, &self.acceleration) + circling.turned_by(spin_before);
             store(window, &mut self.acceleration, bias);
         }
@@ -182,18 +187,18 @@ impl EightMoving {
     }
 }
 
-/// Sums x and σ along a strand.
+/// Sums x and σ along a part.
 #[inline(always)]
-pub fn add_positions(strand: &Strand, eights: &mut [EightMoving]) {
-    add_up(strand, eights, |EightMoving { position, spin, .. }| {
+pub fn add_positions(part: &Part, eights: &mut [EightMoving], index: usize) {
+    add_up(part, eights, index, |EightMoving { position, spin, .. }| {
         [&mut position.x, &mut position.z, &mut spin.y]
     });
 }
 
 /// Sums the twists of w and a about O.
 #[inline(always)]
-pub fn add_motion(strand: &Strand, eights: &mut [EightMoving]) {
-    add_up(strand, eights, |EightMoving { velocity, acceleration, .. }| {
+pub fn add_motion(part: &Part, eights: &mut [EightMoving], index: usize) {
+    add_up(part, eights, index, |EightMoving { velocity, acceleration, .. }| {
         [&mut velocity.x, &mut velocity.z, &mut acceleration.x, &mut acceleration.z]
     });
 }

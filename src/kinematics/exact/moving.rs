@@ -1,15 +1,15 @@
 //! Eight sections side by side at an instant, and a single one of them.
 //!
-//! [theory: geometrically-exact.recursion, geometrically-exact.rates, geometrically-exact.biases, geometrically-exact.jacobians]
+//! [theory: geometrically-exact.recursion, geometrically-exact.rates, geometrically-exact.biases, geometrically-exact.twists]
 //!
 //! What sections add to those before them is summed along the strands in its own place. Velocities and biases add up without
 //! what the motion of the section before does at a distance if they are taken about O, as twists.
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::math::{Arithmetic, EightVectors, LANES, LaneVector, Window};
+use crate::math::{Arithmetic, Eight, EightVectors, LANES, LaneVector, Window};
 
-use super::helix::EightConstants;
+use super::helix::{AT_REST, EightConstants, EightHelices};
 use super::twists::{EightTwists, write_steps};
 
 /// Eight sections relative to the body axes.
@@ -27,14 +27,8 @@ pub struct EightMoving {
     pub acceleration: EightVectors,
     /// α, rad/s².
     pub angular_acceleration: EightVectors,
-    /// Columns of A.
-    pub tangent: [EightVectors; 3],
-    /// Columns of C − x×A.
-    pub bend: [EightVectors; 3],
-    /// d, m.
-    pub distance: EightVectors,
-    /// Aφ̇, rad/s.
-    pub turning: EightVectors,
+    /// R as unit quaternions, scalar first.
+    pub quaternion: [Eight; 4],
 }
 
 /// A section at an instant, relative to the body axes.
@@ -66,29 +60,31 @@ impl EightMoving {
             spin: none,
             acceleration: none,
             angular_acceleration: none,
-            tangent: axes,
-            bend: [none; 3],
-            distance: none,
-            turning: none,
+            quaternion: AT_REST,
         }
     }
 
     /// As soon as x and σ are known: what each section adds to the twists by each coordinate, to those of w and a about O, and
     /// to α.
     #[inline(always)]
-    pub fn carry<S: Arithmetic>(&mut self, simd: S, constants: &EightConstants, twists: &mut EightTwists) {
+    pub fn carry<S: Arithmetic>(
+        &mut self,
+        simd: S,
+        (constants, helices): (&EightConstants, &EightHelices),
+        twists: &mut EightTwists,
+    ) {
         for window in Window::all(simd) {
             let load = |vectors: &EightVectors| LaneVector::load(window, vectors);
-            let (position, turning) = (load(&self.position), load(&self.turning));
-            let tangent = self.tangent.each_ref().map(load);
-            let bend = std::array::from_fn(|axis| load(&self.bend[axis]) + position.cross(&tangent[axis]));
+            let (position, turning) = (load(&self.position), load(&helices.turning));
+            let tangent = helices.tangent.each_ref().map(load);
+            let bend = std::array::from_fn(|axis| load(&helices.bend[axis]) + position.cross(&tangent[axis]));
             write_steps(window, constants, [&tangent, &bend], twists);
             let stretching = load(&self.velocity);
             (stretching + position.cross(&turning)).store(window, &mut self.velocity);
             let spin_before = load(&self.spin) - turning;
             let added = load(&self.angular_acceleration) + spin_before.cross(&turning);
             added.store(window, &mut self.angular_acceleration);
-            let circling = spin_before.cross(&load(&self.distance)) + stretching * window.splat(2.0);
+            let circling = spin_before.cross(&load(&helices.distance)) + stretching * window.splat(2.0);
             let bias = load(&self.acceleration) + position.cross(&added) + spin_before.cross(&circling);
             bias.store(window, &mut self.acceleration);
         }

@@ -21,37 +21,23 @@ pub struct Strands {
     pub sections: Vec<Option<usize>>,
     /// The place of each section.
     pub places: Vec<usize>,
-    /// Each after the one from which it grows.
-    pub strands: Vec<Strand>,
+    /// What each group of eight has of strands, each part after that from which it grows.
+    pub parts: Vec<Vec<Part>>,
     /// How many groups of eight, the first, are of sections in the mirror plane alone.
     pub in_plane: usize,
     /// The modes that move the section at each place, ascending.
     modes_at: Vec<Vec<usize>>,
 }
 
-/// Sections one after the other.
-#[derive(Clone, Debug)]
-pub struct Strand {
-    /// The group and the lane of the section before the first.
-    pub parent: [usize; 2],
-    /// Those of its sections that are evaluated side by side.
-    pub parts: Vec<Part>,
-    /// How many modes move it.
-    pub modes: usize,
-    /// The rows for these that the parent's group has; O, which no mode moves, has none.
-    pub parent_rows: Vec<usize>,
-    /// Whether its sections stay in the mirror plane.
-    pub in_plane: bool,
-}
-
-/// Sections of a strand in a group of eight.
+/// Sections one after the other in a group of eight.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// The group.
-    pub eight: usize,
+    /// The group and the lane of the section before the first.
+    pub parent: [usize; 2],
     pub lanes: Range<usize>,
-    /// The rows that the group has for the modes that move the strand.
-    pub rows: Vec<usize>,
+    /// For each mode that moves them the row that the group has for it, and that which the parent's has; O, which no mode
+    /// moves, has none.
+    pub rows: Vec<(usize, Option<usize>)>,
 }
 
 impl Strands {
@@ -62,7 +48,7 @@ impl Strands {
         let mut order = Strands {
             sections: vec![Some(0)],
             places: vec![0; sections.len()],
-            strands: Vec::new(),
+            parts: Vec::new(),
             in_plane: 0,
             modes_at: Vec::new(),
         };
@@ -79,7 +65,10 @@ impl Strands {
         }
         let modes_at = |section: &Option<usize>| section.map_or(Vec::new(), |own| moved[roots[own]].clone());
         order.modes_at = order.sections.iter().map(modes_at).collect();
-        order.strands = in_plane.into_iter().chain(in_space).map(|own| order.strand(own, parents)).collect();
+        order.parts = vec![Vec::new(); order.eights()];
+        for strand in in_plane.into_iter().chain(in_space) {
+            order.part(&strand.own, parents[strand.own[0]]);
+        }
         order
     }
 
@@ -91,25 +80,20 @@ impl Strands {
         }
     }
 
-    /// The strand of sections at their places.
-    fn strand(&self, GrownStrand { own, in_plane }: &GrownStrand, parents: &[usize]) -> Strand {
-        let (first, parent) = (self.places[own[0]], self.places[parents[own[0]]]);
-        let (end, modes) = (first + own.len(), &self.modes_at[first]);
-        let rows = |eight: usize| -> Vec<usize> {
-            let all = self.modes_of_eight(eight);
-            modes.iter().filter_map(|mode| all.iter().position(|other| other == mode)).collect()
-        };
-        let part = |eight: usize| {
+    /// Parts a strand of sections at their places among the groups.
+    fn part(&mut self, own: &[usize], parent: usize) {
+        let (first, mut parent) = (self.places[own[0]], self.places[parent]);
+        let end = first + own.len();
+        for eight in first / LANES..end.div_ceil(LANES) {
             let begin = eight * LANES;
             let lanes = first.max(begin) - begin..end.min(begin + LANES) - begin;
-            Part { eight, lanes, rows: rows(eight) }
-        };
-        Strand {
-            parent: [parent / LANES, parent % LANES],
-            parts: (first / LANES..end.div_ceil(LANES)).map(part).collect(),
-            modes: modes.len(),
-            parent_rows: if parent == 0 { Vec::new() } else { rows(parent / LANES) },
-            in_plane: *in_plane,
+            let before = self.modes_of_eight(parent / LANES);
+            let row_before = |mode| before.iter().position(|&other| other == mode).filter(|_| parent != 0);
+            let rows =
+                self.modes_at(begin + lanes.start).into_iter().map(|(mode, row)| (row, row_before(mode)));
+            let part = Part { parent: [parent / LANES, parent % LANES], rows: rows.collect(), lanes };
+            parent = begin + part.lanes.end - 1;
+            self.parts[eight].push(part);
         }
     }
 

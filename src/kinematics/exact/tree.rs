@@ -11,7 +11,7 @@ use super::super::kind::Coordinates;
 use super::helix::{EightConstants, EightHelices};
 use super::in_plane;
 use super::moving::{EightMoving, Moving};
-use super::strands::{Part, Strand, Strands};
+use super::strands::{Part, Strands};
 use super::twists::{self, EightTwists};
 
 /// What of the sections is constant.
@@ -24,7 +24,8 @@ pub struct Tree {
 /// All sections at an instant.
 #[derive(Clone, Debug)]
 pub struct MovingTree {
-    helices: Vec<EightHelices>,
+    /// Of the eight at work.
+    helices: EightHelices,
     /// Eight by eight.
     pub eights: Vec<EightMoving>,
     /// By each coordinate that moves them.
@@ -59,7 +60,7 @@ impl Tree {
     /// Room for an evaluation.
     pub fn at_rest(&self) -> MovingTree {
         MovingTree {
-            helices: vec![EightHelices::resting(); self.order.eights()],
+            helices: EightHelices::resting(),
             eights: vec![EightMoving::resting(); self.order.eights()],
             twists: self.constants.iter().map(twists::none).collect(),
         }
@@ -68,105 +69,108 @@ impl Tree {
     /// Writes all sections at some q and q̇.
     #[inline(always)]
     pub fn write<S: Arithmetic>(&self, simd: S, at: Coordinates, moving: &mut MovingTree) {
+        for index in 0..self.constants.len() {
+            if index < self.order.in_plane {
+                self.write_eight_in_plane(simd, at, index, moving);
+            } else {
+                self.write_eight(simd, at, index, moving);
+            }
+        }
+    }
+
+    /// Writes a group of eight sections, all at once, so that what is between stays close at hand.
+    #[inline(always)]
+    fn write_eight<S: Arithmetic>(&self, simd: S, at: Coordinates, index: usize, moving: &mut MovingTree) {
         let MovingTree { helices, eights, twists } = moving;
-        let Strands { strands, in_plane: plane, .. } = &self.order;
-        for (constants, helices) in self.constants[..*plane].iter().zip(&mut *helices) {
-            constants.write_in_plane(simd, at, helices);
+        let (constants, parts) = (&self.constants[index], &self.order.parts[index]);
+        constants.write(simd, at, helices, &mut eights[index].quaternion);
+        for part in parts {
+            turn_along(part, eights, index, helices);
         }
-        for (constants, helices) in self.constants[*plane..].iter().zip(&mut helices[*plane..]) {
-            constants.write(simd, at, helices);
+        helices.unroll(simd, &mut eights[index]);
+        for part in parts {
+            add_up(part, eights, index, |EightMoving { position: x, spin, .. }| {
+                [&mut x.x, &mut x.y, &mut x.z, &mut spin.x, &mut spin.y, &mut spin.z]
+            });
         }
-        for strand in strands {
-            if strand.in_plane {
-                in_plane::turn_along(strand, helices);
-            } else {
-                turn_along(strand, helices);
-            }
+        eights[index].carry(simd, (constants, helices), &mut twists[index]);
+        for part in parts {
+            twists::add_up(part, [0, 1, 2, 3, 4, 5], twists, index);
+            add_up(part, eights, index, |moving| {
+                let EightMoving { velocity: w, acceleration: a, angular_acceleration: alpha, .. } = moving;
+                let [[w_x, w_y, w_z], [a_x, a_y, a_z]] = [w, a].map(|EightVectors { x, y, z }| [x, y, z]);
+                [w_x, w_y, w_z, a_x, a_y, a_z, &mut alpha.x, &mut alpha.y, &mut alpha.z]
+            });
         }
-        for (helices, moving) in helices[..*plane].iter().zip(&mut *eights) {
-            helices.unroll_in_plane(simd, moving);
+        eights[index].settle(simd);
+    }
+
+    /// The same of sections that stay in the mirror plane.
+    #[inline(always)]
+    fn write_eight_in_plane<S: Arithmetic>(
+        &self,
+        simd: S,
+        at: Coordinates,
+        index: usize,
+        moving: &mut MovingTree,
+    ) {
+        let MovingTree { helices, eights, twists } = moving;
+        let (constants, parts) = (&self.constants[index], &self.order.parts[index]);
+        constants.write_in_plane(simd, at, helices, &mut eights[index].quaternion);
+        for part in parts {
+            in_plane::turn_along(part, eights, index, helices);
         }
-        for (helices, moving) in helices[*plane..].iter().zip(&mut eights[*plane..]) {
-            helices.unroll(simd, moving);
+        helices.unroll_in_plane(simd, &mut eights[index]);
+        for part in parts {
+            in_plane::add_positions(part, eights, index);
         }
-        for strand in strands {
-            if strand.in_plane {
-                in_plane::add_positions(strand, eights);
-            } else {
-                add_up(strand, eights, |EightMoving { position: x, spin, .. }| {
-                    [&mut x.x, &mut x.y, &mut x.z, &mut spin.x, &mut spin.y, &mut spin.z]
-                });
-            }
+        eights[index].carry_in_plane(simd, (constants, helices), &mut twists[index]);
+        for part in parts {
+            twists::add_up(part, ModeShapes::IN_PLANE, twists, index);
+            in_plane::add_motion(part, eights, index);
         }
-        let carried = eights.iter_mut().zip(&self.constants).zip(&mut *twists).enumerate();
-        for (index, ((moving, constants), twists)) in carried {
-            if index < *plane {
-                moving.carry_in_plane(simd, constants, twists);
-            } else {
-                moving.carry(simd, constants, twists);
-            }
-        }
-        for strand in strands {
-            if strand.in_plane {
-                in_plane::add_motion(strand, eights);
-                twists::add_up(strand, ModeShapes::IN_PLANE, twists);
-            } else {
-                twists::add_up(strand, [0, 1, 2, 3, 4, 5], twists);
-                add_up(strand, eights, |moving| {
-                    let EightMoving { velocity: w, acceleration: a, angular_acceleration: alpha, .. } =
-                        moving;
-                    let [w, a] = [w, a].map(|EightVectors { x, y, z }| [x, y, z]);
-                    let ([w_x, w_y, w_z], [a_x, a_y, a_z]) = (w, a);
-                    [w_x, w_y, w_z, a_x, a_y, a_z, &mut alpha.x, &mut alpha.y, &mut alpha.z]
-                });
-            }
-        }
-        eights[..*plane].iter_mut().for_each(|moving| moving.settle_in_plane(simd));
-        eights[*plane..].iter_mut().for_each(|moving| moving.settle(simd));
+        eights[index].settle_in_plane(simd);
     }
 }
 
-/// Turns each section by all turns before it.
+/// Turns each section of a part by all turns before it.
 #[inline(always)]
-fn turn_along(strand: &Strand, helices: &mut [EightHelices]) {
-    let [eight, lane] = strand.parent;
-    let mut before = helices[eight].turn.each_ref().map(|part| part.0[lane]);
-    for Part { eight, lanes, .. } in &strand.parts {
-        let EightHelices { turn, turn_before, .. } = &mut helices[*eight];
-        for lane in lanes.clone().map(|lane| lane % LANES) {
-            let [w, x, y, z] = before;
-            let [own_w, own_x, own_y, own_z] = turn.each_ref().map(|part| part.0[lane]);
-            let turned = [
-                (w * own_w - x * own_x) - (y * own_y + z * own_z),
-                (w * own_x + x * own_w) + (y * own_z - z * own_y),
-                (w * own_y + y * own_w) + (z * own_x - x * own_z),
-                (w * own_z + z * own_w) + (x * own_y - y * own_x),
-            ];
-            for part in 0..4 {
-                turn_before[part].0[lane] = before[part];
-                turn[part].0[lane] = turned[part];
-            }
-            before = turned;
+fn turn_along(part: &Part, eights: &mut [EightMoving], index: usize, helices: &mut EightHelices) {
+    let [eight, lane] = part.parent;
+    let mut before = eights[eight].quaternion.each_ref().map(|part| part.0[lane]);
+    let turn = &mut eights[index].quaternion;
+    for lane in part.lanes.clone().map(|lane| lane % LANES) {
+        let [w, x, y, z] = before;
+        let [own_w, own_x, own_y, own_z] = turn.each_ref().map(|part| part.0[lane]);
+        let turned = [
+            (w * own_w - x * own_x) - (y * own_y + z * own_z),
+            (w * own_x + x * own_w) + (y * own_z - z * own_y),
+            (w * own_y + y * own_w) + (z * own_x - x * own_z),
+            (w * own_z + z * own_w) + (x * own_y - y * own_x),
+        ];
+        for part in 0..4 {
+            helices.turn_before[part].0[lane] = before[part];
+            turn[part].0[lane] = turned[part];
         }
+        before = turned;
     }
 }
 
-/// Sums what each section adds along a strand, in its place.
+/// Sums what each section of a part of a group adds to those before it, in its place.
 #[inline(always)]
 pub fn add_up<const N: usize>(
-    strand: &Strand,
+    part: &Part,
     eights: &mut [EightMoving],
+    index: usize,
     summed: impl Fn(&mut EightMoving) -> [&mut Eight; N],
 ) {
-    let [eight, lane] = strand.parent;
+    let [eight, lane] = part.parent;
     let mut sums = summed(&mut eights[eight]).map(|own| own.0[lane]);
-    for Part { eight, lanes, .. } in &strand.parts {
-        let mut own = summed(&mut eights[*eight]);
-        for lane in lanes.clone().map(|lane| lane % LANES) {
-            for (own, sum) in own.iter_mut().zip(&mut sums) {
-                *sum += own.0[lane];
-                own.0[lane] = *sum;
-            }
+    let mut own = summed(&mut eights[index]);
+    for lane in part.lanes.clone().map(|lane| lane % LANES) {
+        for (own, sum) in own.iter_mut().zip(&mut sums) {
+            *sum += own.0[lane];
+            own.0[lane] = *sum;
         }
     }
 }

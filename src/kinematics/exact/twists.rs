@@ -5,7 +5,7 @@
 use crate::math::{Arithmetic, Eight, LANES, LaneVector, Window};
 
 use super::helix::{EightConstants, LaneMatrix, times};
-use super::strands::{Part, Strand};
+use super::strands::Part;
 
 /// Of each mode that moves any of the sections J° and S.
 pub type EightTwists = Vec<(usize, [Eight; 6])>;
@@ -34,21 +34,18 @@ pub fn write_steps<S: Arithmetic>(
     }
 }
 
-/// Sums some rows of the twists along a strand, in their place.
+/// Sums some rows of the twists along a part of a group, in their place.
 #[inline(always)]
-pub fn add_up<const N: usize>(strand: &Strand, rows: [usize; N], twists: &mut [EightTwists]) {
-    let [eight, lane] = strand.parent;
-    for mode in 0..strand.modes {
-        let parent = strand.parent_rows.get(mode).map(|&row| &twists[eight][row].1);
-        let mut sums = parent.map_or([0.0; N], |parent| rows.map(|row| parent[row].0[lane]));
-        for Part { eight, lanes, rows: of_modes } in &strand.parts {
-            let (_, own) = &mut twists[*eight][of_modes[mode]];
-            for lane in lanes.clone() {
-                for (sum, row) in sums.iter_mut().zip(rows) {
-                    let own = &mut own[row].0[lane % LANES];
-                    *sum += *own;
-                    *own = *sum;
-                }
+pub fn add_up<const N: usize>(part: &Part, rows: [usize; N], twists: &mut [EightTwists], index: usize) {
+    let [eight, lane] = part.parent;
+    for &(own, before) in &part.rows {
+        let before = before.map(|before| &twists[eight][before].1);
+        let mut sums = before.map_or([0.0; N], |before| rows.map(|row| before[row].0[lane]));
+        let (_, own) = &mut twists[index][own];
+        for lane in part.lanes.clone().map(|lane| lane % LANES) {
+            for (sum, row) in sums.iter_mut().zip(rows) {
+                *sum += own[row].0[lane];
+                own[row].0[lane] = *sum;
             }
         }
     }
