@@ -1,6 +1,6 @@
 //! How far each quantity is, with each number of modes, from what it is with the most.
 
-use super::quantity::{Kind, Quantity};
+use super::quantity::{Kind, Quantity, Value};
 use super::report::distinct;
 use super::study::Study;
 use super::verdict::Verdict;
@@ -51,7 +51,7 @@ fn enough(study: &Study, counts: &[f64]) -> Option<Mark> {
 
 /// In % of the scale, where there are numbers.
 fn points(quantity: &Quantity, counts: &[f64]) -> Vec<(f64, f64)> {
-    let Some(last) = quantity.values.last().and_then(|value| value.number()) else { return Vec::new() };
+    let Some(last) = quantity.values.last().and_then(Value::number) else { return Vec::new() };
     let numbers =
         counts.iter().zip(&quantity.values).filter_map(|(count, value)| Some((*count, value.number()?)));
     numbers.map(|(count, number)| (count, 100.0 * (number - last) / quantity.scale)).collect()
@@ -63,11 +63,7 @@ fn is_up(quantity: &Quantity) -> bool {
 
 /// Whether it matters among the deflections.
 fn is_large(quantity: &Quantity) -> bool {
-    quantity
-        .values
-        .iter()
-        .filter_map(|value| value.number())
-        .any(|number| number.abs() > 0.02 * quantity.scale)
+    quantity.values.iter().filter_map(Value::number).any(|number| number.abs() > 0.02 * quantity.scale)
 }
 
 fn label(quantity: &Quantity) -> String {

@@ -94,7 +94,7 @@ impl Trimmed {
         Ok(Trimmed {
             point: trim.point,
             outputs,
-            farthest: displacements.iter().map(|displacement| displacement.norm()).fold(0.0, f64::max),
+            farthest: displacements.iter().fold(0.0, |most, place| place.norm().max(most)),
             warning: LimitExceeded::warning(&exceeded, model, settings),
         })
     }
@@ -124,13 +124,13 @@ pub fn angles(model: &ReducedModel) -> Vec<(String, Angle)> {
 }
 
 /// The roots of an analysis of one airspeed that oscillate, slowest first, 1/s: no faster than by 1 rad while the air passes the
-/// greatest semichord, beyond which strip theory says little of them.
+/// greatest chord, beyond which strip theory says less and less of them.
 fn oscillations(analysis: &Analysis) -> Vec<Complex<f64>> {
-    let semichord = analysis.model.strips.iter().map(|strip| strip.semichord).fold(0.0, f64::max);
+    let chord = analysis.model.strips.iter().map(|strip| 2.0 * strip.semichord).fold(0.0, f64::max);
     let roots = analysis.sweep.branches.iter().flat_map(|branch| branch.roots.iter().flatten());
     let mut roots: Vec<Complex<f64>> =
         roots.filter(|root| oscillates(root)).map(|root| root.eigenvalue).collect();
-    roots.retain(|root| root.im.abs() * semichord <= analysis.settings.airspeed);
+    roots.retain(|root| root.im.abs() * chord <= analysis.settings.airspeed);
     roots.sort_by(|a, b| a.im.abs().total_cmp(&b.im.abs()));
     roots
 }

@@ -120,6 +120,14 @@ fn roots_move_as_shares_of_themselves() {
     let root = Quantity { values, ..numbers(Kind::Root, "root 1", 1.0, &[]) };
     assert!((root.change(0, 1) - 0.1 / 0.4_f64.hypot(3.1)).abs() < 1e-12);
     assert_eq!(root.text(0), "−0.4000 ± 3.0000i");
+    // They speak where nothing else does.
+    let tip = numbers(Kind::Deflection, "tip up", 5.0, &[5.0, 5.1]);
+    let text = verdict(&[root.clone(), tip], &[4, 8], false);
+    assert!(text.starts_with("Not converged with 8 modes: tip up still moved by 2.0 %"), "{text}");
+    assert!(
+        verdict(&[root], &[4, 8], false)
+            .starts_with("Not converged with 8 modes: root 1 still moved by 3.2 %")
+    );
 }
 
 #[test]

@@ -17,7 +17,7 @@ pub enum Verdict {
     Enough { row: usize, moves: Vec<(Kind, f64)> },
     /// Only those of the last row are, all modes of the structure.
     All,
-    /// Not those of the last row: this quantity, the one that moved most in the last step, shows it.
+    /// Not those of the last row: this quantity, of those that moved most in the last step, shows it.
     Not { quantity: usize },
 }
 
@@ -36,10 +36,14 @@ impl Verdict {
         if has_no_more() {
             return Verdict::All;
         }
-        let judged = quantities.iter().enumerate().filter(|(_, quantity)| quantity.kind.is_some());
-        let changes = judged.map(|(place, quantity)| (place, quantity.change(rows - 2, rows - 1)));
-        // The first of equals.
-        let quantity = changes.rev().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(place, _)| place);
+        // Roots speak where nothing else does; of equals the first.
+        let moved = |place: &usize| match quantities[*place].change(rows - 2, rows - 1) {
+            share if quantities[*place].kind == Some(Kind::Root) => [0.0, share],
+            share => [if share > CONVERGED { share } else { 0.0 }, 0.0],
+        };
+        let judged = (0..quantities.len()).rev().filter(|&place| quantities[place].kind.is_some());
+        let compare = |a: &[f64; 2], b: &[f64; 2]| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]));
+        let quantity = judged.max_by(|a, b| compare(&moved(a), &moved(b))).unwrap_or(0);
         Verdict::Not { quantity }
     }
 
@@ -50,6 +54,9 @@ impl Verdict {
         match self {
             Verdict::Alone => {
                 "One number of modes says nothing of convergence: ask for several (--modes N,N,…).".to_owned()
+            }
+            Verdict::Enough { moves, .. } if moves.is_empty() => {
+                "Nothing was found that could move with the number of modes.".to_owned()
             }
             Verdict::Enough { row, moves } => {
                 let moves =
