@@ -1,7 +1,6 @@
 //! How far each quantity is, with each number of modes, from what it is with the most.
 
 use super::quantity::{Kind, Quantity, Value};
-use super::report::distinct;
 use super::study::Study;
 use super::verdict::Verdict;
 use crate::chart::{Axis, Chart, Curve, Mark, Window};
@@ -21,7 +20,7 @@ pub fn departures(study: &Study) -> Chart {
         Some(Kind::Trim | Kind::Critical) => true,
         Some(Kind::Root) | None => false,
     };
-    let quantities = distinct(&study.quantities);
+    let quantities = study.distinct();
     let curve = |quantity: &Quantity| Curve { label: label(quantity), points: points(quantity, &counts) };
     let mut curves: Vec<Curve> = quantities.iter().filter(|quantity| is_drawn(quantity)).map(curve).collect();
     curves.retain(|curve| !curve.points.is_empty());

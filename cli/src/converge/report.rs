@@ -56,7 +56,7 @@ struct Line {
 
 fn table(study: &Study) -> String {
     let mut lines = vec![Line { name: "modes".into(), cells: study.labels(), last_step: "last step".into() }];
-    for quantity in distinct(&study.quantities) {
+    for quantity in study.distinct() {
         lines.extend(self::lines(&quantity));
     }
     let letters = |text: &String| text.chars().count();
@@ -107,39 +107,6 @@ fn lines(quantity: &Quantity) -> Vec<Line> {
     };
     parts.into_iter().map(part).collect()
 }
-
-/// The quantities without those that are the mirror image of another one: they have its name beside their own.
-pub fn distinct(quantities: &[Quantity]) -> Vec<Quantity> {
-    let mut distinct: Vec<Quantity> = Vec::new();
-    for quantity in quantities {
-        let is_image = |other: &&mut Quantity| is_image(quantity, other);
-        match distinct.iter_mut().find(is_image) {
-            Some(other) => other.name = format!("{}, {}", first_word(&quantity.name), other.name),
-            None => distinct.push(quantity.clone()),
-        }
-    }
-    distinct
-}
-
-fn first_word(name: &str) -> &str {
-    name.split(' ').next().unwrap_or_default()
-}
-
-/// Whether two deflections in one direction are equal with every number of modes, up to rounding.
-fn is_image(one: &Quantity, other: &Quantity) -> bool {
-    let direction = |quantity: &Quantity| quantity.name.rsplit(' ').next().map(str::to_owned);
-    let is_near = |(one, other): (&Value, &Value)| match (one.number(), other.number()) {
-        (Some(one), Some(other)) => (one - other).abs() <= ROUNDING * one.abs().max(other.abs()),
-        _ => one == other,
-    };
-    one.kind == Some(super::quantity::Kind::Deflection)
-        && other.kind == one.kind
-        && direction(one) == direction(other)
-        && one.values.iter().zip(&other.values).all(is_near)
-}
-
-/// Deflections that differ by this share are equal.
-const ROUNDING: f64 = 1e-9;
 
 /// What is to be said of single numbers of modes.
 fn remarks(study: &Study) -> String {

@@ -24,6 +24,9 @@ const HOLDS: f64 = 5e-6;
 /// Stations nearer to the plane of symmetry have no inboard, as a share of the aircraft's size.
 const IN_PLANE: f64 = 1e-9;
 
+/// Deflections that differ by this share of their scale are equal.
+const ROUNDING: f64 = 1e-9;
+
 /// Roots that are listed.
 const ROOTS: usize = 4;
 
@@ -55,12 +58,48 @@ impl Study {
         self.rows.last()
     }
 
+    /// The quantities without those that are the mirror image of another one.
+    pub fn distinct(&self) -> Vec<Quantity> {
+        distinct(&self.quantities)
+    }
+
     /// A line for each quantity that the last step moved, and for a last trim that nobody could fly.
     pub fn warnings(&self) -> Vec<String> {
         let trim = self.last().and_then(|row| row.trim.as_ref().ok());
         let odd = trim.and_then(|trim| trim.warning.clone());
-        odd.into_iter().chain(moved(&self.quantities, &self.labels())).collect()
+        odd.into_iter().chain(moved(&self.distinct(), &self.labels())).collect()
     }
+}
+
+/// The quantities without those that are the mirror image of another one: they have its name beside their own.
+fn distinct(quantities: &[Quantity]) -> Vec<Quantity> {
+    let mut distinct: Vec<Quantity> = Vec::new();
+    for quantity in quantities {
+        let is_image = |other: &&mut Quantity| is_image(quantity, other);
+        match distinct.iter_mut().find(is_image) {
+            Some(other) => other.name = format!("{}, {}", first_word(&quantity.name), other.name),
+            None => distinct.push(quantity.clone()),
+        }
+    }
+    distinct
+}
+
+fn first_word(name: &str) -> &str {
+    name.split(' ').next().unwrap_or_default()
+}
+
+/// Whether two deflections in one direction are equal with every number of modes, up to rounding.
+fn is_image(one: &Quantity, other: &Quantity) -> bool {
+    let direction = |quantity: &Quantity| quantity.name.rsplit(' ').next().map(str::to_owned);
+    let rounding = ROUNDING * one.scale;
+    let is_near = |(one, other): (&Value, &Value)| match (one.number(), other.number()) {
+        (Some(one), Some(other)) => (one - other).abs() <= rounding,
+        _ => one == other,
+    };
+    one.kind == Some(Kind::Deflection)
+        && other.kind == one.kind
+        && direction(one) == direction(other)
+        && one.values.iter().zip(&other.values).all(is_near)
 }
 
 fn quantities(rows: &[Row]) -> Vec<Quantity> {

@@ -28,6 +28,7 @@ fn study_of(aircraft: &str, rest: &str) -> Result<Study, String> {
 
 const SECTION: &str = "aircraft/typical-section.toml";
 const GOLAND: &str = "aircraft/goland-wing.toml";
+const JET: &str = "aircraft/generic-business-jet.toml";
 const SMALL: &str = "tests/data/small-aircraft.toml";
 
 fn numbers(kind: Kind, name: &str, scale: f64, numbers: &[f64]) -> Quantity {
@@ -182,6 +183,36 @@ fn golands_wing_flutters_alike_with_few_modes_and_with_many() {
     assert!(plot.curves.iter().any(|curve| curve.label == "flutter" && curve.points.len() == 3));
     // Nothing holds a trim in a tunnel.
     assert!(study.quantities.iter().all(|quantity| quantity.kind != Some(Kind::Trim)), "{table}");
+}
+
+/// Pitch, elevator (rad), wing tip up and inboard (m) at 127 m/s by an independent computation.
+#[test]
+fn the_jet_at_a_tenth_of_its_stiffness_wants_more_than_sixteen_symmetric_modes() {
+    let condition =
+        "--model geometrically_exact --stiffness-scale 0.1 --mode-family symmetric --inflow-states 0";
+    let study = study_of(JET, &format!("{condition} --modes 8,16 --from 150 --to 151 --points 2")).unwrap();
+    for (name, references) in [
+        ("pitch", [0.16909, 0.16645]),
+        ("elevator", [-0.3492, -0.2976]),
+        ("wing_tip_right up", [5.428, 5.674]),
+        ("wing_tip_right inboard", [2.080, 2.294]),
+    ] {
+        let quantity = study.quantities.iter().find(|quantity| quantity.name == name).unwrap();
+        for (value, reference) in quantity.values.iter().zip(references) {
+            assert!((value.number().unwrap() - reference).abs() < 6e-4, "{quantity:?}");
+        }
+    }
+    let text = report::text(&study);
+    assert!(
+        text.contains("Not converged with 16 modes: elevator still moved by 17 % of the greatest"),
+        "{text}"
+    );
+    let warnings = study.warnings();
+    let of_tip = warnings.iter().filter(|warning| warning.contains("wing_tip_right up")).collect::<Vec<_>>();
+    assert!(
+        of_tip.len() == 1 && of_tip[0].starts_with("wing_tip_left, wing_tip_right up moved"),
+        "{warnings:?}"
+    );
 }
 
 #[test]
