@@ -29,10 +29,12 @@ pub fn departures(study: &Study) -> Chart {
     let high = values().fold(LEAST.max, f64::max).min(MOST.max);
     let (name, last) =
         study.last().map_or_else(Default::default, |row| (row.analysis.model.name.clone(), row.label()));
+    let with_loads = study.last().is_some_and(|row| row.loads > 0);
+    let modes = if with_loads { "number of modes, natural and load" } else { "number of modes" };
     let [first, most] = [counts.first(), counts.last()].map(|count| count.copied().unwrap_or(0.0));
     Chart {
         title: format!("{name}: convergence in modes"),
-        x: Axis::new("number of modes", Window::new(first, most.max(first + 1.0))),
+        x: Axis::new(modes, Window::new(first, most.max(first + 1.0))),
         y: Axis::new(format!("departure from {last} modes (%)"), Window::new(low, high)),
         curves,
         marks: enough(study, &counts).into_iter().collect(),
