@@ -10,7 +10,7 @@ use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::plant::{Plant, PlantSettings, PointLoad};
 use flexible_aircraft::structure::ReducedModel;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use crate::support::beams::{Cantilever, MIDDLE};
 use crate::support::planar::{TIP, plant, with_strains_of_tip_loads, with_tip};
@@ -34,13 +34,64 @@ fn cantilever(elements: usize) -> Aircraft {
     with_tip(beam.aircraft(elements))
 }
 
+/// Parts in which the load grows: Newton's method does not always lead from straight to far bent in one.
+const PARTS: usize = 8;
+
 /// Where the tip rests under a dead force and a moment that follows the section.
 fn tip(plant: &Plant, model: &ReducedModel, force: Vector3<f64>, moment: Vector3<f64>) -> Vector3<f64> {
-    let load = PointLoad { station: TIP.to_owned(), force, moment };
-    let plant = plant.clone().under_loads(&[load]).unwrap();
-    let trim = plant.trim(&PlantSettings::of(model).trim_condition()).unwrap();
-    let outputs = plant.outputs_at(&trim.state, &trim.controls, &mut plant.workspace());
+    let mut state = vec![0.0; plant.layout().len()];
+    state[plant.layout().attitude().start] = 1.0;
+    for part in 1..=PARTS {
+        let share = part as f64 / PARTS as f64;
+        let load = PointLoad { station: TIP.to_owned(), force: force * share, moment: moment * share };
+        come_to_rest(&plant.clone().under_loads(&[load]).unwrap(), &mut state);
+    }
+    let outputs = plant.outputs_at(&state, &plant.neutral_controls(), &mut plant.workspace());
     model.stations[0].position + outputs.deflections[0].displacement
+}
+
+/// Changes q until no force is left on it, by Newton's method.
+fn come_to_rest(plant: &Plant, state: &mut [f64]) {
+    const STEP: f64 = 1e-5;
+    let (coordinates, controls) = (plant.layout().coordinates(), plant.neutral_controls());
+    let (mut workspace, mut rates) = (plant.workspace(), vec![0.0; state.len()]);
+    let mut force = |state: &[f64]| {
+        plant.rates(state, &controls, &mut rates, &mut workspace);
+        DVector::from_row_slice(&workspace.forces()[6..])
+    };
+    for _ in 0..20 {
+        let columns: Vec<DVector<f64>> = coordinates
+            .clone()
+            .map(|place| {
+                let [ahead, behind] = [STEP, -STEP].map(|step| {
+                    let mut moved = state.to_vec();
+                    moved[place] += step;
+                    force(&moved)
+                });
+                (ahead - behind) / (2.0 * STEP)
+            })
+            .collect();
+        let change = DMatrix::from_columns(&columns).lu().solve(&force(state)).unwrap();
+        state[coordinates.clone()].iter_mut().zip(change.iter()).for_each(|(q, change)| *q -= change);
+        if change.amax() < 1e-8 {
+            return;
+        }
+    }
+    panic!("no rest found");
+}
+
+#[test]
+fn a_trim_rests_where_the_load_has_led_step_by_step() {
+    let model = ReducedModel::new(&cantilever(10), 4).unwrap();
+    let plant = plant(&model, Fidelity::GeometricallyExact);
+    let force = Vector3::z() * 2.0;
+    let stepped = tip(&plant, &model, force, Vector3::zeros());
+    let load = PointLoad { station: TIP.to_owned(), force, moment: Vector3::zeros() };
+    let loaded = plant.under_loads(&[load]).unwrap();
+    let trim = loaded.trim(&PlantSettings::of(&model).trim_condition()).unwrap();
+    let outputs = loaded.outputs_at(&trim.state, &trim.controls, &mut loaded.workspace());
+    let trimmed = model.stations[0].position + outputs.deflections[0].displacement;
+    assert!((stepped - trimmed).norm() < 1e-9, "{stepped} {trimmed}");
 }
 
 /// PL²/EI, and x/L and z/L of the tip.
