@@ -10,8 +10,10 @@ use crate::math::{
 use crate::structure::{ModeShapes, ReducedStrip};
 
 use super::super::sections::{Bias, SectionMotion, SectionsInPlane, SectionsInSpace, Turn};
+use super::moving::EightMoving;
 use super::strands::Strands;
 use super::tree::MovingTree;
+use super::twists::EightTwists;
 
 /// Where eight strips hang; those that a group lacks rest at O.
 #[derive(Clone, Debug)]
@@ -22,6 +24,8 @@ pub struct EightStrips {
     rows: Vec<Option<usize>>,
     /// Whether all of them stay in the mirror plane.
     in_plane: bool,
+    /// The group of sections that they are, strip by strip, if they are one.
+    same: Option<usize>,
 }
 
 /// Where a strip hangs.
@@ -85,6 +89,11 @@ impl EightStrips {
             at_rest: EightVectors::of(strips, |strip| strip.position, Vector3::zeros()),
             rows,
             in_plane: places.iter().all(|&place| place / LANES < order.in_plane),
+            same: places.chunks_exact(LANES).next().and_then(|places| {
+                let first = places[0];
+                let is_group = first % LANES == 0 && places.iter().copied().eq(first..first + LANES);
+                is_group.then_some(first / LANES)
+            }),
         }
     }
 
@@ -110,13 +119,29 @@ impl EightStrips {
     pub fn write<S: Arithmetic>(&self, simd: S, tree: &MovingTree, written: &mut EightSections) {
         if self.in_plane {
             self.write_in_plane(simd, tree, written);
-        } else {
-            self.write_in_space(simd, tree, written);
+            return;
+        }
+        match self.same {
+            Some(group) => written.copy(&tree.eights[group], &tree.twists[group]),
+            None => self.gather(tree, written),
+        }
+        for rows in &mut written.rows {
+            for window in Window::all(simd) {
+                let [x, y, z, about_x, about_y, about_z] = rows.each_ref().map(|row| window.load(row));
+                let turning = LaneVector { x: about_x, y: about_y, z: about_z };
+                // J = J° + S × X.
+                let moved =
+                    LaneVector { x, y, z } + turning.cross(&LaneVector::load(window, &written.position));
+                for (axis, row) in rows[..3].iter_mut().enumerate() {
+                    window.store(row, moved.component(axis));
+                }
+            }
         }
     }
 
+    /// Gathers sections from wherever they stand.
     #[inline(always)]
-    fn write_in_space<S: Arithmetic>(&self, simd: S, tree: &MovingTree, written: &mut EightSections) {
+    fn gather(&self, tree: &MovingTree, written: &mut EightSections) {
         for (lane, LaneOfStrip { place, rows }) in self.lanes.iter().enumerate() {
             let (moving, from) = (&tree.eights[place / LANES], place % LANES);
             let copy = |to: &mut EightVectors, vectors: &EightVectors| {
@@ -136,18 +161,6 @@ impl EightStrips {
             for &[row, of_group] in rows {
                 for (eight, twist) in written.rows[row].iter_mut().zip(&twists[of_group].1) {
                     eight.0[lane] = twist.0[from];
-                }
-            }
-        }
-        for rows in &mut written.rows {
-            for window in Window::all(simd) {
-                let [x, y, z, about_x, about_y, about_z] = rows.each_ref().map(|row| window.load(row));
-                let turning = LaneVector { x: about_x, y: about_y, z: about_z };
-                // J = J° + S × X.
-                let moved =
-                    LaneVector { x, y, z } + turning.cross(&LaneVector::load(window, &written.position));
-                for (axis, row) in rows[..3].iter_mut().enumerate() {
-                    window.store(row, moved.component(axis));
                 }
             }
         }
@@ -189,6 +202,17 @@ impl EightStrips {
 }
 
 impl EightSections {
+    /// Copies a group of sections, of which each has its strip.
+    #[inline(always)]
+    fn copy(&mut self, moving: &EightMoving, twists: &EightTwists) {
+        let EightMoving { turn, position, velocity, spin, acceleration, angular_acceleration, .. } = moving;
+        (self.turn, self.position, self.velocity, self.spin) = (*turn, *position, *velocity, *spin);
+        (self.acceleration, self.angular_acceleration) = (*acceleration, *angular_acceleration);
+        for (rows, (_, twists)) in self.rows.iter_mut().zip(twists) {
+            *rows = *twists;
+        }
+    }
+
     /// How far each section is from where it is at rest.
     pub fn displacements(&self) -> impl Iterator<Item = Vector3<f64>> {
         (0..LANES).map(|lane| self.position.of_lane(lane) - self.at_rest.of_lane(lane))

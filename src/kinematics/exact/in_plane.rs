@@ -167,22 +167,24 @@ impl EightMoving {
                 }
             }
             let (stretching, turning) = (load(window, &self.velocity), window.load(&helices.turning.y));
-            store(window, &mut self.velocity, stretching + against * turning);
+            store(window, &mut self.velocity_about_origin, stretching + against * turning);
             let spin_before = window.load(&self.spin.y) - turning;
             let circling =
                 load(window, &helices.distance).turned_by(spin_before) + stretching * window.splat(2.0);
             let bias = load(window, &self.acceleration) + circling.turned_by(spin_before);
-            store(window, &mut self.acceleration, bias);
+            store(window, &mut self.acceleration_about_origin, bias);
         }
     }
 
-    /// Turns twists about O into w at the sections; no bias turns them.
+    /// Turns twists about O into w and a at the sections; no bias turns them.
     #[inline(always)]
     pub fn settle_in_plane<S: Arithmetic>(&mut self, simd: S) {
         for window in Window::all(simd) {
             let circling = load(window, &self.position).turned_by(window.load(&self.spin.y));
-            let velocity = load(window, &self.velocity) + circling;
+            let velocity = load(window, &self.velocity_about_origin) + circling;
             store(window, &mut self.velocity, velocity);
+            let acceleration = load(window, &self.acceleration_about_origin);
+            store(window, &mut self.acceleration, acceleration);
         }
     }
 }
@@ -198,7 +200,12 @@ pub fn add_positions(part: &Part, eights: &mut [EightMoving], index: usize) {
 /// Sums the twists of w and a about O.
 #[inline(always)]
 pub fn add_motion(part: &Part, eights: &mut [EightMoving], index: usize) {
-    add_up(part, eights, index, |EightMoving { velocity, acceleration, .. }| {
-        [&mut velocity.x, &mut velocity.z, &mut acceleration.x, &mut acceleration.z]
-    });
+    add_up(
+        part,
+        eights,
+        index,
+        |EightMoving { velocity_about_origin: w, acceleration_about_origin: a, .. }| {
+            [&mut w.x, &mut w.z, &mut a.x, &mut a.z]
+        },
+    );
 }

@@ -27,6 +27,10 @@ pub struct EightMoving {
     pub acceleration: EightVectors,
     /// α, rad/s².
     pub angular_acceleration: EightVectors,
+    /// w° about O, m/s.
+    pub velocity_about_origin: EightVectors,
+    /// a° about O, m/s².
+    pub acceleration_about_origin: EightVectors,
     /// R as unit quaternions, scalar first.
     pub quaternion: [Eight; 4],
 }
@@ -60,6 +64,8 @@ impl EightMoving {
             spin: none,
             acceleration: none,
             angular_acceleration: none,
+            velocity_about_origin: none,
+            acceleration_about_origin: none,
             quaternion: AT_REST,
         }
     }
@@ -80,13 +86,13 @@ impl EightMoving {
             let bend = std::array::from_fn(|axis| load(&helices.bend[axis]) + position.cross(&tangent[axis]));
             write_steps(window, constants, [&tangent, &bend], twists);
             let stretching = load(&self.velocity);
-            (stretching + position.cross(&turning)).store(window, &mut self.velocity);
+            (stretching + position.cross(&turning)).store(window, &mut self.velocity_about_origin);
             let spin_before = load(&self.spin) - turning;
             let added = load(&self.angular_acceleration) + spin_before.cross(&turning);
             added.store(window, &mut self.angular_acceleration);
             let circling = spin_before.cross(&load(&helices.distance)) + stretching * window.splat(2.0);
             let bias = load(&self.acceleration) + position.cross(&added) + spin_before.cross(&circling);
-            bias.store(window, &mut self.acceleration);
+            bias.store(window, &mut self.acceleration_about_origin);
         }
     }
 
@@ -96,9 +102,10 @@ impl EightMoving {
         for window in Window::all(simd) {
             let load = |vectors: &EightVectors| LaneVector::load(window, vectors);
             let position = load(&self.position);
-            let velocity = load(&self.velocity) + load(&self.spin).cross(&position);
+            let velocity = load(&self.velocity_about_origin) + load(&self.spin).cross(&position);
             velocity.store(window, &mut self.velocity);
-            let acceleration = load(&self.acceleration) + load(&self.angular_acceleration).cross(&position);
+            let acceleration =
+                load(&self.acceleration_about_origin) + load(&self.angular_acceleration).cross(&position);
             acceleration.store(window, &mut self.acceleration);
         }
     }

@@ -97,7 +97,12 @@ impl Tree {
         for part in parts {
             twists::add_up(part, [0, 1, 2, 3, 4, 5], twists, index);
             add_up(part, eights, index, |moving| {
-                let EightMoving { velocity: w, acceleration: a, angular_acceleration: alpha, .. } = moving;
+                let EightMoving {
+                    velocity_about_origin: w,
+                    acceleration_about_origin: a,
+                    angular_acceleration: alpha,
+                    ..
+                } = moving;
                 let [[w_x, w_y, w_z], [a_x, a_y, a_z]] = [w, a].map(|EightVectors { x, y, z }| [x, y, z]);
                 [w_x, w_y, w_z, a_x, a_y, a_z, &mut alpha.x, &mut alpha.y, &mut alpha.z]
             });
