@@ -11,8 +11,9 @@ use crate::math::{Arithmetic, Arrow, Eight, EightVectors, LANES, LaneVector, Lan
 use crate::structure::BeamSection;
 
 use super::super::kind::Coordinates;
-use super::moving::EightMoving;
+use super::moving::{AT_REST, EightMoving};
 use super::series::{Series, half_angle};
+use super::twists::{LaneMatrix, Steps, times};
 
 /// What of eight sections is constant.
 #[derive(Clone, Debug)]
@@ -20,7 +21,7 @@ pub struct EightConstants {
     /// L.
     pub arm: EightVectors,
     /// Dλ and Dφ of each mode that moves any of them.
-    pub steps: Vec<(usize, [Eight; 6])>,
+    pub steps: Steps,
 }
 
 /// The helices to eight sections, and what comes of them on the way.
@@ -45,9 +46,6 @@ pub struct EightHelices {
     /// Aφ̇, rad/s.
     pub turning: EightVectors,
 }
-
-/// No turn.
-pub const AT_REST: [Eight; 4] = [Eight([1.0; 8]), Eight::ZERO, Eight::ZERO, Eight::ZERO];
 
 impl EightHelices {
     /// Of sections that rest where those before them are.
@@ -123,15 +121,6 @@ impl EightConstants {
             LaneVector { x: mx, y: my, z: mz }.store(window, &mut helices.slide_rate);
         }
     }
-}
-
-/// Columns of a matrix for each section in a register.
-pub type LaneMatrix<S> = [LaneVector<S>; 3];
-
-/// A matrix times vectors.
-#[inline(always)]
-pub fn times<S: Arithmetic>([x, y, z]: &LaneMatrix<S>, vectors: &LaneVector<S>) -> LaneVector<S> {
-    *x * vectors.x + *y * vectors.y + *z * vectors.z
 }
 
 /// The matrix of d 1 + v× + abᵀ.
@@ -210,9 +199,9 @@ impl<S: Arithmetic> Helix<S> {
         let along = (once * b.slope + phi.cross(&once) * c.slope) * two - *lambda * c.value;
         let axis = (*lambda * b.value + once * c.value) * window.splat(-1.0);
         let bend = matrix(phi.dot(lambda) * c.value, axis, [&along, phi]);
-        for axis in 0..3 {
-            times(&tangent, &before[axis]).store(window, &mut helices.tangent[axis]);
-            times(&bend, &before[axis]).store(window, &mut helices.bend[axis]);
+        for (axis, column) in before.iter().enumerate() {
+            times(&tangent, column).store(window, &mut helices.tangent[axis]);
+            times(&bend, column).store(window, &mut helices.bend[axis]);
         }
     }
 

@@ -8,11 +8,10 @@
 use crate::math::{Arithmetic, Eight, EightVectors, LANES, Lanes, PlaneVector, Window};
 
 use super::super::kind::Coordinates;
-use super::helix::{AT_REST, EightConstants, EightHelices};
-use super::moving::EightMoving;
+use super::helix::{EightConstants, EightHelices};
+use super::moving::{AT_REST, EightMoving, add_up};
 use super::series::{Series, half_angle};
 use super::strands::Part;
-use super::tree::add_up;
 use super::twists::EightTwists;
 
 /// x and z.

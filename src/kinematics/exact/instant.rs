@@ -79,7 +79,7 @@ impl GeometricallyExact {
 
     /// Room for an evaluation, of the undeformed aircraft at rest.
     pub fn room(&self) -> ExactMemory {
-        let eights = |strips: &[EightStrips]| strips.iter().map(|eight| eight.resting()).collect();
+        let eights = |strips: &[EightStrips]| strips.iter().map(EightStrips::resting).collect();
         ExactMemory {
             tree: self.tree.at_rest(),
             strips: eights(&self.strips),

@@ -4,15 +4,15 @@
 
 use nalgebra::Vector3;
 
-use crate::math::{Arithmetic, Eight, EightVectors, LANES};
+use crate::math::{Arithmetic, EightVectors, LANES, LaneVector, Window};
 use crate::structure::{BeamSection, ModeShapes};
 
 use super::super::kind::Coordinates;
 use super::helix::{EightConstants, EightHelices};
 use super::in_plane;
-use super::moving::{EightMoving, Moving};
+use super::moving::{EightMoving, Moving, add_up};
 use super::strands::{Part, Strands};
-use super::twists::{self, EightTwists};
+use super::twists::{self, EightTwists, write_steps};
 
 /// What of the sections is constant.
 #[derive(Clone, Debug)]
@@ -62,7 +62,7 @@ impl Tree {
         MovingTree {
             helices: EightHelices::resting(),
             eights: vec![EightMoving::resting(); self.order.eights()],
-            twists: self.constants.iter().map(twists::none).collect(),
+            twists: self.constants.iter().map(|constants| twists::none(&constants.steps)).collect(),
         }
     }
 
@@ -161,21 +161,44 @@ fn turn_along(part: &Part, eights: &mut [EightMoving], index: usize, helices: &m
     }
 }
 
-/// Sums what each section of a part of a group adds to those before it, in its place.
-#[inline(always)]
-pub fn add_up<const N: usize>(
-    part: &Part,
-    eights: &mut [EightMoving],
-    index: usize,
-    summed: impl Fn(&mut EightMoving) -> [&mut Eight; N],
-) {
-    let [eight, lane] = part.parent;
-    let mut sums = summed(&mut eights[eight]).map(|own| own.0[lane]);
-    let mut own = summed(&mut eights[index]);
-    for lane in part.lanes.clone().map(|lane| lane % LANES) {
-        for (own, sum) in own.iter_mut().zip(&mut sums) {
-            *sum += own.0[lane];
-            own.0[lane] = *sum;
+impl EightMoving {
+    /// As soon as x and σ are known: what each section adds to the twists by each coordinate, to those of w and a about O, and
+    /// to α.
+    #[inline(always)]
+    pub fn carry<S: Arithmetic>(
+        &mut self,
+        simd: S,
+        (constants, helices): (&EightConstants, &EightHelices),
+        twists: &mut EightTwists,
+    ) {
+        for window in Window::all(simd) {
+            let load = |vectors: &EightVectors| LaneVector::load(window, vectors);
+            let (position, turning) = (load(&self.position), load(&helices.turning));
+            let tangent = helices.tangent.each_ref().map(load);
+            let bend = std::array::from_fn(|axis| load(&helices.bend[axis]) + position.cross(&tangent[axis]));
+            write_steps(window, &constants.steps, [&tangent, &bend], twists);
+            let stretching = load(&self.velocity);
+            (stretching + position.cross(&turning)).store(window, &mut self.velocity_about_origin);
+            let spin_before = load(&self.spin) - turning;
+            let added = load(&self.angular_acceleration) + spin_before.cross(&turning);
+            added.store(window, &mut self.angular_acceleration);
+            let circling = spin_before.cross(&load(&helices.distance)) + stretching * window.splat(2.0);
+            let bias = load(&self.acceleration) + position.cross(&added) + spin_before.cross(&circling);
+            bias.store(window, &mut self.acceleration_about_origin);
+        }
+    }
+
+    /// Turns twists about O into w and a at the sections.
+    #[inline(always)]
+    pub fn settle<S: Arithmetic>(&mut self, simd: S) {
+        for window in Window::all(simd) {
+            let load = |vectors: &EightVectors| LaneVector::load(window, vectors);
+            let position = load(&self.position);
+            let velocity = load(&self.velocity_about_origin) + load(&self.spin).cross(&position);
+            velocity.store(window, &mut self.velocity);
+            let acceleration =
+                load(&self.acceleration_about_origin) + load(&self.angular_acceleration).cross(&position);
+            acceleration.store(window, &mut self.acceleration);
         }
     }
 }

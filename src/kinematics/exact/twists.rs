@@ -4,26 +4,37 @@
 
 use crate::math::{Arithmetic, Eight, LANES, LaneVector, Window};
 
-use super::helix::{EightConstants, LaneMatrix, times};
 use super::strands::Part;
 
 /// Of each mode that moves any of the sections J° and S.
 pub type EightTwists = Vec<(usize, [Eight; 6])>;
 
+/// Dλ and Dφ of each mode that moves any of eight sections.
+pub type Steps = Vec<(usize, [Eight; 6])>;
+
 /// None yet.
-pub fn none(constants: &EightConstants) -> EightTwists {
-    constants.steps.iter().map(|(mode, _)| (*mode, [Eight::ZERO; 6])).collect()
+pub fn none(steps: &Steps) -> EightTwists {
+    steps.iter().map(|(mode, _)| (*mode, [Eight::ZERO; 6])).collect()
+}
+
+/// Columns of a matrix for each section in a register.
+pub type LaneMatrix<S> = [LaneVector<S>; 3];
+
+/// A matrix times vectors.
+#[inline(always)]
+pub fn times<S: Arithmetic>([x, y, z]: &LaneMatrix<S>, vectors: &LaneVector<S>) -> LaneVector<S> {
+    *x * vectors.x + *y * vectors.y + *z * vectors.z
 }
 
 /// Writes what each section adds to the twists of that before it: A Dφ, and C Dφ + A Dλ.
 #[inline(always)]
 pub fn write_steps<S: Arithmetic>(
     window: Window<S>,
-    constants: &EightConstants,
+    steps: &Steps,
     [tangent, bend]: [&LaneMatrix<S>; 2],
     twists: &mut EightTwists,
 ) {
-    for ((_, step), (_, twist)) in constants.steps.iter().zip(twists) {
+    for ((_, step), (_, twist)) in steps.iter().zip(twists) {
         let [slide_x, slide_y, slide_z, turn_x, turn_y, turn_z] = step.each_ref().map(|row| window.load(row));
         let turn = LaneVector { x: turn_x, y: turn_y, z: turn_z };
         let slide = LaneVector { x: slide_x, y: slide_y, z: slide_z };
