@@ -185,21 +185,21 @@ fn golands_wing_flutters_alike_with_few_modes_and_with_many() {
     assert!(study.quantities.iter().all(|quantity| quantity.kind != Some(Kind::Trim)), "{table}");
 }
 
-/// Pitch, elevator (rad), wing tip up and inboard (m) at 127 m/s by an independent computation.
+/// Pitch, elevator (rad), wing tip up and inboard (m) at 127 m/s by an independent computation, as it printed them.
 #[test]
 fn the_jet_at_a_tenth_of_its_stiffness_wants_more_than_sixteen_symmetric_modes() {
     let condition =
         "--model geometrically_exact --stiffness-scale 0.1 --mode-family symmetric --inflow-states 0";
     let study = study_of(JET, &format!("{condition} --modes 8,16 --from 150 --to 151 --points 2")).unwrap();
-    for (name, references) in [
-        ("pitch", [0.16909, 0.16645]),
-        ("elevator", [-0.3492, -0.2976]),
-        ("wing_tip_right up", [5.428, 5.674]),
-        ("wing_tip_right inboard", [2.080, 2.294]),
+    for (name, last_digit, references) in [
+        ("pitch", 1e-5, [0.16909, 0.16645]),
+        ("elevator", 1e-4, [-0.3492, -0.2976]),
+        ("wing_tip_right up", 1e-3, [5.428, 5.674]),
+        ("wing_tip_right inboard", 1e-3, [2.080, 2.294]),
     ] {
         let quantity = study.quantities.iter().find(|quantity| quantity.name == name).unwrap();
         for (value, reference) in quantity.values.iter().zip(references) {
-            assert!((value.number().unwrap() - reference).abs() < 6e-4, "{quantity:?}");
+            assert!((value.number().unwrap() - reference).abs() < 0.6 * last_digit, "{quantity:?}");
         }
     }
     let text = report::text(&study);

@@ -1,9 +1,8 @@
 //! Eight sections side by side at an instant, and a single one of them.
 //!
-//! [theory: geometrically-exact.recursion, geometrically-exact.rates, geometrically-exact.biases, geometrically-exact.twists]
+//! [theory: geometrically-exact.rates, geometrically-exact.biases, geometrically-exact.attached]
 //!
-//! What sections add to those before them is summed along the strands in its own place. Velocities and biases add up without
-//! what the motion of the section before does at a distance if they are taken about O, as twists.
+//! What sections add to those before them is summed along the strands in its own place.
 
 use nalgebra::{Matrix3, Vector3};
 

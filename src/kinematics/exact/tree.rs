@@ -1,6 +1,9 @@
 //! From O outward: where all sections are, how they move, and their twists by each generalised coordinate.
 //!
-//! [theory: geometrically-exact.recursion, geometrically-exact.rates, geometrically-exact.biases, geometrically-exact.jacobians]
+//! [theory: geometrically-exact.recursion, geometrically-exact.rates, geometrically-exact.biases, geometrically-exact.twists]
+//!
+//! Velocities and biases add up without what the motion of the section before does at a distance if they are taken about O,
+//! as twists.
 
 use nalgebra::Vector3;
 
