@@ -306,7 +306,7 @@ mod tests {
         assert!(row("model").contains("\"start\">1<"));
         // The list counts from 1, as the enumeration does.
         assert!(row("model").contains("<ol><li><code>exact</code>: "), "{}", row("model"));
-        assert_eq!(row("model").matches("<li>").count(), 5);
+        assert_eq!(row("model").matches("<li>").count(), 6);
         assert!(row("tolerance").contains("\"min\">1e-12<"));
         assert!(!row("attitude.pitch").contains("\"start\""), "outputs have no start");
     }
