@@ -43,7 +43,7 @@
 //! | [`air`] | an altitude, a section | the state of the air and how it moves there |
 //! | [`kinematics`] | q, q̇, the motion of the body axes | where sections are and how they move |
 //! | [`strips`] | sections in the air | their inflow, loads, apparent mass |
-//! | [`equations`] | `ReducedModel`, state, controls | accelerations at five fidelity levels |
+//! | [`equations`] | `ReducedModel`, state, controls | accelerations at six fidelity levels |
 //! | [`plant`] | the equations | rates and outputs at any state under any inputs, the linear part; trims, linearised motion |
 //! | [`stability`] | `ReducedModel`, settings | flutter and divergence over a range of airspeeds |
 //! | [`symmetry`] | `ReducedModel` | its half, which flies for the whole while motion is symmetric; [`symmetry::Plants`], both |

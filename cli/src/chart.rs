@@ -4,6 +4,7 @@
 //! can tell apart; the dashes do the same in print without colour.
 
 mod dots;
+mod legend;
 mod thinning;
 
 use kuva::plot::LinePlot;
@@ -14,6 +15,8 @@ use kuva::render::plots::Plot;
 
 use crate::mark_labels::upright_labels;
 use dots::dots;
+pub use legend::legend;
+use legend::{Sign, entries};
 use thinning::thinned;
 
 /// Size of a chart, px of its view box; it scales.
@@ -25,11 +28,6 @@ const MARGINS: (f64, f64) = (92.0, 18.0);
 
 /// Of all letters.
 pub const FONT: &str = "system-ui, sans-serif";
-
-/// Geometry of the legend, px.
-const LEGEND_LEFT: f64 = 92.0;
-const LEGEND_ROW: f64 = 26.0;
-const LEGEND_STROKE: f64 = 44.0;
 
 /// Points farther than this many windows outside of the window are brought there.
 const FAR_OUTSIDE: f64 = 20.0;
@@ -54,7 +52,7 @@ pub struct Chart {
     pub y: Axis,
     /// In the order of drawing and of the legend; the n-th has the n-th style.
     pub curves: Vec<Curve>,
-    /// Lines with a label at particular values, under the curves.
+    /// Lines with a label at particular values, under the curves; points over them.
     pub marks: Vec<Mark>,
     /// A range of y that is to stand out: what lies outside of it is shaded.
     pub frame: Option<Window>,
@@ -99,13 +97,15 @@ struct Style {
     width: f64,
 }
 
-/// A labelled line across the chart.
+/// A labelled line across the chart, or labelled points.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mark {
     /// At a value of x.
     Vertical(f64, String),
     /// At a value of y that parts what is in order from what is not: stronger, without a label.
     Limit(f64),
+    /// What others found: rings over the curves, in the legend behind them.
+    Points(String, Vec<(f64, f64)>),
 }
 
 impl Window {
@@ -128,8 +128,14 @@ impl Window {
 impl Chart {
     /// The chart with its legend as an SVG element that stands alone in a file and scales within a page.
     pub fn to_svg(&self) -> String {
-        let labels: Vec<&str> = self.curves.iter().map(|curve| curve.label.as_str()).collect();
-        let (legend, legend_height) = legend_entries(&labels, LEGEND_LEFT, WIDTH, HEIGHT);
+        let curves = self.curves.iter().enumerate();
+        let curves = curves.map(|(index, curve)| (curve.label.as_str(), Sign::Stroke(Style::of(index))));
+        let points = self.marks.iter().filter_map(|mark| match mark {
+            Mark::Points(label, _) => Some((label.as_str(), Sign::Ring)),
+            Mark::Vertical(..) | Mark::Limit(_) => None,
+        });
+        let named: Vec<(&str, Sign)> = curves.chain(points).collect();
+        let (legend, legend_height) = entries(&named, MARGINS.0, WIDTH, HEIGHT);
         element(WIDTH, HEIGHT + legend_height, &(self.panel() + &legend))
     }
 
@@ -155,7 +161,7 @@ impl Chart {
         let place = |x: f64| left + (x - self.x.window.min) / self.x.window.width() * (right - left);
         let lines = self.marks.iter().filter_map(|mark| match mark {
             Mark::Vertical(x, label) => Some((place(*x), label.as_str())),
-            Mark::Limit(_) => None,
+            Mark::Limit(_) | Mark::Points(..) => None,
         });
         upright_labels(&lines.collect::<Vec<_>>(), [left, right], top_and_bottom)
     }
@@ -234,40 +240,6 @@ impl Style {
     }
 }
 
-/// The legend of charts whose curves have these labels, as an SVG element of its own. It is as wide as its entries
-/// in one row, at most `most`, px.
-pub fn legend(labels: &[&str], most: f64) -> String {
-    let width = (labels.len() as f64 * entry_width(labels)).min(most);
-    let (entries, height) = legend_entries(labels, 8.0, width + 8.0, 0.0);
-    element(width + 8.0, height, &entries)
-}
-
-/// The entries of a legend, in as many columns as there is room, below `top`, and their height, px: strokes long
-/// enough to show their dashes.
-fn legend_entries(labels: &[&str], left: f64, width: f64, top: f64) -> (String, f64) {
-    let entry_width = entry_width(labels);
-    let columns = ((width - left) / entry_width + 1e-9).floor().clamp(1.0, 7.0) as usize;
-    let mut svg = String::from("<g font-size=\"15\">");
-    for (index, label) in labels.iter().enumerate() {
-        let x = left + entry_width * (index % columns) as f64;
-        let y = top + LEGEND_ROW * ((index / columns) as f64 + 0.4);
-        let Style { colour, dash, width } = Style::of(index);
-        svg += &format!(
-            "<path d=\"M{x} {y}h{LEGEND_STROKE}\" stroke=\"{colour}\" stroke-width=\"{width}\" \
-             stroke-dasharray=\"{dash}\"/><text x=\"{}\" y=\"{}\">{}</text>",
-            x + LEGEND_STROKE + 8.0,
-            y + 5.0,
-            escaped(label)
-        );
-    }
-    (svg + "</g>", LEGEND_ROW * labels.len().div_ceil(columns) as f64)
-}
-
-fn entry_width(labels: &[&str]) -> f64 {
-    let letters = labels.iter().map(|label| label.chars().count()).max().unwrap_or(0);
-    LEGEND_STROKE + 24.0 + 8.0 * letters as f64
-}
-
 /// A white SVG element of a size, px, with a content.
 fn element(width: f64, height: f64, content: &str) -> String {
     format!(
@@ -303,6 +275,7 @@ fn shade_outside(layout: Layout, shown: &Window, frame: &Window) -> Layout {
 
 fn draw_mark(layout: Layout, mark: &Mark) -> Layout {
     let line = match mark {
+        Mark::Points(..) => return layout,
         Mark::Vertical(x, _) => ReferenceLine::vertical(*x).with_color(MARK_COLOUR).with_dasharray("5 3"),
         Mark::Limit(y) => {
             ReferenceLine::horizontal(*y).with_color("#000000").with_stroke_width(2.2).with_dasharray("none")

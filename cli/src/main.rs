@@ -12,6 +12,8 @@ mod bench;
 mod chart;
 mod check;
 mod completions;
+mod condition;
+mod converge;
 mod diagnostics;
 mod files;
 mod flutter;
@@ -50,6 +52,9 @@ enum Command {
     /// Find the airspeeds at which an aircraft flutters or diverges, and draw V–g and V–f plots
     Flutter(flutter::FlutterOptions),
 
+    /// Lay trims, deflections, flutter speeds and roots with several numbers of modes side by side, and say how many are enough
+    Converge(converge::ConvergeOptions),
+
     /// Measure how fast a packaged aircraft flies, how exact it is then, and what it costs to make it larger
     Bench(bench::BenchOptions),
 
@@ -75,6 +80,11 @@ struct PackageOptions {
     /// chooses among them [default: 26, or all where there are fewer]
     #[arg(long, value_name = "N")]
     modes: Option<usize>,
+
+    /// Put load modes beside them, shapes that typical static loads give the structure, also where the aircraft file does
+    /// not ask for them; the FMU then has a parameter `load_modes`, by which they can be switched off
+    #[arg(long)]
+    load_modes: bool,
 
     /// A shared library built elsewhere, for a further platform or in place of the one built here:
     /// aarch64-linux, darwin64, linux64 or win64, and its file. May be repeated
@@ -143,6 +153,7 @@ fn main() -> ExitCode {
         Command::Reproduce(options) => reproduce::run(&options).map_err(|error| error.report()),
         Command::Simulate(options) => simulate::run(&options).map_err(|error| error.report()),
         Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
+        Command::Converge(options) => converge::run(&options).map_err(|error| error.report()),
         Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
         Command::Ssp(options) => ssp::run(&options).map_err(|error| format!("error: {error}")),
         Command::Completions(options) => {
@@ -183,7 +194,8 @@ mod tests {
 
     #[test]
     fn all_commands_share_one_default_aircraft() {
-        let lines = ["simulate i.csv", "package", "flutter --from 1 --to 2", "bench", "reproduce"];
+        let lines =
+            ["simulate i.csv", "package", "flutter --from 1 --to 2", "converge", "bench", "reproduce"];
         for line in lines.map(|line| format!("flexair {line}")) {
             let matches = command_line().get_matches_from(line.split(' '));
             let (name, matches) = matches.subcommand().unwrap();

@@ -61,10 +61,12 @@ pub fn run(options: PackageOptions) -> Result<(), Error> {
     }
 
     let file = aircraft_file.display();
-    terminal::note(&format!("Packaging {} ({file})", aircraft.name));
+    let level = aircraft.fidelity.name();
+    terminal::note(&format!("Packaging {} ({file}), which flies with model = {level}", aircraft.name));
     let package = Package {
         aircraft: aircraft_file,
         mode_count: ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES),
+        load_modes: options.load_modes,
         binaries,
         workspace: workspace::root().into(),
     };

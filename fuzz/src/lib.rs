@@ -3,10 +3,10 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use flexible_aircraft::aircraft::{Aircraft, Fidelity};
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::fmi::description;
 use flexible_aircraft::plant::PlantSettings;
-use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 use twox_hash::XxHash3_128;
 
@@ -25,18 +25,22 @@ pub fn seed(target: &str, bytes: &[u8]) {
     std::fs::write(folder.join("seed"), bytes).unwrap();
 }
 
-/// Everything that an FMU does with a model that has been accepted.
+/// Everything that an FMU does with a model that has been accepted, at its own level of fidelity and geometrically exactly.
 pub fn fly(model: ReducedModel) {
     let description = description::write(&model);
     assert!(description.contains(&description::guid(&model)));
-    let settings = Settings::from(PlantSettings { mode_count: model.modes.len(), ..PlantSettings::of(&model) });
+    let model = Arc::new(model);
+    let own = PlantSettings { mode_count: model.natural_modes(), ..PlantSettings::of(&model) };
     let zero = Inputs::zero(&model);
     let mut inputs = zero.clone();
     inputs.controls.fill(0.01);
-    if let Ok(mut flight) = Simulation::new(Arc::new(model), &settings, 0.0) {
-        flight.set_inputs(&inputs, &zero);
-        let _ = flight.advance_to(0.012);
-        let _ = flight.outputs();
+    for fidelity in [own.fidelity, Fidelity::GeometricallyExact] {
+        let settings = Settings::from(PlantSettings { fidelity, ..own });
+        if let Ok(mut flight) = Simulation::new(Arc::clone(&model), &settings, 0.0) {
+            flight.set_inputs(&inputs, &zero);
+            let _ = flight.advance_to(0.012);
+            let _ = flight.outputs();
+        }
     }
 }
 

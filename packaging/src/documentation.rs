@@ -45,6 +45,7 @@ pub(crate) fn page(aircraft: &Aircraft, model: &ReducedModel) -> String {
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{support}}", &support(aircraft))
         .replace("{{controls}}", &controls(aircraft))
+        .replace("{{level}}", model.fidelity.name())
         .replace("{{facts}}", &facts(aircraft, model))
         .replace("{{plan_view}}", &plan_view::svg(aircraft))
         .replace("{{contents}}", &contents(&groups))
@@ -102,13 +103,17 @@ fn facts(aircraft: &Aircraft, model: &ReducedModel) -> String {
     };
     let frequency = model.modes.iter().map(|mode| mode.angular_frequency / std::f64::consts::TAU);
     let lowest = frequency.fold(f64::INFINITY, f64::min);
-    let modes = count(model.modes.len(), "mode", "modes");
+    let natural = model.natural_modes();
+    let load_modes = match model.modes.len() - natural {
+        0 => String::new(),
+        loads => format!("; {} beside them", count(loads, "load mode", "load modes")),
+    };
     format!(
-        "{mass:.0} kg, {}, {}, {}, {}{}.",
+        "{mass:.0} kg, {}, {}, {}, {}{}{load_modes}.",
         count(aircraft.beams.len(), "beam element", "beam elements"),
         count(aircraft.strips.len(), "aerodynamic strip", "aerodynamic strips"),
         count(aircraft.engines.len(), "engine", "engines"),
-        modes,
+        count(natural, "mode", "modes"),
         if lowest.is_finite() { format!(" from {lowest:.3} Hz on (clamped at O)") } else { String::new() }
     )
 }
@@ -199,6 +204,7 @@ fn start(variable: &Variable) -> String {
     match variable.start {
         Some(Value::Integer(number)) => number.to_string(),
         Some(Value::Real(number)) => plain(number),
+        Some(Value::Boolean(flag)) => flag.to_string(),
         None => String::new(),
     }
 }
@@ -206,7 +212,7 @@ fn start(variable: &Variable) -> String {
 /// Of enumerations the list of items says it.
 fn limit(variable: &Variable, limit: Option<f64>) -> String {
     match variable.kind {
-        Type::Enumeration(_) => String::new(),
+        Type::Enumeration(_) | Type::Boolean => String::new(),
         Type::Real | Type::Integer => limit.map(plain).unwrap_or_default(),
     }
 }
@@ -300,7 +306,7 @@ mod tests {
         assert!(row("model").contains("\"start\">1<"));
         // The list counts from 1, as the enumeration does.
         assert!(row("model").contains("<ol><li><code>exact</code>: "), "{}", row("model"));
-        assert_eq!(row("model").matches("<li>").count(), 5);
+        assert_eq!(row("model").matches("<li>").count(), 6);
         assert!(row("tolerance").contains("\"min\">1e-12<"));
         assert!(!row("attitude.pitch").contains("\"start\""), "outputs have no start");
     }

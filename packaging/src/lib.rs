@@ -44,8 +44,10 @@ const ICON: &[u8] = include_bytes!("../../modelDescription/model.png");
 pub struct Package {
     /// The aircraft file.
     pub aircraft: PathBuf,
-    /// How many modes the FMU offers, lowest frequencies first.
+    /// How many natural modes the FMU offers, lowest frequencies first.
     pub mode_count: ModeCount,
+    /// Load modes beside them also where the aircraft file does not ask for any.
+    pub load_modes: bool,
     /// The shared library of each platform.
     pub binaries: Vec<(Platform, PathBuf)>,
     /// The folder of flexible-aircraft's own workspace, where cargo finds out what is linked.
@@ -58,8 +60,9 @@ impl Package {
     /// # Errors
     /// When the aircraft file is not right, the structure has not that many modes, or a file cannot be read.
     pub fn to_bytes(&self) -> Result<Vec<u8>, PackageError> {
-        let aircraft =
+        let mut aircraft =
             Aircraft::read(&self.aircraft).map_err(|error| PackageError::Aircraft(Box::new(error)))?;
+        aircraft.load_modes |= self.load_modes;
         let model = ReducedModel::new(&aircraft, self.mode_count)
             .map_err(|source| PackageError::Structure { aircraft: self.aircraft.clone(), source })?;
         let xml = fmi::description::write(&model);

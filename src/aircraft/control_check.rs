@@ -28,6 +28,7 @@ pub(crate) const TAKEN: &[&str] = &[
     "structural_damping",
     "mode_family",
     "mode_count",
+    "load_modes",
     "inflow_states",
     "tolerance",
 ];

@@ -54,6 +54,8 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
             gravity: file.gravity,
             support: file.support.value,
             mode_basis: file.mode_basis,
+            load_modes: file.load_modes,
+            fidelity: file.fidelity,
             inflow_states: file.inflow_states,
             airspeed: file.airspeed.value,
             altitude: file.altitude,

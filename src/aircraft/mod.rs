@@ -8,10 +8,12 @@
 //!
 //! | module | takes | gives |
 //! | --- | --- | --- |
-//! | `document`, `read`, `control_tables`, `limit_tables`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
+//! | `document`, `read`, `control_tables`, `limit_tables`, `tunnel`, `fineness` | TOML text | `schema`: the fields, each allowed by itself, with their places |
 //! | `control`, `limits` | | what controls are, what trims should stay within |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
+//! | `fidelity` | | at which levels an aircraft can fly |
+//! | `flap` | | what a flap does to its section |
 //! | `branches` | the tree of beams | what is the mirror image of what |
 //! | `control_check`, `former` | the fields | names, roles and uses of controls |
 //! | `roles` | [`Aircraft`] | whether controls can do what their roles ask |
@@ -30,6 +32,9 @@ mod control_tables;
 mod document;
 mod error;
 mod expand;
+mod fidelity;
+mod fineness;
+mod flap;
 mod former;
 mod geometry;
 mod law;
@@ -55,6 +60,8 @@ pub use control::{Control, Mirroring, TrimRole};
 #[cfg(test)]
 pub(crate) use control_check::{TAKEN, TAKEN_BY_TRIM};
 pub use error::{AircraftFileError, Diagnostic, Problem, looked_for};
+pub use fidelity::Fidelity;
+pub use flap::FlapEffect;
 pub use limits::{Bound, Bounds, Limits};
 pub use model::{
     AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Engine, Flap, MOST_INFLOW_STATES, MassBay, ModeBasis,

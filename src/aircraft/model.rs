@@ -6,6 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::control::Control;
+use super::fidelity::Fidelity;
 use super::limits::Limits;
 
 /// Whether the airframe flies or is held at O.
@@ -79,6 +80,10 @@ pub struct Aircraft {
     pub support: Support,
     /// Which modes span the deformation.
     pub mode_basis: ModeBasis,
+    /// Whether the shapes that static loads give stand beside the natural modes.
+    pub load_modes: bool,
+    /// The level of fidelity at which it flies unless someone asks for another.
+    pub fidelity: Fidelity,
     /// Default number of Peters inflow states per strip, 0…8.
     pub inflow_states: usize,
     /// Airspeed at which it is trimmed unless someone asks for another, m/s.

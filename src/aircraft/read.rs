@@ -11,9 +11,10 @@ use super::allowed::{
 use super::control_tables::read_controls;
 use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
+use super::fineness;
 use super::law::Law;
 use super::limit_tables::read_limits;
-use super::model::{MOST_INFLOW_STATES, ModeBasis, Support};
+use super::model::{ModeBasis, Support};
 use super::schema::{
     Along, ComponentSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, Hand, InertiaSpec,
     MassPartSpec, MoveSpec, ParentSpec, PointMassesSpec, STIFFNESS, StationSpec, SurfaceSpec,
@@ -27,6 +28,7 @@ const FILE: &[&str] = &[
     "gravity_m_s2",
     "support",
     "mode_basis",
+    "model",
     "inflow_states",
     "airspeed_m_s",
     "altitude_m",
@@ -34,6 +36,7 @@ const FILE: &[&str] = &[
     "temperature_K",
     "mount_attitude_deg",
     "symmetric",
+    "basis",
     "limits",
     "control",
     "component",
@@ -110,10 +113,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     let stations: Vec<_> = table.tables("station", STATION).iter().map(read_station).collect();
     Some(FileSpec {
         gravity: table.number_or("gravity_m_s2", &GRAVITY, 9.80665),
-        inflow_states: table
-            .optional("inflow_states")
-            .and_then(|v| v.integer(0..MOST_INFLOW_STATES + 1))
-            .unwrap_or(5),
+        inflow_states: fineness::read_inflow_states(&table),
         airspeed: table
             .optional("airspeed_m_s")
             .and_then(|v| v.located(|v| v.number(&AIRSPEED)))
@@ -121,6 +121,8 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         altitude: if tunnel_air.is_some() { 0.0 } else { table.number_or("altitude_m", &ALTITUDE, 7620.0) },
         tunnel_air,
         mount: table.optional("mount_attitude_deg").and_then(|v| v.located(tunnel::read_mount)),
+        load_modes: fineness::read_load_modes(&table),
+        fidelity: fineness::read_fidelity(&table),
         symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
         limits,
         former_limits,

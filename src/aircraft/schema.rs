@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::control::{Control, Mirroring};
 use super::document::Located;
 use super::error::Place;
+use super::fidelity::Fidelity;
 use super::law::Law;
 use super::limits::Limits;
 use super::model::{ModeBasis, Support, TunnelAir};
@@ -18,6 +19,8 @@ pub(super) struct FileSpec {
     pub(super) gravity: f64,
     pub(super) support: Located<Support>,
     pub(super) mode_basis: ModeBasis,
+    pub(super) load_modes: bool,
+    pub(super) fidelity: Fidelity,
     pub(super) inflow_states: usize,
     pub(super) airspeed: Located<f64>,
     pub(super) altitude: f64,

@@ -137,7 +137,7 @@ impl Flight {
             (Slot::Parameter(slot), value) => slot.set(&mut self.settings, value),
             (Slot::Input(slot), Value::Real(number)) => *slot.of(&mut self.inputs) = number,
             // Inputs are Reals.
-            (Slot::Input(_), Value::Integer(_)) => {}
+            (Slot::Input(_), Value::Integer(_) | Value::Boolean(_)) => {}
         }
         if let Some(simulation) = &mut self.simulation {
             simulation.set_inputs(&self.inputs, &self.rates);
@@ -145,7 +145,7 @@ impl Flight {
         Ok(())
     }
 
-    /// The present value of any variable; of an enumeration the number of the item, from 1. Begins the flight if it is an
+    /// The present value of any variable; of an enumeration the number of the item, from 1, of a Boolean 1 or 0. Begins the flight if it is an
     /// output.
     ///
     /// # Errors
@@ -154,6 +154,7 @@ impl Flight {
         let number = |value| match value {
             Value::Real(number) => number,
             Value::Integer(number) => f64::from(number),
+            Value::Boolean(flag) => f64::from(u8::from(flag)),
         };
         match self.variable(name)?.slot {
             Slot::Input(slot) => Ok(slot.get(&self.inputs)),
@@ -335,6 +336,7 @@ mod tests {
         refused("elevator", Setting::Item("full"), "found `full`");
         refused("airspeed", Setting::Number(-3.0), "found -3, allowed is 1 to 400 m/s");
         refused("mode_count", Setting::Number(2.5), "found 2.5");
+        refused("mode_count", Setting::Flag(true), "found true");
         refused("model", Setting::Item("flexible"), "2 (consistently_linearised)");
         assert!(matches!(flight.get("nothing"), Err(FlightError::Unknown { .. })));
         assert!(flight.get("time").unwrap_err().to_string().contains("Flight::time has it"));

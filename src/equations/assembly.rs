@@ -74,6 +74,8 @@ impl<K: Kinematics> Assembly<'_, K> {
         inertia.add_gravity(&sections, &gravity, forces.passive_mut());
         let deformed_arms = equations.terms.deformed_forcing;
         equations.engines.write_effects(&sections, deformed_arms, forces.of_thrust_mut());
+        let to_body = &attitude.body_from_inertial;
+        equations.station_loads.add(&sections, to_body, deformed_arms, forces.passive_mut());
 
         let around = &equations.surroundings(state, attitude, controls);
         let (strips, layout) = (&equations.strips, equations.layout.inflow_layout());
@@ -151,15 +153,15 @@ mod tests {
     use pulp::Arch;
 
     use crate::equations::{Configuration, Fidelity, Workspace};
-    use crate::kinematics::RigidFreedom;
     use crate::kinematics::test_kind::Curved;
+    use crate::kinematics::{GeometricallyExact, RigidFreedom};
     use crate::structure::ReducedModel;
     use crate::structure::test_jet::jet;
 
-    /// Forces on ν and the mass matrix of masses on the jet's stations, on sections of another kind, with nothing else.
-    fn assemble(
+    /// Forces on ν and the mass matrix of masses on sections of another kind, with nothing else.
+    fn assemble<K: Kinematics>(
         equations: &EquationsOfMotion,
-        kinematics: &Curved,
+        kinematics: &K,
         state: &[f64],
     ) -> (Vec<f64>, SquareMatrix) {
         let mut workspace = Workspace::new(equations);
@@ -183,7 +185,13 @@ mod tests {
     }
 
     #[test]
-    fn masses_on_sections_of_another_kind_keep_their_energy() {
+    fn masses_on_sections_of_other_kinds_keep_their_energy() {
+        keep_their_energy::<Curved>();
+        keep_their_energy::<GeometricallyExact>();
+    }
+
+    /// Whether the masses of a kind do, on the jet without air and gravity.
+    fn keep_their_energy<K: Kinematics>() {
         let jet = jet().select(&[0, 1, 2, 3, 4]);
         let model = ReducedModel { strips: Vec::new(), gravity: 0.0, ..jet };
         let configuration = Configuration {
@@ -194,7 +202,7 @@ mod tests {
             tunnel_flow: Vector3::zeros(),
         };
         let equations = EquationsOfMotion::new(&model, &configuration);
-        let (layout, kinematics) = (equations.layout(), Curved::new(&model, &[]));
+        let (layout, kinematics) = (equations.layout(), K::new(&model, &[]));
         let mut state: Vec<f64> = (0..layout.len()).map(|place| 10.0 * libm::sin(place as f64)).collect();
         let velocities = layout.velocities_of(&state);
         let (forces, _) = assemble(&equations, &kinematics, &state);

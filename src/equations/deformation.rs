@@ -2,9 +2,10 @@
 //!
 //! [theory: kinematics.sections]
 
+use nalgebra::Vector3;
 use pulp::Scalar;
 
-use crate::kinematics::{Coordinates, Kinematics, Memory, Sections};
+use crate::kinematics::{Coordinates, Kinematics, OfKind, Sections, by_kind};
 use crate::math::Attitude;
 
 use super::controls::Controls;
@@ -17,25 +18,35 @@ impl EquationsOfMotion {
         Coordinates { q: &state[self.layout.coordinates()], q_dot: &state[self.layout.coordinate_rates()] }
     }
 
-    /// What kinematics writes in a state, where there is no workspace that has been there. Allocates.
-    pub(crate) fn evaluate_kinematics(&self, state: &[f64]) -> Memory {
-        let mut memory = self.kinematics.memory();
-        self.kinematics.evaluate(Scalar::new(), self.coordinates(state), &mut memory);
-        memory
-    }
-
-    /// The sections in a state in which kinematics has been evaluated.
-    pub(crate) fn sections<'a>(&'a self, state: &'a [f64], memory: &'a Memory) -> impl Sections + 'a {
-        self.kinematics.sections(self.coordinates(state), memory)
-    }
-
     /// Sets the inflow states to a wake long at rest in the present flow. Allocates.
     pub fn settle_inflow(&self, state: &mut [f64], controls: &Controls) {
         let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
         let around = self.surroundings(state, &attitude, controls);
-        let (present, memory) = (state.to_vec(), self.evaluate_kinematics(state));
-        let sections = self.sections(&present, &memory);
-        self.strips.settle_inflow(&sections, &around, self.layout.inflow_layout(), state);
+        let present = state.to_vec();
+        let (strips, layout) = (&self.strips, self.layout.inflow_layout());
+        by_kind!(&self.kinematics, |kinematics| {
+            let (at, memory) = self.evaluated(kinematics, &present);
+            strips.settle_inflow(&kinematics.sections(at, &memory), &around, layout, state);
+        });
+    }
+
+    /// How far each strip is in a state from where it is on the undeformed aircraft, without those edge-on, m. Allocates.
+    pub(crate) fn strip_displacements(&self, state: &[f64]) -> Vec<Vector3<f64>> {
+        by_kind!(&self.kinematics, |kinematics| {
+            let (at, memory) = self.evaluated(kinematics, state);
+            kinematics.sections(at, &memory).strip_displacements().collect()
+        })
+    }
+
+    /// Where a kind is evaluated in a state, and what it writes, if there is no workspace that has been there. Allocates.
+    pub(super) fn evaluated<'a, K: Kinematics>(
+        &self,
+        kinematics: &K,
+        state: &'a [f64],
+    ) -> (Coordinates<'a>, K::Memory) {
+        let (at, mut memory) = (self.coordinates(state), kinematics.memory());
+        kinematics.evaluate(Scalar::new(), at, &mut memory);
+        (at, memory)
     }
 
     /// A coordinate that moves or turns some strip by about 1 m or 1 rad.

@@ -2,10 +2,10 @@
 //!
 //! [theory: equations-of-motion.conservation]
 
-use nalgebra::Vector3;
+use nalgebra::{DMatrix, Vector3};
 use pulp::Scalar;
 
-use crate::kinematics::{GeneralisedVector, Inertia, Kinematics, RigidFreedom};
+use crate::kinematics::{GeneralisedVector, Inertia, Kinematics, OfKind, RigidFreedom, by_kind};
 use crate::math::{Attitude, SquareMatrix};
 
 use super::of_motion::EquationsOfMotion;
@@ -23,23 +23,33 @@ pub struct Mechanics {
     pub angular_momentum: Vector3<f64>,
 }
 
+impl EquationsOfMotion {
+    /// M̂ over ν at a state, with exact inertia whatever the fidelity level, without apparent mass. Allocates.
+    pub fn exact_mass_matrix(&self, state: &[f64]) -> DMatrix<f64> {
+        let mut mass = SquareMatrix::new(self.layout().velocities());
+        by_kind!(&self.kinematics, |kinematics| {
+            let (at, memory) = self.evaluated(kinematics, state);
+            let sections = kinematics.sections(at, &memory);
+            let mut inertia = kinematics.inertia(self.integrals(), RigidFreedom::All);
+            inertia.deform(Scalar::new(), &sections);
+            inertia.write_mass_matrix(&sections, true, &mut mass);
+        });
+        DMatrix::from_fn(mass.size(), mass.size(), |row, column| mass[(row, column)])
+    }
+}
+
 impl Mechanics {
     /// At a state of the given equations. Allocates.
     pub fn new(equations: &EquationsOfMotion, state: &[f64]) -> Self {
         let layout = equations.layout();
-        let (kinematics, at) = (&equations.kinematics, equations.coordinates(state));
-        let memory = equations.evaluate_kinematics(state);
-        let sections = kinematics.sections(at, &memory);
-        let mut inertia = kinematics.inertia(equations.integrals(), RigidFreedom::All);
-        inertia.deform(Scalar::new(), &sections);
-        let size = layout.velocities();
-        let mut mass = SquareMatrix::new(size);
-        inertia.write_mass_matrix(&sections, true, &mut mass);
-
+        let mass = equations.exact_mass_matrix(state);
         let velocities = layout.velocities_of(state);
-        let along =
-            |row: &[f64]| row.iter().zip(&velocities).map(|(mass, velocity)| mass * velocity).sum::<f64>();
-        let momenta: Vec<f64> = (0..size).map(|row| along(mass.row(row))).collect();
+        let along = |row: usize| {
+            let products =
+                velocities.iter().enumerate().map(|(column, velocity)| mass[(row, column)] * velocity);
+            products.sum::<f64>()
+        };
+        let momenta: Vec<f64> = (0..velocities.len()).map(along).collect();
         let to_inertial = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial.transpose();
         let momentum = GeneralisedVector::of(&momenta);
         let linear_momentum = to_inertial * momentum.translation;
@@ -47,7 +57,7 @@ impl Mechanics {
         let position = Vector3::from_column_slice(&state[layout.position()]);
         Mechanics {
             kinetic_energy: 0.5 * momenta.iter().zip(&velocities).map(|(p, v)| p * v).sum::<f64>(),
-            strain_energy: equations.strain_energy(at.q),
+            strain_energy: equations.strain_energy(&state[layout.coordinates()]),
             linear_momentum,
             angular_momentum: about_origin + position.cross(&linear_momentum),
         }

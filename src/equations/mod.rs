@@ -1,4 +1,4 @@
-//! The equations of motion of the flexible aircraft at five fidelity levels.
+//! The equations of motion of the flexible aircraft at six fidelity levels.
 //!
 //! [theory: equations-of-motion.rows, equations-of-motion.levels; thesis §2.2–2.4]
 //!
@@ -39,6 +39,7 @@ mod mechanics;
 mod of_motion;
 mod propulsion;
 mod rates;
+mod station_loads;
 mod workspace;
 
 pub use controls::Controls;
@@ -46,6 +47,7 @@ pub use fidelity::{Fidelity, Terms};
 pub use layout::StateLayout;
 pub use mechanics::Mechanics;
 pub use of_motion::{Configuration, EquationsOfMotion};
+pub(crate) use station_loads::{StationLoad, StationLoads};
 pub use workspace::Workspace;
 
 #[cfg(test)]

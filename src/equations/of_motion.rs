@@ -5,7 +5,7 @@ use pulp::Arch;
 
 use crate::air::Air;
 use crate::aircraft::{Control, Support};
-use crate::kinematics::{Kind, KindInertia, Kinematics, RigidFreedom, RigidMotion};
+use crate::kinematics::{AnyInertia, AnyKind, RigidFreedom, RigidMotion};
 use crate::math::LinearSystem;
 use crate::strips::{FlapFactor, InflowLayout, PetersInflow, StripSums, Strips};
 use crate::structure::{
@@ -15,6 +15,7 @@ use crate::structure::{
 use super::fidelity::{Fidelity, Terms};
 use super::layout::StateLayout;
 use super::propulsion::Engines;
+use super::station_loads::StationLoads;
 
 /// What distinguishes one set of equations of the same reduced model from another.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,10 +48,11 @@ pub struct EquationsOfMotion {
     /// 2ζω_k.
     pub(crate) damping: Vec<f64>,
     /// Where all that hangs on the structure is.
-    pub(super) kinematics: Kind,
+    pub(crate) kinematics: AnyKind,
     pub(crate) strips: Strips,
     pub(super) controls: Vec<Control>,
     pub(super) engines: Engines,
+    pub(super) station_loads: StationLoads,
     pub(crate) inflow: PetersInflow,
     pub(crate) tunnel_flow: Vector3<f64>,
     /// `None`: the standard atmosphere.
@@ -91,6 +93,11 @@ impl EquationsOfMotion {
         let damping = |frequency: f64| 2.0 * configuration.structural_damping * scale * frequency;
         let terms = configuration.fidelity.terms();
         let families: Vec<_> = model.modes.iter().map(|mode| mode.family).collect();
+        let strain_energy = if terms.superposed_strains {
+            StrainEnergy::of_superposed_strains(model.modes.iter().map(|mode| mode.angular_frequency))
+        } else {
+            model.strain_energy.clone()
+        };
         EquationsOfMotion {
             layout: StateLayout::new(
                 model.modes.len(),
@@ -104,22 +111,23 @@ impl EquationsOfMotion {
             },
             gravity: model.gravity,
             integrals: model.integrals.clone(),
-            strain_energy: model.strain_energy.clone(),
             elastic_forces: ElasticForces::new(
-                &model.strain_energy,
+                &strain_energy,
                 &families,
                 configuration.stiffness_scale,
                 terms.cubic_energy,
                 terms.quartic_energy,
             ),
+            strain_energy,
             stiffness_scale: configuration.stiffness_scale,
             damping: model.modes.iter().map(|mode| damping(mode.angular_frequency)).collect(),
             self_adjoint: strips.zero_lift_lines_are_chords()
                 && configuration.fidelity != Fidelity::RuthlesslyLinearised,
-            kinematics: Kind::new(model, edge_on),
+            kinematics: AnyKind::new(model, edge_on, terms.superposed_strains),
             strips,
             controls: model.controls.clone(),
             engines: Engines::new(model),
+            station_loads: StationLoads::default(),
             inflow,
             tunnel_flow: configuration.tunnel_flow,
             tunnel_air: model.tunnel_air.as_ref().map(Air::of_tunnel),
@@ -146,6 +154,11 @@ impl EquationsOfMotion {
         let damping = libm::sqrt(stiffness);
         varied.damping.iter_mut().for_each(|rate| *rate *= damping);
         varied
+    }
+
+    /// From now on these loads act on the stations.
+    pub(crate) fn take_loads(&mut self, loads: StationLoads) {
+        self.station_loads = loads;
     }
 
     /// The same equations without wide vectors: slower, with the same bits. For comparisons.
@@ -224,7 +237,7 @@ impl EquationsOfMotion {
     }
 
     /// The inertia without deformation.
-    pub(crate) fn undeformed_inertia(&self) -> KindInertia {
+    pub(crate) fn undeformed_inertia(&self) -> AnyInertia {
         self.kinematics.inertia(&self.integrals, self.freedom)
     }
 

@@ -10,7 +10,7 @@ use std::cell::Cell;
 
 use nalgebra::DMatrix;
 
-use crate::kinematics::GeneralisedVector;
+use crate::kinematics::{GeneralisedVector, OfKind, by_kind};
 use crate::math::{Attitude, Counting, Machine, quaternion_rate};
 
 use super::assembly::{Assembly, Situation};
@@ -115,17 +115,20 @@ impl EquationsOfMotion {
     ) {
         let Workspace { memory, inertia, forces, elastic_force, elastic_scratch, system, strip_sums, .. } =
             workspace;
-        let assembly = Assembly {
-            equations: self,
-            kinematics: &self.kinematics,
-            memory,
-            inertia,
-            forces,
-            elastic_force,
-            elastic_scratch,
-            mass: &mut system.matrix,
-            strip_sums,
-        };
-        assembly.write(machine, situation, rates);
+        let written = memory.as_mut().with(inertia.as_mut());
+        by_kind!(self.kinematics.as_ref().with(written), |(kinematics, (memory, inertia))| {
+            let assembly = Assembly {
+                equations: self,
+                kinematics,
+                memory,
+                inertia,
+                forces,
+                elastic_force,
+                elastic_scratch,
+                mass: &mut system.matrix,
+                strip_sums,
+            };
+            assembly.write(machine, situation, rates);
+        });
     }
 }

@@ -22,6 +22,9 @@ pub(crate) fn configuration(fidelity: Fidelity) -> Configuration {
     }
 }
 
+/// With a mass matrix that deforms, with one that does not, and of the other kind of kinematics.
+const LEVELS: [Fidelity; 3] = [Fidelity::Exact, Fidelity::RuthlesslyLinearised, Fidelity::GeometricallyExact];
+
 /// Rates of the jet, or of what of it moves in the mirror plane, in a disturbed flight with vectors of a given width.
 fn evaluate(arch: Arch, fidelity: Fidelity, in_plane: bool) -> Vec<u64> {
     let mut equations = if in_plane {
@@ -40,8 +43,7 @@ fn evaluate(arch: Arch, fidelity: Fidelity, in_plane: bool) -> Vec<u64> {
 
 #[test]
 fn the_width_of_the_vectors_changes_no_bit() {
-    let levels = [Fidelity::Exact, Fidelity::RuthlesslyLinearised];
-    for (fidelity, in_plane) in levels.into_iter().flat_map(|fidelity| [(fidelity, false), (fidelity, true)])
+    for (fidelity, in_plane) in LEVELS.into_iter().flat_map(|fidelity| [(fidelity, false), (fidelity, true)])
     {
         let narrow = evaluate(Arch::Scalar, fidelity, in_plane);
         assert!(narrow.iter().all(|bits| f64::from_bits(*bits).is_finite()));
@@ -55,7 +57,7 @@ fn the_width_of_the_vectors_changes_no_bit() {
 
 #[test]
 fn steering_gives_the_same_bits_as_a_new_evaluation() {
-    for fidelity in [Fidelity::Exact, Fidelity::RuthlesslyLinearised] {
+    for fidelity in LEVELS {
         let equations = EquationsOfMotion::new(&jet().select(&[0, 1, 2, 3, 4]), &configuration(fidelity));
         let mut state: Vec<f64> = (0..equations.layout().len()).map(|i| libm::sin(i as f64)).collect();
         state[equations.layout().velocity().start] = 127.0;

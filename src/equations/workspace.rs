@@ -1,6 +1,6 @@
 //! Scratch memory of the equations of motion, allocated once.
 
-use crate::kinematics::{KindInertia, Kinematics, Memory};
+use crate::kinematics::{AnyInertia, AnyMemory};
 use crate::math::LinearSystem;
 use crate::strips::StripSums;
 use crate::structure::ElasticScratch;
@@ -13,9 +13,9 @@ use super::of_motion::EquationsOfMotion;
 #[derive(Clone, Debug)]
 pub struct Workspace {
     /// What kinematics wrote at the last evaluation.
-    pub(crate) memory: Memory,
+    pub(crate) memory: AnyMemory,
     /// Of the aircraft as it was deformed then.
-    pub(crate) inertia: KindInertia,
+    pub(crate) inertia: AnyInertia,
     /// On ν.
     pub(crate) forces: GeneralisedForces,
     /// ∂U/∂q.
@@ -71,8 +71,8 @@ impl Workspace {
         self.forces.total()
     }
 
-    /// What kinematics wrote at the last evaluation, for [`EquationsOfMotion::sections`].
-    pub(crate) fn kinematics(&self) -> &Memory {
+    /// What kinematics wrote at the last evaluation, for the sections there.
+    pub(crate) fn kinematics(&self) -> &AnyMemory {
         &self.memory
     }
 

@@ -63,11 +63,12 @@ impl Settings {
             structural_damping,
             mode_selection,
             mode_count,
+            load_modes,
             inflow_states,
         } = plant;
         let mut bytes = Vec::new();
         let mut writer = Writer::new(&mut bytes);
-        for choice in [fidelity as u8, mode_selection as u8, input_reference as u8] {
+        for choice in [fidelity as u8, mode_selection as u8, u8::from(load_modes), input_reference as u8] {
             writer.byte(choice);
         }
         for count in [mode_count, inflow_states] {
@@ -114,6 +115,7 @@ mod tests {
             change(|s| s.plant.structural_damping += 1.0),
             change(|s| s.plant.mode_selection = ModeSelection::Symmetric),
             change(|s| s.plant.mode_count += 1),
+            change(|s| s.plant.load_modes = true),
             change(|s| s.plant.inflow_states += 1),
             change(|s| s.tolerance *= 2.0),
             change(|s| s.input_reference = InputReference::Absolute),
@@ -123,7 +125,7 @@ mod tests {
         hashes.dedup();
         assert_eq!(hashes.len(), count);
         // Written out by hand: one byte for each choice, counts, then the real numbers.
-        let mut bytes = vec![0, 0, 0, 12, 0, 0, 0, 5, 0, 0, 0];
+        let mut bytes = vec![0, 0, 0, 0, 12, 0, 0, 0, 5, 0, 0, 0];
         for number in [127.0_f64, 7620.0, 0.0, 1.0, 0.0, 1e-5] {
             bytes.extend(number.to_le_bytes());
         }

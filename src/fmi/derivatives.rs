@@ -160,6 +160,7 @@ impl Instance {
             | ParameterSlot::Model
             | ParameterSlot::ModeFamily
             | ParameterSlot::ModeCount
+            | ParameterSlot::LoadModes
             | ParameterSlot::InflowStates => f64::INFINITY,
         }
     }

@@ -57,6 +57,7 @@ impl Instance {
                 match slot.get(&self.settings) {
                     Value::Real(x) => writer.real(x),
                     Value::Integer(i) => writer.integer(i),
+                    Value::Boolean(flag) => writer.flag(flag),
                 }
             }
             writer.flag(self.flight.is_some());
@@ -153,7 +154,8 @@ impl<'a> Restored<'a> {
             let Slot::Parameter(slot) = variable.slot else { continue };
             let value = match variable.kind {
                 Type::Real => Value::Real(content.real()?),
-                _ => Value::Integer(content.integer()?),
+                Type::Integer | Type::Enumeration(_) => Value::Integer(content.integer()?),
+                Type::Boolean => Value::Boolean(content.flag()?),
             };
             slot.set(&mut settings, Some(value).filter(|value| variable.allows(*value))?);
         }

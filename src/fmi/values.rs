@@ -18,6 +18,8 @@ pub enum Numbers {
     Real,
     /// Integers and enumerations.
     Integer,
+    /// Booleans.
+    Boolean,
 }
 
 impl Numbers {
@@ -25,6 +27,7 @@ impl Numbers {
         match kind {
             Type::Real => Numbers::Real,
             Type::Integer | Type::Enumeration(_) => Numbers::Integer,
+            Type::Boolean => Numbers::Boolean,
         }
     }
 
@@ -32,6 +35,7 @@ impl Numbers {
         match self {
             Numbers::Real => "a Real",
             Numbers::Integer => "an Integer or Enumeration",
+            Numbers::Boolean => "a Boolean",
         }
     }
 }
@@ -157,12 +161,12 @@ impl Instance {
         Ok(())
     }
 
-    /// Refuses any reference: there are no variables of the asked type.
-    pub fn none_of_type(&self, references: &[ValueReference], wanted: &str) -> Result<(), Refusal> {
+    /// Refuses any reference: there are no Strings.
+    pub fn no_strings(&self, references: &[ValueReference]) -> Result<(), Refusal> {
         let Some(reference) = references.first() else { return Ok(()) };
         Err(Refusal::error(match self.table.get(*reference) {
             Some(variable) => {
-                format!("`{}` is {}, not {wanted}", variable.name, Numbers::of(variable.kind).name())
+                format!("`{}` is {}, not a String", variable.name, Numbers::of(variable.kind).name())
             }
             None => unknown(*reference),
         }))
@@ -227,6 +231,7 @@ fn objection_to_setting(
         let found = match value {
             Value::Real(x) => x.to_string(),
             Value::Integer(i) => i.to_string(),
+            Value::Boolean(flag) => flag.to_string(),
         };
         format!("`{name}`: found {found}, allowed is {}", variable.allowed())
     })

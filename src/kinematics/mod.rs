@@ -1,26 +1,23 @@
 //! How the deformed aircraft moves [theory: kinematics.sections, frames.velocity; thesis eq. 2.1, 2.2].
 
+mod exact;
 mod freedom;
 mod kind;
 mod linear;
+mod of_kind;
 mod rigid_motion;
 mod sections;
 #[cfg(test)]
 pub(crate) mod test_kind;
 mod velocities;
 
+#[cfg(test)]
+pub(crate) use exact::GeometricallyExact;
 pub(crate) use freedom::RigidFreedom;
 pub(crate) use kind::{Coordinates, Inertia, Kinematics};
+#[cfg(test)]
 pub(crate) use linear::Superposition;
+pub(crate) use of_kind::{AnyInertia, AnyKind, AnyMemory, OfKind, by_kind};
 pub use rigid_motion::RigidMotion;
 pub(crate) use sections::{Bias, Section, SectionMotion, Sections, SectionsInPlane, SectionsInSpace, Turn};
 pub(crate) use velocities::{ASIDE, GeneralisedVector, GeneralisedVectorMut, IN_PLANE, velocities};
-
-/// The kind by which aircraft move, at all levels of fidelity.
-pub(crate) type Kind = Superposition;
-
-/// What it writes for an instant.
-pub(crate) type Memory = <Kind as Kinematics>::Memory;
-
-/// What mass does that moves so.
-pub(crate) type KindInertia = <Kind as Kinematics>::Inertia;

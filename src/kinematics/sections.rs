@@ -44,8 +44,8 @@ pub trait SectionsInSpace {
         window: Window<S>,
     ) -> SectionMotion<LaneVector<S>, LaneVector<S>, Self::Turn<S>>;
 
-    /// J_x, J_y, J_z, S_x, S_y, S_z of each generalised coordinate.
-    fn rows(&self) -> impl Iterator<Item = &[Eight; 6]>;
+    /// J_x, J_y, J_z, S_x, S_y, S_z of the generalised coordinates that move them, each with what is its own of `all` coordinates.
+    fn rows<T>(&self, all: impl Iterator<Item = T>) -> impl Iterator<Item = (&[Eight; 6], T)>;
 }
 
 /// Eight sections side by side that stay in the mirror plane: vectors have x and z components, turns are about y.
@@ -62,8 +62,8 @@ pub trait SectionsInPlane {
         window: Window<S>,
     ) -> SectionMotion<PlaneVector<S>, Lanes<S>, Self::Turn<S>>;
 
-    /// J_x, J_z, S_y of each generalised coordinate.
-    fn rows(&self) -> impl Iterator<Item = [&Eight; 3]>;
+    /// J_x, J_z, S_y of the generalised coordinates that move them, each with what is its own of `all` coordinates.
+    fn rows<T>(&self, all: impl Iterator<Item = T>) -> impl Iterator<Item = ([&Eight; 3], T)>;
 }
 
 /// A single section.
@@ -94,6 +94,9 @@ pub trait Section {
 
     /// Writes the generalised force on each q of a force that acts here.
     fn write_generalised_force(&self, force: &Vector3<f64>, generalised: &mut [f64]);
+
+    /// Adds the generalised forces on each q of a force and a moment that act here: by w and by the true spin σ.
+    fn add_generalised_load(&self, force: &Vector3<f64>, moment: &Vector3<f64>, generalised: &mut [f64]);
 }
 
 /// How sections turn vectors, of a kind `V`, that were fixed to them undeformed.

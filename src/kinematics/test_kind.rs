@@ -81,11 +81,6 @@ impl Place {
         Vector3::new(0.003, -0.0005 * self.at_rest.y, -0.002)
     }
 
-    /// Number of modes.
-    pub fn modes(&self) -> usize {
-        self.shapes.modes()
-    }
-
     /// X.
     pub fn position(&self, q: &[f64]) -> Vector3<f64> {
         let displacement = |mode: usize| self.shapes.of_mode(mode)[0] * q[mode];
@@ -273,8 +268,8 @@ impl SectionsInSpace for &EightWritten {
         }
     }
 
-    fn rows(&self) -> impl Iterator<Item = &[Eight; 6]> {
-        self.rows.iter()
+    fn rows<T>(&self, all: impl Iterator<Item = T>) -> impl Iterator<Item = (&[Eight; 6], T)> {
+        self.rows.iter().zip(all)
     }
 }
 
@@ -302,8 +297,8 @@ impl SectionsInPlane for &EightWritten {
         }
     }
 
-    fn rows(&self) -> impl Iterator<Item = [&Eight; 3]> {
-        self.rows.iter().map(|[x, _, z, _, about_y, _]| [x, z, about_y])
+    fn rows<T>(&self, all: impl Iterator<Item = T>) -> impl Iterator<Item = ([&Eight; 3], T)> {
+        self.rows.iter().map(|[x, _, z, _, about_y, _]| [x, z, about_y]).zip(all)
     }
 }
 
@@ -349,6 +344,12 @@ impl Section for &Written {
     fn write_generalised_force(&self, force: &Vector3<f64>, generalised: &mut [f64]) {
         for (generalised, [x, y, z, ..]) in generalised.iter_mut().zip(&self.rows) {
             *generalised = Vector3::new(*x, *y, *z).dot(force);
+        }
+    }
+
+    fn add_generalised_load(&self, force: &Vector3<f64>, moment: &Vector3<f64>, generalised: &mut [f64]) {
+        for (generalised, [x, y, z, _, about_y, _]) in generalised.iter_mut().zip(&self.rows) {
+            *generalised += Vector3::new(*x, *y, *z).dot(force) + about_y * moment.y;
         }
     }
 }

@@ -30,6 +30,16 @@ impl EightVectors {
     pub fn of<T>(strips: &[T], value: impl Fn(&T) -> Vector3<f64>, empty: Vector3<f64>) -> Self {
         EightVectors::new(std::array::from_fn(|lane| strips.get(lane).map_or(empty, &value)))
     }
+
+    /// Sum over the lanes, in a fixed order.
+    pub fn sum(&self) -> Vector3<f64> {
+        Vector3::new(self.x.sum(), self.y.sum(), self.z.sum())
+    }
+
+    /// One of the vectors.
+    pub fn of_lane(&self, lane: usize) -> Vector3<f64> {
+        Vector3::new(self.x.0[lane], self.y.0[lane], self.z.0[lane])
+    }
 }
 
 /// What can be projected on others of its kind and stretched, one for each strip in a register.
@@ -78,6 +88,14 @@ impl<S: Arithmetic> LaneVector<S> {
     #[inline(always)]
     pub fn load(window: Window<S>, vectors: &EightVectors) -> Self {
         LaneVector { x: window.load(&vectors.x), y: window.load(&vectors.y), z: window.load(&vectors.z) }
+    }
+
+    /// Writes them into a window on a group.
+    #[inline(always)]
+    pub fn store(&self, window: Window<S>, vectors: &mut EightVectors) {
+        window.store(&mut vectors.x, self.x);
+        window.store(&mut vectors.y, self.y);
+        window.store(&mut vectors.z, self.z);
     }
 
     /// Along axis 0 (x), 1 (y) or 2 (z).

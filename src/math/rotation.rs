@@ -97,6 +97,12 @@ impl<S: Arithmetic> PlaneRotation<S> {
         PlaneRotation { cosine: square.splat(1.0) - square * versine, sine: angle * sine }
     }
 
+    /// Those that take the z axis to unit vectors.
+    #[inline(always)]
+    pub fn to(z_axis: PlaneVector<S>) -> Self {
+        PlaneRotation { cosine: z_axis.z, sine: z_axis.x }
+    }
+
     /// The turned vectors.
     #[inline(always)]
     pub fn apply(&self, vectors: &PlaneVector<S>) -> PlaneVector<S> {

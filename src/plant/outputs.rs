@@ -4,9 +4,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::air::{Air, STANDARD_GRAVITY};
 use crate::equations::{Controls, EquationsOfMotion, StateLayout, Workspace};
-use crate::kinematics::{GeneralisedVector, Section, Sections};
+use crate::kinematics::{GeneralisedVector, Kinematics, OfKind, Section, Sections, by_kind};
 use crate::math::Attitude;
-use crate::structure::ReducedStation;
+use crate::structure::{ModesInUse, ReducedStation};
 
 use super::course::Course;
 use super::sensors::{BodyMotion, Sensors};
@@ -124,14 +124,9 @@ impl Outputs {
     }
 
     /// Writes the coordinates of the packaged modes, of which these take part.
-    pub(super) fn write_modes(&mut self, modes: &[usize], layout: &StateLayout, state: &[f64]) {
-        self.modal_q.fill(0.0);
-        self.modal_q_dot.fill(0.0);
-        let coordinates = state[layout.coordinates()].iter().zip(&state[layout.coordinate_rates()]);
-        for (&packaged, (q, q_dot)) in modes.iter().zip(coordinates) {
-            self.modal_q[packaged] = *q;
-            self.modal_q_dot[packaged] = *q_dot;
-        }
+    pub(super) fn write_modes(&mut self, modes: &ModesInUse, layout: &StateLayout, state: &[f64]) {
+        modes.write_packaged(&state[layout.coordinates()], &mut self.modal_q);
+        modes.write_packaged(&state[layout.coordinate_rates()], &mut self.modal_q_dot);
     }
 
     /// Writes what is seen and measured at the stations.
@@ -151,12 +146,27 @@ impl Outputs {
             gravity: to_body * Vector3::new(0.0, 0.0, equations.gravity),
             q_ddot: accelerations.modal,
         };
-        let sections = equations.sections(state, workspace.kinematics());
+        let at = equations.coordinates(state);
+        by_kind!(equations.kinematics.as_ref().with(workspace.kinematics().as_ref()), |(
+            kinematics,
+            memory,
+        )| {
+            self.write_sections(kinematics.sections(at, memory).stations(), stations, &body);
+        });
+    }
+
+    /// Writes what is seen and measured at the sections of the stations.
+    fn write_sections(
+        &mut self,
+        sections: impl Iterator<Item = impl Section>,
+        stations: &[ReducedStation],
+        body: &BodyMotion,
+    ) {
         let places = self.deflections.iter_mut().zip(&mut self.sensors);
-        for (((deflection, sensors), station), section) in places.zip(stations).zip(sections.stations()) {
+        for (((deflection, sensors), station), section) in places.zip(stations).zip(sections) {
             let (displacement, twist) = (section.displacement(), section.twist(&station.twist_axis));
             *deflection = Deflection { displacement, twist };
-            *sensors = Sensors::read(&section, &body);
+            *sensors = Sensors::read(&section, body);
         }
     }
 

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use crate::aircraft::{ALTITUDES, Support};
 use crate::equations::{Configuration, Fidelity};
 use crate::strips::PetersInflow;
-use crate::structure::{ModeFamily, ReducedModel};
+use crate::structure::{ModeFamily, ModesInUse, ReducedModel};
 
 use super::system::Plant;
 use super::trim::TrimCondition;
@@ -33,7 +33,7 @@ const USUAL_MODES: usize = 12;
 ///
 /// let jet = ReducedModel::new(&Aircraft::read("aircraft/generic-business-jet.toml")?, 4)?;
 /// let fast = PlantSettings { airspeed: 180.0, ..PlantSettings::of(&jet) }; // m/s
-/// assert_eq!(fast.choose_modes(&jet)?, [0, 1, 2, 3]);
+/// assert_eq!(fast.choose_modes(&jet)?.len(), 4);
 /// let rigid = PlantSettings { fidelity: Fidelity::Rigid, ..fast };
 /// assert_eq!(Plant::under(&jet, &rigid)?.layout().modes(), 0);
 /// let refused = Plant::under(&jet, &PlantSettings { airspeed: -1.0, ..fast }).unwrap_err();
@@ -42,7 +42,7 @@ const USUAL_MODES: usize = 12;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlantSettings {
-    /// Fidelity level.
+    /// Fidelity level; that of the aircraft at first.
     pub fidelity: Fidelity,
     /// Trimmed airspeed, m/s, within [`Support::airspeeds`].
     pub airspeed: f64,
@@ -56,9 +56,11 @@ pub struct PlantSettings {
     pub structural_damping: f64,
     /// Families of modes.
     pub mode_selection: ModeSelection,
-    /// Number of modes, 0…those packaged of the selection; the other one of a pair comes with the last. `Rigid`
+    /// Number of natural modes, 0…those packaged of the selection; the other one of a pair comes with the last. `Rigid`
     /// ignores it.
     pub mode_count: usize,
+    /// Whether the load modes that belong to those modes stand beside them; only where the model has load modes.
+    pub load_modes: bool,
     /// Peters inflow states per strip, 0…[`MOST_INFLOW_STATES`](Self::MOST_INFLOW_STATES); 0 is steady aerodynamics.
     pub inflow_states: usize,
 }
@@ -82,33 +84,31 @@ impl PlantSettings {
     /// Those of an aircraft before any parameter is set: its own flight condition.
     pub fn of(model: &ReducedModel) -> Self {
         PlantSettings {
-            fidelity: Fidelity::Exact,
+            fidelity: model.fidelity,
             airspeed: model.airspeed,
             altitude: model.altitude,
             heading: 0.0,
             stiffness_scale: 1.0,
             structural_damping: 0.0,
             mode_selection: ModeSelection::All,
-            mode_count: USUAL_MODES.min(model.modes.len()),
+            mode_count: USUAL_MODES.min(model.natural_modes()),
+            load_modes: model.has_load_modes(),
             inflow_states: model.inflow_states,
         }
     }
 
-    /// Checks every setting against its range and against the model, and chooses the modes: ascending
-    /// indices of the packaged modes that take part.
+    /// Checks every setting against its range and against the model, and chooses the modes that take part.
     ///
     /// # Errors
     /// Names the first setting that is out of range.
-    pub fn choose_modes(&self, model: &ReducedModel) -> Result<Vec<usize>, SettingError> {
+    pub fn choose_modes(&self, model: &ReducedModel) -> Result<ModesInUse, SettingError> {
         self.check(model.support)?;
         if self.fidelity == Fidelity::Rigid {
-            return Ok(Vec::new());
+            return Ok(ModesInUse::chosen(&[]));
         }
-        let candidates: Vec<usize> = (0..model.modes.len())
-            .filter(|&mode| {
-                self.mode_selection == ModeSelection::All || model.modes[mode].family == ModeFamily::Symmetric
-            })
-            .collect();
+        let watched = |family| self.mode_selection == ModeSelection::All || family == ModeFamily::Symmetric;
+        let is_candidate = |&mode: &usize| !model.modes[mode].of_loads && watched(model.modes[mode].family);
+        let candidates: Vec<usize> = (0..model.modes.len()).filter(is_candidate).collect();
         if self.mode_selection == ModeSelection::Symmetric
             && model.modes.iter().any(|mode| mode.family == ModeFamily::Unsymmetric)
         {
@@ -120,7 +120,13 @@ impl PlantSettings {
         }
         let others = &candidates[self.mode_count..];
         let pairs = others.iter().take_while(|&&mode| model.modes[mode].completes_a_pair).count();
-        Ok(candidates.into_iter().take(self.mode_count + pairs).collect())
+        let natural = &candidates[..self.mode_count + pairs];
+        match (self.load_modes, model.has_load_modes()) {
+            (false, _) => Ok(ModesInUse::chosen(natural)),
+            (true, true) => ModesInUse::beside_loads((&model.modes, &model.static_loads), natural, watched)
+                .or_else(|error| refuse("load_modes", "true", &format!("false: {error}"))),
+            (true, false) => refuse("load_modes", "true", "false: the model has none"),
+        }
     }
 
     /// The flight to be trimmed.

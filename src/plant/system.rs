@@ -10,8 +10,7 @@ use nalgebra::Vector3;
 use crate::air::Air;
 use crate::aircraft::{Control, Support};
 use crate::equations::{Configuration, Controls, EquationsOfMotion, StateLayout, Workspace};
-use crate::kinematics::Sections;
-use crate::structure::{ReducedModel, ReducedStation};
+use crate::structure::{ModesInUse, ReducedModel, ReducedStation};
 
 use super::course::Course;
 use super::outputs::{AirData, Outputs};
@@ -35,7 +34,7 @@ pub struct Plant {
     pub(super) equations: EquationsOfMotion,
     packaged: Packaged,
     /// With the shapes of the modes that take part.
-    stations: Vec<ReducedStation>,
+    pub(super) stations: Vec<ReducedStation>,
 }
 
 /// What a plant consists of, by its numbers in the packaged model.
@@ -44,7 +43,7 @@ pub(crate) struct Packaged {
     /// How many modes are packaged.
     pub mode_count: usize,
     /// Which of them take part.
-    pub modes: Vec<usize>,
+    pub modes: ModesInUse,
     /// Of each strip of the plant.
     pub strips: Vec<PackagedStrip>,
 }
@@ -60,9 +59,9 @@ pub struct PackagedStrip {
 
 impl Packaged {
     /// A whole model with these of its modes.
-    pub fn whole(model: &ReducedModel, modes: &[usize]) -> Self {
+    pub fn whole(model: &ReducedModel, modes: &ModesInUse) -> Self {
         let strips = (0..model.strips.len()).map(|strip| PackagedStrip::of(model, strip)).collect();
-        Packaged { mode_count: model.modes.len(), modes: modes.to_vec(), strips }
+        Packaged { mode_count: model.modes.len(), modes: modes.clone(), strips }
     }
 }
 
@@ -77,12 +76,12 @@ impl Plant {
     /// Of a whole aircraft, all of whose modes take part unless it is to be rigid.
     pub fn new(model: &ReducedModel, configuration: &Configuration) -> Self {
         let modes: Vec<usize> = (0..model.modes.len()).collect();
-        Plant::of_modes(model, configuration, &modes)
+        Plant::of_modes(model, configuration, &ModesInUse::chosen(&modes))
     }
 
-    /// Of a whole aircraft with a selection of its modes (ascending indices), all others held at rest.
-    pub fn of_modes(model: &ReducedModel, configuration: &Configuration, modes: &[usize]) -> Self {
-        let reduced = model.select(modes);
+    /// Of a whole aircraft with some of its modes, all others held at rest.
+    pub fn of_modes(model: &ReducedModel, configuration: &Configuration, modes: &ModesInUse) -> Self {
+        let reduced = model.in_use(modes);
         let equations = EquationsOfMotion::new(&reduced, configuration);
         Plant::of_equations(equations, &reduced, Packaged::whole(model, modes))
     }
@@ -232,8 +231,7 @@ impl Plant {
 
     /// How far each strip is in a state from where it is on the undeformed aircraft, without those edge-on, m. Allocates.
     pub fn strip_displacements(&self, state: &[f64]) -> Vec<Vector3<f64>> {
-        let memory = self.equations.evaluate_kinematics(state);
-        self.equations.sections(state, &memory).strip_displacements().collect()
+        self.equations.strip_displacements(state)
     }
 
     /// The first lifting strip that met the air from behind at the last evaluation.

@@ -23,6 +23,6 @@ pub use nalgebra::Complex;
 pub use condensed::Root;
 pub use losses::{EquilibriumLoss, LossKind};
 pub use points::{SkipReason, Skipped};
-pub use sweep::Sweep;
+pub use sweep::{Sweep, SweepError};
 pub use tracks::{Branch, Crossing, CrossingKind};
 pub use unstable::{Onset, UnstableRange};

@@ -5,6 +5,7 @@ use std::thread;
 
 use nalgebra::Complex;
 
+use crate::equations::StationLoads;
 use crate::plant::{
     EigenvaluesNotFound, LimitExceeded, Plant, PlantSettings, StateMatrix, Trim, TrimError, Unknown,
 };
@@ -45,6 +46,8 @@ pub(super) struct Motions<'a> {
     pub model: &'a ReducedModel,
     /// All within their ranges; their airspeed is of no account.
     pub settings: &'a PlantSettings,
+    /// On its stations.
+    pub loads: &'a StationLoads,
 }
 
 /// The motion at one airspeed of the range.
@@ -62,6 +65,7 @@ impl Motions<'_> {
     fn trimmed(&self, airspeed: f64) -> Result<(Plant, Trim), Box<TrimError>> {
         let settings = PlantSettings { airspeed, ..*self.settings };
         let plant = Plant::new(self.model, &settings.configuration(self.model.support));
+        let plant = plant.carrying(self.loads.clone());
         let trim = plant.trim(&settings.trim_condition())?;
         Ok((plant, trim))
     }

@@ -6,7 +6,8 @@
 
 use nalgebra::Complex;
 
-use crate::plant::{LimitExceeded, PlantSettings, SettingError, Unknown};
+use crate::equations::StationLoads;
+use crate::plant::{LimitExceeded, PlantSettings, PointLoad, PointLoadError, SettingError, Unknown};
 use crate::structure::ReducedModel;
 
 use super::losses::{At, EquilibriumLoss};
@@ -75,12 +76,36 @@ impl Sweep {
         airspeeds: &[f64],
         analysed: &(dyn Fn() + Sync),
     ) -> Result<Self, SettingError> {
+        Sweep::of(model, settings, airspeeds, &StationLoads::default(), analysed)
+    }
+
+    /// The same under point loads.
+    ///
+    /// # Errors
+    /// When a setting is out of range or a load cannot act. Speeds without trim are skipped.
+    pub fn under_loads(
+        model: &ReducedModel,
+        settings: &PlantSettings,
+        airspeeds: &[f64],
+        loads: &[PointLoad],
+    ) -> Result<Self, SweepError> {
+        let loads = PointLoad::on_stations(loads, &model.stations)?;
+        Ok(Sweep::of(model, settings, airspeeds, &loads, &|| {})?)
+    }
+
+    fn of(
+        model: &ReducedModel,
+        settings: &PlantSettings,
+        airspeeds: &[f64],
+        loads: &StationLoads,
+        analysed: &(dyn Fn() + Sync),
+    ) -> Result<Self, SettingError> {
         for &airspeed in airspeeds {
             PlantSettings { airspeed, ..*settings }.check(model.support)?;
         }
         let airspeed = airspeeds.first().copied().unwrap_or(settings.airspeed);
         let settings = &PlantSettings { airspeed, ..*settings };
-        let aircraft = Motions { model: &model.select(&settings.choose_modes(model)?), settings };
+        let aircraft = Motions { model: &model.in_use(&settings.choose_modes(model)?), settings, loads };
         let mut gathered = Gathered::default();
         let mut tracks = Tracks::new(aircraft);
         for airspeeds in airspeeds.chunks(SHARE * workers()) {
@@ -121,6 +146,17 @@ impl Sweep {
             branches,
         })
     }
+}
+
+/// Why a range of airspeeds cannot be analysed under loads.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SweepError {
+    /// A setting is out of range.
+    #[error(transparent)]
+    Setting(#[from] SettingError),
+    /// A load cannot act.
+    #[error(transparent)]
+    Load(#[from] PointLoadError),
 }
 
 /// What comes together from speed to speed, but for the branches.

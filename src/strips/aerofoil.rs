@@ -26,7 +26,7 @@ pub struct Aerofoil<T = Eight> {
     pub zero_lift_moment: T,
     /// 1 − η: the share of the leading-edge suction that is lost; zero where CLα = 0.
     pub suction_loss: T,
-    /// CLδ c1, 1/rad, see [`FlapEffect`](super::FlapEffect); zero without a flap.
+    /// CLδ c1, 1/rad, see [`FlapEffect`](crate::aircraft::FlapEffect); zero without a flap.
     pub flap_lift: T,
     /// (1 − η)(CLδ c1)²/CLα, 1/rad; zero where CLα = 0.
     pub flap_drag: T,

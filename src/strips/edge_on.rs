@@ -97,7 +97,7 @@ impl EdgeOnGroup {
                 row.add_force(window, force);
             }
         }
-        for ([x, z, _], row) in sections.rows().zip(rows) {
+        for ([x, z, _], row) in sections.rows(rows) {
             row.add_force(window, PlaneVector::load(window, [x, z]).dot(&force));
         }
         chordwise

@@ -8,14 +8,13 @@ use std::f64::consts::PI;
 
 use nalgebra::Vector3;
 
+use crate::aircraft::FlapEffect;
 use crate::kinematics::RigidFreedom;
 use crate::math::{Arithmetic, Arrow, Eight, EightVectors, Lanes, Window};
 use crate::structure::ReducedStrip;
 
 use super::aerofoil::{Aerofoil, LocalFlow};
-use super::flap::FlapEffect;
 use super::flap_factor::FlapFactor;
-
 use super::strip_loads::{Displacement, StripFlapLoads, StripLoads, StripSizes};
 use super::sums::{Row, add_to};
 

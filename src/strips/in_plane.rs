@@ -95,7 +95,7 @@ impl Group {
                 self.add_row(window, index, displacement, &loads, row);
             }
         }
-        for ([x, z, about_y], row) in sections.rows().zip(rows) {
+        for ([x, z, about_y], row) in sections.rows(rows) {
             let displacement =
                 resultants.displaced(&PlaneVector::load(window, [x, z]), window.load(about_y) * *span);
             self.add_row(window, index, &displacement, &loads, row);

@@ -89,7 +89,7 @@ impl Group {
             RigidFreedom::InPlane => self.add_rigid_rows(window, &rigid, in_plane, &loads, &mut rows),
             RigidFreedom::Held => {}
         }
-        for (section, row) in sections.rows().zip(rows) {
+        for (section, row) in sections.rows(rows) {
             let [jx, jy, jz, sx, sy, sz] = [0, 1, 2, 3, 4, 5].map(|row| window.load(&section[row]));
             let turn = LaneVector { x: sx, y: sy, z: sz }.dot(span);
             let displacement = loads.0.resultants.displaced(&LaneVector { x: jx, y: jy, z: jz }, turn);

@@ -6,7 +6,6 @@ mod aerofoil;
 mod air_loads;
 mod all_strips;
 mod edge_on;
-mod flap;
 mod flap_factor;
 mod group;
 mod in_plane;
@@ -19,7 +18,6 @@ mod surroundings;
 
 pub(crate) use air_loads::SumLoads;
 pub(crate) use all_strips::Strips;
-pub use flap::FlapEffect;
 pub(crate) use flap_factor::FlapFactor;
 pub use inflow::{InflowStates, PetersInflow};
 pub use inflow_layout::{GroupInflow, InflowLayout};

@@ -5,7 +5,7 @@ use pulp::Scalar;
 
 use crate::air::{UniformFlow, UniformlyMet};
 use crate::kinematics::test_kind::{Curved, Place};
-use crate::kinematics::{Coordinates, Kinematics, RigidFreedom, RigidMotion, Sections};
+use crate::kinematics::{Coordinates, GeometricallyExact, Kinematics, RigidFreedom, RigidMotion, Sections};
 use crate::math::{Attitude, LANES, SquareMatrix, Window, Work};
 use crate::structure::test_jet::{jet, jet_in_plane};
 use crate::structure::{ReducedModel, ReducedStrip};
@@ -16,10 +16,11 @@ use super::{InflowLayout, Strips, SumLoads, Surroundings};
 
 const DENSITY: f64 = 0.6;
 
-/// Strips on curved sections, with the model's modes.
-struct OnCurves {
+/// Strips on sections of a kind of kinematics, with the model's modes.
+struct OnSections<K> {
     strips: Strips,
-    kinematics: Curved,
+    kinematics: K,
+    modes: usize,
     inflow: PetersInflow,
     layout: InflowLayout,
     freedom: RigidFreedom,
@@ -33,21 +34,12 @@ struct Found {
     inflow_rates: Vec<f64>,
 }
 
-impl OnCurves {
+impl<K: Kinematics> OnSections<K> {
     fn new(model: &ReducedModel, edge_on: &[ReducedStrip], freedom: RigidFreedom) -> Self {
         let (strips, inflow) = (Strips::new(model, edge_on, freedom), PetersInflow::new(3));
         let layout = InflowLayout::new(strips.groups(), inflow.real_lags(), inflow.lag_pairs());
-        OnCurves { strips, kinematics: Curved::new(model, edge_on), inflow, layout, freedom }
-    }
-
-    /// Of the only strip.
-    fn place(&self) -> &Place {
-        let Curved { strips, edge_on, .. } = &self.kinematics;
-        strips.first().unwrap_or_else(|| &edge_on[0])
-    }
-
-    fn modes(&self) -> usize {
-        self.place().modes()
+        let (kinematics, modes) = (K::new(model, edge_on), model.modes.len());
+        OnSections { strips, kinematics, modes, inflow, layout, freedom }
     }
 
     fn around(&self, motion: &RigidMotion) -> Surroundings<'_, UniformlyMet> {
@@ -97,13 +89,6 @@ impl OnCurves {
         Found { forces, mass, inflow_rates }
     }
 
-    /// What moves of the rigid motion by which the coordinates move the only strip: a vector for each of them.
-    fn twists(&self, place: &Place, q: &[f64]) -> Vec<Vec<f64>> {
-        let moving = self.freedom.components();
-        let twists = place.twists(q).into_iter();
-        twists.map(|twist| moving.iter().map(|&component| twist[component]).collect()).collect()
-    }
-
     /// The flow at the first strip, and again by what is special for those in the mirror plane.
     fn flows(&self, motion: &RigidMotion, at: Coordinates) -> Vec<LocalFlow<Scalar>> {
         let mut memory = self.kinematics.memory();
@@ -119,26 +104,41 @@ impl OnCurves {
     }
 }
 
+impl OnSections<Curved> {
+    /// Of the only strip.
+    fn place(&self) -> &Place {
+        let Curved { strips, edge_on, .. } = &self.kinematics;
+        strips.first().unwrap_or_else(|| &edge_on[0])
+    }
+
+    /// What moves of the rigid motion by which the coordinates move the only strip: a vector for each of them.
+    fn twists(&self, place: &Place, q: &[f64]) -> Vec<Vec<f64>> {
+        let moving = self.freedom.components();
+        let twists = place.twists(q).into_iter();
+        twists.map(|twist| moving.iter().map(|&component| twist[component]).collect()).collect()
+    }
+}
+
 /// The jet with this strip alone.
 fn with_strip(model: &ReducedModel, strip: &ReducedStrip) -> ReducedModel {
     ReducedModel { strips: vec![strip.clone()], ..model.clone() }
 }
 
 /// Strips of the jet with five modes, each alone and with some camber; then those of its half in the plane, then those edge-on.
-fn each_strip_alone(camber: f64) -> Vec<OnCurves> {
+fn each_strip_alone<K: Kinematics>(camber: f64) -> Vec<OnSections<K>> {
     let mut model = jet().select(&[0, 1, 2, 3, 4]);
     model.strips.iter_mut().for_each(|strip| strip.zero_lift_offset = camber);
     let whole = model.strips.iter();
     let mut all: Vec<_> =
-        whole.map(|strip| OnCurves::new(&with_strip(&model, strip), &[], RigidFreedom::All)).collect();
+        whole.map(|strip| OnSections::new(&with_strip(&model, strip), &[], RigidFreedom::All)).collect();
     let (half, edge_on) = jet_in_plane();
     let none = ReducedModel { strips: Vec::new(), ..half.clone() };
     let in_plane = RigidFreedom::InPlane;
     all.extend(half.strips.iter().filter(|strip| strip.stays_in_plane()).map(|strip| {
         let strip = ReducedStrip { zero_lift_offset: camber, ..strip.clone() };
-        OnCurves::new(&with_strip(&half, &strip), &[], in_plane)
+        OnSections::new(&with_strip(&half, &strip), &[], in_plane)
     }));
-    all.extend(edge_on.iter().map(|strip| OnCurves::new(&none, std::slice::from_ref(strip), in_plane)));
+    all.extend(edge_on.iter().map(|strip| OnSections::new(&none, std::slice::from_ref(strip), in_plane)));
     assert!(all.iter().filter(|one| one.strips.groups.iter().any(|group| group.in_plane)).count() > LANES);
     all
 }
@@ -170,9 +170,9 @@ fn assert_close(found: f64, expected: f64, scale: f64) {
 /// [theory: kinematics.twist]
 #[test]
 fn forces_and_apparent_mass_on_coordinates_are_those_on_the_rigid_motion_by_which_they_move_a_strip() {
-    for one in [0.0, 0.03].into_iter().flat_map(each_strip_alone) {
+    for one in [0.0, 0.03].into_iter().flat_map(each_strip_alone::<Curved>) {
         let place = one.place();
-        let (q, q_dot) = (numbers(one.modes(), 0.3, 30.0), numbers(one.modes(), 1.0, 20.0));
+        let (q, q_dot) = (numbers(one.modes, 0.3, 30.0), numbers(one.modes, 1.0, 20.0));
         let found = one.sum(&motion(one.freedom), Coordinates { q: &q, q_dot: &q_dot });
         let twists = one.twists(place, &q);
         let rigid = one.freedom.components();
@@ -200,9 +200,9 @@ fn forces_and_apparent_mass_on_coordinates_are_those_on_the_rigid_motion_by_whic
 #[test]
 fn wakes_follow_rates_of_coordinates_as_they_follow_the_rigid_motion_by_which_those_move_a_strip() {
     let mut followed = 0;
-    for one in each_strip_alone(0.03).iter().filter(|one| one.strips.count() > 0) {
-        let (q, q_dot) = (numbers(one.modes(), 0.3, 30.0), numbers(one.modes(), 1.0, 20.0));
-        let still = vec![0.0; one.modes()];
+    for one in each_strip_alone::<Curved>(0.03).iter().filter(|one| one.strips.count() > 0) {
+        let (q, q_dot) = (numbers(one.modes, 0.3, 30.0), numbers(one.modes, 1.0, 20.0));
+        let still = vec![0.0; one.modes];
         let mut carried = motion(one.freedom);
         let rigid =
             |twist: &[f64; 6]| [0, 3].map(|first| Vector3::from_column_slice(&twist[first..first + 3]));
@@ -227,8 +227,14 @@ fn wakes_follow_rates_of_coordinates_as_they_follow_the_rigid_motion_by_which_th
 
 #[test]
 fn upwash_and_pitch_rate_drift_as_they_change_along_a_motion_without_accelerations() {
-    for one in each_strip_alone(0.03).iter().filter(|one| one.strips.count() > 0) {
-        let (q, q_dot) = (numbers(one.modes(), 0.3, 30.0), numbers(one.modes(), 1.0, 20.0));
+    drift_as_they_change::<Curved>();
+    drift_as_they_change::<GeometricallyExact>();
+}
+
+/// Whether those of each strip do, on sections of a kind.
+fn drift_as_they_change<K: Kinematics>() {
+    for one in each_strip_alone::<K>(0.03).iter().filter(|one| one.strips.count() > 0) {
+        let (q, q_dot) = (numbers(one.modes, 0.3, 30.0), numbers(one.modes, 1.0, 20.0));
         let at = |time: f64| {
             let q: Vec<f64> = q.iter().zip(&q_dot).map(|(q, rate)| q + rate * time).collect();
             one.flows(&motion(one.freedom), Coordinates { q: &q, q_dot: &q_dot })

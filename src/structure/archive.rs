@@ -8,10 +8,10 @@ use nalgebra::Vector3;
 use crate::aircraft::{ALTITUDES, Flap, MOST_INFLOW_STATES, Support};
 use crate::sealed::hash;
 
-use super::{ModeShapes, ReducedModel, StructureError};
+use super::{BeamSection, ModeShapes, ReducedModel, StructureError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXAIR05";
+const MAGIC: &[u8; 8] = b"FLXAIR06";
 
 /// Bytes before the payload.
 const HEADER: usize = 8 + 8 + 16;
@@ -94,11 +94,25 @@ impl ReducedModel {
         let fits_controls = |flap: &Flap| flap.gains.len() == self.controls.len();
         let fits = |shapes: &ModeShapes| [shapes.translation.len(), shapes.rotation.len()] == [3 * n; 2];
         self.integrals.is_consistent(n)
+            && self.static_loads.iter().all(|load| load.forces.len() == n)
             && self.strain_energy.is_consistent(n)
+            && self.sections.iter().all(|section| fits(&section.steps))
+            && self.is_tree()
             && self.strips.iter().all(|strip| fits(&strip.shapes))
             && self.strips.iter().filter_map(|strip| strip.flap.as_ref()).all(fits_controls)
             && self.engines.iter().all(|engine| fits(&engine.shapes))
             && self.stations.iter().all(|station| fits(&station.shapes))
+    }
+
+    /// Whether sections come after their parents, and all that is attached hangs on one.
+    fn is_tree(&self) -> bool {
+        let comes_later = |(place, section): (usize, &BeamSection)| section.parent < place.max(1);
+        let strips = self.strips.iter().map(|strip| strip.section);
+        let engines = self.engines.iter().map(|engine| engine.carrier.section);
+        let stations = self.stations.iter().map(|station| station.carrier.section);
+        !self.sections.is_empty()
+            && self.sections.iter().enumerate().all(comes_later)
+            && strips.chain(engines).chain(stations).all(|section| section < self.sections.len())
     }
 }
 

@@ -105,6 +105,18 @@ impl<'a> Structure<'a> {
         values
     }
 
+    /// Adds numbers of an element's nodal unknowns to those of all.
+    pub(super) fn add_nodal(&self, beam: usize, nodal: &NodalRow, all: &mut DVector<f64>) {
+        for (end, &node) in self.aircraft.beams[beam].nodes.iter().enumerate() {
+            if node > 0 {
+                let first = 6 * (node - 1);
+                for i in 0..6 {
+                    all[first + i] += nodal[6 * end + i];
+                }
+            }
+        }
+    }
+
     fn add_element(&self, matrix: &mut DMatrix<f64>, beam: usize, element: &nalgebra::SMatrix<f64, 12, 12>) {
         let unknown = |local: usize| {
             let node = self.aircraft.beams[beam].nodes[local / 6];

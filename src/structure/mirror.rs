@@ -43,6 +43,11 @@ impl Reflection {
         Some(Reflection { image: branches.images(&alike).into_iter().collect::<Option<_>>()? })
     }
 
+    /// The mirror image of a node, itself on the plane.
+    pub fn image(&self, node: usize) -> usize {
+        self.image[node]
+    }
+
     /// Orthonormal basis of a family's subspace.
     pub fn subspace(&self, family: ModeFamily) -> Vec<BasisVector> {
         let sign = if family == ModeFamily::Antisymmetric { -1.0 } else { 1.0 };
@@ -106,6 +111,13 @@ pub fn restrict(matrix: &DMatrix<f64>, basis: &[BasisVector]) -> DMatrix<f64> {
         }
         sum
     })
+}
+
+/// The part of a load on all unknowns that acts in a subspace, in its coordinates.
+pub fn project(load: &DVector<f64>, basis: &[BasisVector]) -> DVector<f64> {
+    let part =
+        |terms: &BasisVector| terms.iter().map(|&(unknown, coefficient)| coefficient * load[unknown]).sum();
+    DVector::from_iterator(basis.len(), basis.iter().map(part))
 }
 
 /// A vector of the subspace, written in all unknowns.

@@ -79,6 +79,22 @@ impl ModalIntegrals {
         }
     }
 
+    /// The integrals of coordinates with such shares in these, a column each.
+    pub fn combine(&self, shares: &DMatrix<f64>) -> Self {
+        let n = self.modes();
+        ModalIntegrals {
+            mass: self.mass,
+            first_moment: self.first_moment,
+            inertia: self.inertia,
+            momentum: combined(shares, &self.momentum),
+            angular_momentum: combined(shares, &self.angular_momentum),
+            gamma: combined(shares, &self.gamma),
+            pi: combined_pairs(shares, n, &self.pi),
+            upsilon: combined_pairs(shares, n, &self.upsilon),
+            mass_matrix: combined_pairs(shares, n, &self.mass_matrix),
+        }
+    }
+
     /// Whether all arrays have the lengths that n modes ask for.
     pub fn is_consistent(&self, n: usize) -> bool {
         [self.momentum.len(), self.angular_momentum.len(), self.gamma.len()] == [n; 3]
@@ -113,4 +129,26 @@ impl ModalIntegrals {
             }
         }
     }
+}
+
+/// A number, vector or matrix for each coordinate, from those of the modes in which they have shares.
+fn combined<T>(shares: &DMatrix<f64>, of_modes: &[T]) -> Vec<T>
+where
+    T: Copy + std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
+{
+    let sum = |column: nalgebra::DVectorView<f64>| {
+        column.iter().zip(of_modes).map(|(share, of_mode)| *of_mode * *share).reduce(|sum, next| sum + next)
+    };
+    shares.column_iter().filter_map(sum).collect()
+}
+
+/// The same for each pair, stored at [α n + β].
+fn combined_pairs<T>(shares: &DMatrix<f64>, n: usize, of_pairs: &[T]) -> Vec<T>
+where
+    T: Copy + std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
+{
+    let rows: Vec<Vec<T>> = of_pairs.chunks(n).map(|row| combined(shares, row)).collect();
+    let columns = (0..shares.ncols()).map(|place| rows.iter().map(|row| row[place]).collect::<Vec<T>>());
+    let by_columns: Vec<Vec<T>> = columns.map(|column| combined(shares, &column)).collect();
+    (0..shares.ncols()).flat_map(|a| by_columns.iter().map(move |column| column[a])).collect()
 }

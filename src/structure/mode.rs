@@ -14,7 +14,7 @@ pub enum ModeFamily {
     Unsymmetric,
 }
 
-/// A natural mode of the clamped structure.
+/// A mode of the clamped structure.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Mode {
     /// Its family.
@@ -25,6 +25,10 @@ pub struct Mode {
     ///
     /// [theory: structure.pairs]
     pub completes_a_pair: bool,
+    /// Whether it is no natural mode but the shape that static loads give beside those.
+    ///
+    /// [theory: load-modes.shapes]
+    pub of_loads: bool,
 }
 
 /// Mode shapes at one point of the structure, row-major 3 × n each [theory: structure.shapes].

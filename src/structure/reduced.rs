@@ -5,11 +5,15 @@
 use nalgebra::{DMatrix, Vector3};
 use serde::{Deserialize, Serialize};
 
-use crate::aircraft::{Aircraft, Control, Flap, Limits, Support, TrimRole, TunnelAir};
+use crate::aircraft::{Aircraft, Control, Fidelity, Flap, Limits, Support, TrimRole, TunnelAir};
 
 use super::assembly::Structure;
 use super::mode_count::ModeCount;
-use super::{ModalBasis, ModalIntegrals, Mode, ModeKind, ModeShapes, StrainEnergy, StructureError};
+use super::sections::SectionTree;
+use super::{
+    BeamSection, ModalBasis, ModalIntegrals, Mode, ModeKind, ModeShapes, ModesInUse, StaticLoad,
+    StrainEnergy, StructureError,
+};
 
 /// An aircraft reduced to its modes.
 ///
@@ -29,6 +33,8 @@ pub struct ReducedModel {
     pub gravity: f64,
     /// Free flight or wind tunnel.
     pub support: Support,
+    /// The level of fidelity at which it flies unless someone asks for another.
+    pub fidelity: Fidelity,
     /// Default number of inflow states.
     pub inflow_states: usize,
     /// Default airspeed, m/s.
@@ -41,12 +47,16 @@ pub struct ReducedModel {
     pub tunnel_air: Option<TunnelAir>,
     /// Roll, pitch and yaw of a clamped aircraft in the tunnel, rad.
     pub mount: Vector3<f64>,
-    /// Lowest frequency first.
+    /// Natural modes, lowest frequency first; then load modes, if there are any.
     pub modes: Vec<Mode>,
     /// Integrals over the mass.
     pub integrals: ModalIntegrals,
     /// Strain energy at nominal stiffness.
     pub strain_energy: StrainEnergy,
+    /// The loads whose strains the load modes are; none where the model has no load modes.
+    pub static_loads: Vec<StaticLoad>,
+    /// Where geometrically exact kinematics evaluates the structure, each after its parent.
+    pub sections: Vec<BeamSection>,
     /// Aerodynamic strips.
     pub strips: Vec<ReducedStrip>,
     /// What moves the flaps, in the order of the inputs.
@@ -64,6 +74,8 @@ pub struct ReducedStrip {
     pub component: String,
     /// Undeformed attachment, body axes, m.
     pub position: Vector3<f64>,
+    /// Which of the sections carries it.
+    pub section: usize,
     /// f, unit vector towards the leading edge.
     pub forward: Vector3<f64>,
     /// s, unit vector; positive rotation about it is nose-up.
@@ -108,6 +120,22 @@ impl ReducedStrip {
     }
 }
 
+/// A section that carries something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Carrier {
+    /// Which of the sections.
+    pub section: usize,
+    /// Whether that is the mirror image of what carries it, and moves so.
+    pub mirrored: bool,
+}
+
+impl Carrier {
+    /// The section itself.
+    pub(super) fn own(section: usize) -> Self {
+        Carrier { section, mirrored: false }
+    }
+}
+
 /// An engine with the mode shapes at the point where its thrust acts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReducedEngine {
@@ -115,6 +143,8 @@ pub struct ReducedEngine {
     pub name: String,
     /// Undeformed point of action, body axes, m.
     pub position: Vector3<f64>,
+    /// The section that carries it.
+    pub carrier: Carrier,
     /// Unit vector of positive thrust.
     pub direction: Vector3<f64>,
     /// At the point of action.
@@ -128,6 +158,8 @@ pub struct ReducedStation {
     pub name: String,
     /// Undeformed position, body axes, m.
     pub position: Vector3<f64>,
+    /// The section that carries it.
+    pub carrier: Carrier,
     /// Axis about which the twist counts.
     pub twist_axis: Vector3<f64>,
     /// On the elastic axis.
@@ -175,26 +207,39 @@ impl ReducedModel {
     pub fn with(aircraft: &Aircraft, count: ModeCount, kind: ModeKind) -> Result<Self, StructureError> {
         let structure = Structure::new(aircraft)?;
         let basis = ModalBasis::with(&structure, count, kind)?;
+        Self::of_basis(&structure, basis)
+    }
+
+    /// Reduces a structure to the modes of a basis.
+    ///
+    /// # Errors
+    /// When there are too many, or the numbers overflow.
+    pub fn of_basis(structure: &Structure, basis: ModalBasis) -> Result<Self, StructureError> {
+        let aircraft = structure.aircraft;
         let (wanted, most) = (basis.modes.len(), Self::MOST_MODES);
         if wanted > most {
             return Err(StructureError::TooManyModes { wanted, most });
         }
+        let tree = SectionTree::new(structure, &basis.shapes, basis.mirror.as_ref());
         let model = ReducedModel {
             name: aircraft.name.clone(),
             gravity: aircraft.gravity,
             support: aircraft.support,
+            fidelity: aircraft.fidelity,
             inflow_states: aircraft.inflow_states,
             airspeed: aircraft.airspeed,
             altitude: aircraft.altitude,
             limits: aircraft.limits,
             tunnel_air: aircraft.tunnel_air,
             mount: aircraft.mount,
-            integrals: ModalIntegrals::new(&structure, &basis.shapes),
-            strain_energy: StrainEnergy::new(&structure, &basis.shapes),
+            integrals: ModalIntegrals::new(structure, &basis.shapes),
+            strain_energy: StrainEnergy::new(structure, &basis.shapes),
+            static_loads: basis.static_loads,
             controls: aircraft.controls.clone(),
-            strips: reduced_strips(&structure, &basis.shapes),
-            engines: reduced_engines(&structure, &basis.shapes),
-            stations: reduced_stations(&structure, &basis.shapes),
+            strips: reduced_strips(structure, &tree, &basis.shapes),
+            engines: reduced_engines(structure, &tree, &basis.shapes),
+            stations: reduced_stations(structure, &tree, &basis.shapes),
+            sections: tree.sections,
             modes: basis.modes,
         };
         if model.is_finite() { Ok(model) } else { Err(StructureError::NotFinite) }
@@ -217,6 +262,8 @@ impl ReducedModel {
         self.modes.iter().all(|mode| mode.angular_frequency.is_finite())
             && self.integrals.is_finite()
             && self.strain_energy.is_finite()
+            && self.static_loads.iter().flat_map(|load| &load.forces).all(|force| force.is_finite())
+            && self.sections.iter().all(|section| finite(&section.steps) && section.body.is_finite())
             && self.strips.iter().all(|strip| finite(&strip.shapes))
             && self.engines.iter().all(|engine| finite(&engine.shapes))
             && self.stations.iter().all(|station| finite(&station.shapes))
@@ -228,12 +275,40 @@ impl ReducedModel {
         model.modes = chosen.iter().map(|&mode| self.modes[mode]).collect();
         model.integrals = self.integrals.select(chosen);
         model.strain_energy = self.strain_energy.select(chosen);
-        let engines = model.engines.iter_mut().map(|engine| &mut engine.shapes);
-        let stations = model.stations.iter_mut().map(|station| &mut station.shapes);
-        for shapes in model.strips.iter_mut().map(|strip| &mut strip.shapes).chain(engines).chain(stations) {
-            *shapes = shapes.select(chosen);
-        }
+        model.static_loads.clear();
+        model.all_shapes_mut().for_each(|shapes| *shapes = shapes.select(chosen));
         model
+    }
+
+    /// The model with these coordinates, everything else held at rest.
+    pub fn in_use(&self, modes: &ModesInUse) -> Self {
+        if let Some(chosen) = modes.plain() {
+            return self.select(&chosen);
+        }
+        let (own, shares) = modes.columns(&self.modes);
+        let mut model = ReducedModel { modes: own, ..self.clone() };
+        model.integrals = self.integrals.combine(&shares);
+        model.strain_energy = self.strain_energy.combine(&shares);
+        model.static_loads.clear();
+        model.all_shapes_mut().for_each(|shapes| *shapes = shapes.combine(&shares));
+        model
+    }
+
+    /// Whether there are load modes beside the natural ones.
+    pub fn has_load_modes(&self) -> bool {
+        self.modes.iter().any(|mode| mode.of_loads)
+    }
+
+    /// How many of the modes are natural ones.
+    pub fn natural_modes(&self) -> usize {
+        self.modes.iter().filter(|mode| !mode.of_loads).count()
+    }
+
+    fn all_shapes_mut(&mut self) -> impl Iterator<Item = &mut ModeShapes> {
+        let engines = self.engines.iter_mut().map(|engine| &mut engine.shapes);
+        let stations = self.stations.iter_mut().map(|station| &mut station.shapes);
+        let sections = self.sections.iter_mut().map(|section| &mut section.steps);
+        self.strips.iter_mut().map(|strip| &mut strip.shapes).chain(engines).chain(stations).chain(sections)
     }
 }
 
@@ -247,12 +322,26 @@ impl ModeShapes {
             rotation: of_chosen(self.rotation_rows()),
         }
     }
+
+    /// Those of coordinates with such shares in these, a column each.
+    fn combine(&self, shares: &DMatrix<f64>) -> Self {
+        let combined = |rows: [&[f64]; 3]| {
+            let sum =
+                |row: &[f64], column: usize| shares.column(column).iter().zip(row).map(|(s, r)| s * r).sum();
+            rows.into_iter().flat_map(|row| (0..shares.ncols()).map(move |column| sum(row, column))).collect()
+        };
+        ModeShapes {
+            translation: combined(self.translation_rows()),
+            rotation: combined(self.rotation_rows()),
+        }
+    }
 }
 
-fn reduced_strips(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedStrip> {
+fn reduced_strips(structure: &Structure, tree: &SectionTree, shapes: &DMatrix<f64>) -> Vec<ReducedStrip> {
     let reduce = |strip: &crate::aircraft::Strip| ReducedStrip {
         component: structure.aircraft.beams[strip.attachment.beam].component.clone(),
         position: structure.geometry[strip.attachment.beam].position(strip.attachment.fraction),
+        section: tree.at(strip.attachment),
         forward: strip.forward,
         span: strip.span,
         semichord: strip.semichord,
@@ -269,7 +358,7 @@ fn reduced_strips(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedSt
     structure.aircraft.strips.iter().map(reduce).collect()
 }
 
-fn reduced_engines(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedEngine> {
+fn reduced_engines(structure: &Structure, tree: &SectionTree, shapes: &DMatrix<f64>) -> Vec<ReducedEngine> {
     let reduce = |engine: &crate::aircraft::Engine| {
         let beam = engine.attachment.beam;
         let geometry = &structure.geometry[beam];
@@ -278,6 +367,7 @@ fn reduced_engines(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedE
         ReducedEngine {
             name: engine.name.clone(),
             position: geometry.position(engine.attachment.fraction) + engine.offset,
+            carrier: Carrier::own(tree.at(engine.attachment)),
             direction: engine.direction,
             shapes: ModeShapes {
                 translation: structure.apply_map(beam, &displacement, shapes),
@@ -288,10 +378,11 @@ fn reduced_engines(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedE
     structure.aircraft.engines.iter().map(reduce).collect()
 }
 
-fn reduced_stations(structure: &Structure, shapes: &DMatrix<f64>) -> Vec<ReducedStation> {
+fn reduced_stations(structure: &Structure, tree: &SectionTree, shapes: &DMatrix<f64>) -> Vec<ReducedStation> {
     let reduce = |station: &crate::aircraft::Station| ReducedStation {
         name: station.name.clone(),
         position: structure.geometry[station.attachment.beam].position(station.attachment.fraction),
+        carrier: Carrier::own(tree.at(station.attachment)),
         twist_axis: station.twist_axis,
         shapes: structure.shapes_at(station.attachment, shapes),
     };

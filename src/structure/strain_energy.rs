@@ -13,6 +13,9 @@ use crate::aircraft::Beam;
 
 use super::assembly::Structure;
 use super::beam::{GAUSS_5, Gradients};
+use super::monomials::{
+    ascending_tuples, chosen_coefficients, combined_coefficients, monomials, permutations,
+};
 
 /// Coefficients of the strain energy of n modes at nominal stiffness [theory: strain-energy.packed].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -75,6 +78,19 @@ impl StrainEnergy {
                 .collect(),
             cubic: chosen_coefficients::<3>(&self.cubic, n, chosen),
             quartic: chosen_coefficients::<4>(&self.quartic, n, chosen),
+        }
+    }
+
+    /// The energy of coordinates with such shares in these, a column each.
+    pub fn combine(&self, shares: &DMatrix<f64>) -> Self {
+        let stiffness = DMatrix::from_row_slice(self.modes, self.modes, &self.linear_stiffness);
+        // By rows: the product is self-adjoint up to rounding.
+        let combined = (shares.transpose() * stiffness * shares).transpose();
+        StrainEnergy {
+            modes: shares.ncols(),
+            linear_stiffness: combined.as_slice().to_vec(),
+            cubic: combined_coefficients(self.cubic_terms(), shares),
+            quartic: combined_coefficients(self.quartic_terms(), shares),
         }
     }
 
@@ -233,50 +249,6 @@ fn sweep(row: &[f64], factor: f64, q: &[f64], gradient: &mut [f64]) -> f64 {
     sum
 }
 
-/// The coefficients of those monomials of n modes whose modes are all among the chosen (ascending) ones.
-fn chosen_coefficients<const DEGREE: usize>(coefficients: &[f64], n: usize, chosen: &[usize]) -> Vec<f64> {
-    let tuples = ascending_tuples::<DEGREE>(chosen.len());
-    tuples.map(|tuple| coefficients[rank(tuple.map(|place| chosen[place]), n)]).collect()
-}
-
-/// How many ascending tuples stand before one in lexicographic order.
-fn rank<const DEGREE: usize>(tuple: [usize; DEGREE], n: usize) -> usize {
-    let mut before = 0;
-    let mut least = 0;
-    for (place, &index) in tuple.iter().enumerate() {
-        // Those that agree up to here and go on with less.
-        before += monomials(n - least, DEGREE - place) - monomials(n - index, DEGREE - place);
-        least = index;
-    }
-    before
-}
-
-/// Number of distinct monomials of a degree in n variables.
-fn monomials(n: usize, degree: usize) -> usize {
-    (0..degree).fold(1, |product, k| product * (n + k) / (k + 1))
-}
-
-/// All ascending index tuples a ≤ b ≤ … < n, in lexicographic order.
-fn ascending_tuples<const DEGREE: usize>(n: usize) -> impl Iterator<Item = [usize; DEGREE]> {
-    std::iter::successors((n > 0).then_some([0; DEGREE]), move |tuple| {
-        let place = (0..DEGREE).rev().find(|&place| tuple[place] + 1 < n)?;
-        let mut next = *tuple;
-        next[place..].fill(tuple[place] + 1);
-        Some(next)
-    })
-}
-
-/// Number of distinct orders of the indices of an ascending tuple.
-fn permutations(tuple: &[usize]) -> f64 {
-    let mut orders = 1.0;
-    let mut run = 0.0;
-    for (place, index) in tuple.iter().enumerate() {
-        run = if place > 0 && tuple[place - 1] == *index { run + 1.0 } else { 1.0 };
-        orders *= (place + 1) as f64 / run;
-    }
-    orders
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -348,20 +320,17 @@ mod tests {
     }
 
     #[test]
-    fn monomials_are_found_by_their_rank() {
-        for n in 1..7 {
-            assert_eq!(ascending_tuples::<4>(n).count(), monomials(n, 4));
-            assert!(ascending_tuples::<3>(n).enumerate().all(|(place, tuple)| rank(tuple, n) == place));
-            assert!(ascending_tuples::<4>(n).enumerate().all(|(place, tuple)| rank(tuple, n) == place));
-        }
-    }
-
-    #[test]
-    fn distinct_orders_are_counted() {
-        assert_eq!(permutations(&[0, 1, 2]), 6.0);
-        assert_eq!(permutations(&[0, 0, 2]), 3.0);
-        assert_eq!(permutations(&[1, 1, 2, 2]), 6.0);
-        assert_eq!(permutations(&[0, 1, 2, 3]), 24.0);
-        assert_eq!(permutations(&[3, 3, 3, 3]), 1.0);
+    fn combined_coordinates_have_the_energy_of_what_they_combine() {
+        let energy = sample();
+        let shares = DMatrix::from_row_slice(4, 2, &[1.0, 0.0, 0.0, 0.4, 0.0, -0.7, 0.0, 1.3]);
+        let combined = energy.combine(&shares);
+        assert!(combined.is_consistent(2));
+        let q = [0.6, -0.9];
+        let packaged = &shares * DVector::from_column_slice(&q);
+        let unused = &mut [0.0; 2];
+        let value_there = combined.add_quadratic(&q, unused)
+            + combined.add_cubic(&q, unused)
+            + combined.add_quartic(&q, unused);
+        assert!((value_there - value(&energy, packaged.as_slice())).abs() < 1e-13);
     }
 }

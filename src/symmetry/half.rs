@@ -15,6 +15,7 @@ use crate::math::{are_alike, largest};
 use crate::structure::{ModeFamily, ModeShapes, ReducedEngine, ReducedModel, ReducedStrip};
 
 use super::even_controls::EvenControls;
+use super::half_sections::HalfSections;
 
 /// How far mirror images may differ, in parts of the aircraft's size or of each number.
 const SYMMETRIC: f64 = 1e-9;
@@ -76,7 +77,8 @@ impl SymmetricHalf {
         let half = |&strip: &usize| half_strip(&model.strips[strip], images[strip].is_in_plane, &controls);
         let lifting = lifting.iter().map(half).collect();
         let edge_on = edge_on.iter().map(|&strip| model.strips[strip].clone()).collect();
-        let model = ReducedModel { strips: lifting, ..model };
+        let mut model = ReducedModel { strips: lifting, ..model };
+        HalfSections::of(&model.sections).take_place_in(&mut model);
         Some(SymmetricHalf { model, edge_on, modes, strips, stands_for, engines, controls })
     }
 

@@ -4,6 +4,7 @@ mod even_controls;
 mod flying;
 mod forms;
 mod half;
+mod half_sections;
 mod plants;
 mod unfolding;
 

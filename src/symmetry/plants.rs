@@ -11,7 +11,7 @@ use crate::plant::{
     Course, Outputs, Packaged, PackagedStrip, Plant, PlantSettings, ROUNDING, SettingError, Trim,
     TrimCondition, TrimError,
 };
-use crate::structure::ReducedModel;
+use crate::structure::{ModesInUse, ReducedModel};
 
 use super::even_controls::EvenControls;
 use super::forms::{Form, Forms};
@@ -74,14 +74,14 @@ pub trait Actions {
 
 impl Plants {
     /// Of a model with these of its modes.
-    pub fn new(model: &ReducedModel, configuration: &Configuration, modes: &[usize]) -> Self {
-        let reduced = model.select(modes);
+    pub fn new(model: &ReducedModel, configuration: &Configuration, modes: &ModesInUse) -> Self {
+        let reduced = model.in_use(modes);
         let half = SymmetricHalf::find(&reduced);
         let halved = half.as_ref().map(|half| {
             let strips = half.stands_for.iter().map(|&strip| PackagedStrip::of(&reduced, strip));
             let packaged = Packaged {
                 mode_count: model.modes.len(),
-                modes: half.modes.iter().map(|&mode| modes[mode]).collect(),
+                modes: modes.among(&half.modes),
                 strips: strips.collect(),
             };
             Plant::of_equations(half.equations(configuration), &half.model, packaged)

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::aircraft::Flap;
 use crate::equations::tests::configuration;
-use crate::equations::{EquationsOfMotion, Fidelity, StateLayout, Workspace};
+use crate::equations::{EquationsOfMotion, Fidelity, StateLayout, StationLoad, StationLoads, Workspace};
 use crate::math::LANES;
 use crate::structure::ReducedModel;
 use crate::structure::test_jet::{AILERON_SYMMETRIC, ELEVATOR, jet};
@@ -63,12 +63,16 @@ fn with_lifting_body(mut model: ReducedModel) -> ReducedModel {
 fn half_moves_as(whole_model: &ReducedModel) {
     let half = SymmetricHalf::find(whole_model).unwrap();
     for fidelity in Fidelity::ALL {
-        let whole = EquationsOfMotion::new(whole_model, &configuration(fidelity));
+        let mut whole = EquationsOfMotion::new(whole_model, &configuration(fidelity));
         let mut controls = whole.neutral_controls();
         (controls.angles[ELEVATOR], controls.angles[AILERON_SYMMETRIC]) = (-0.2, 0.05);
         controls.thrust.fill(2e4);
         (controls.wind, controls.wind_rate) = (Vector3::new(3.0, 0.0, -4.0), Vector3::new(1.0, 0.0, 2.0));
-        let halved = half.equations(&configuration(fidelity));
+        let mut halved = half.equations(&configuration(fidelity));
+        // Every station has its mirror image.
+        let load = StationLoad { force: Vector3::new(900.0, 0.0, -3e3), moment: Vector3::new(0.0, 2e3, 0.0) };
+        let loads = StationLoads::new(vec![load; whole_model.stations.len()]);
+        [&mut whole, &mut halved].into_iter().for_each(|equations| equations.take_loads(loads.clone()));
         let q: Vec<f64> = (0..halved.layout().modes()).map(|mode| 20.0 / (1.0 + mode as f64)).collect();
         let mut whole_q = vec![0.0; whole.layout().modes()];
         if fidelity != Fidelity::Rigid {

@@ -51,6 +51,6 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Opt
 
 /// The parameters that the trim depends on; inflow and damping vanish in steady flight.
 fn trims(parameter: ParameterSlot) -> bool {
-    use ParameterSlot::{Airspeed, Altitude, ModeCount, ModeFamily, Model, StiffnessScale};
-    matches!(parameter, Model | Airspeed | Altitude | StiffnessScale | ModeFamily | ModeCount)
+    use ParameterSlot::{Airspeed, Altitude, LoadModes, ModeCount, ModeFamily, Model, StiffnessScale};
+    matches!(parameter, Model | Airspeed | Altitude | StiffnessScale | ModeFamily | ModeCount | LoadModes)
 }

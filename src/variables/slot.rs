@@ -12,6 +12,8 @@ pub enum Value {
     Real(f64),
     /// Of an Integer, or of an Enumeration (from 1).
     Integer(i32),
+    /// Of a Boolean.
+    Boolean(bool),
 }
 
 /// The enumerations of the parameters.
@@ -52,13 +54,7 @@ impl EnumerationType {
     /// Names and descriptions of the items; the value of the first is 1.
     pub fn items(self) -> &'static [(&'static str, &'static str)] {
         match self {
-            EnumerationType::Model => &[
-                ("exact", "All inertial and geometric nonlinearities"),
-                ("consistently_linearised", "Undeformed mass matrix, strain energy to third order"),
-                ("inconsistent", "Exact inertia with linear elasticity"),
-                ("ruthlessly_linearised", "Undeformed inertia and moment arms, linear elasticity"),
-                ("rigid", "No deformation"),
-            ],
+            EnumerationType::Model => &LEVELS,
             EnumerationType::InputReference => {
                 &[("trim", "Inputs add to the trim values"), ("absolute", "Inputs replace the trim values")]
             }
@@ -68,6 +64,17 @@ impl EnumerationType {
         }
     }
 }
+
+/// Names and descriptions of the levels of fidelity.
+const LEVELS: [(&str, &str); Fidelity::ALL.len()] = {
+    let mut items = [("", ""); Fidelity::ALL.len()];
+    let mut item = 0;
+    while item < items.len() {
+        items[item] = (Fidelity::ALL[item].name(), Fidelity::ALL[item].description());
+        item += 1;
+    }
+    items
+};
 
 /// A coordinate: x, y, z; north, east, down; or roll, pitch, yaw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -141,6 +148,7 @@ pub enum ParameterSlot {
     StructuralDamping,
     ModeFamily,
     ModeCount,
+    LoadModes,
     InflowStates,
     Tolerance,
 }
@@ -233,6 +241,7 @@ impl ParameterSlot {
             ParameterSlot::StructuralDamping => Value::Real(settings.plant.structural_damping),
             ParameterSlot::ModeFamily => Value::Integer(settings.plant.mode_selection as i32 + 1),
             ParameterSlot::ModeCount => Value::Integer(saturating(settings.plant.mode_count)),
+            ParameterSlot::LoadModes => Value::Boolean(settings.plant.load_modes),
             ParameterSlot::InflowStates => Value::Integer(saturating(settings.plant.inflow_states)),
             ParameterSlot::Tolerance => Value::Real(settings.tolerance),
         }
@@ -260,6 +269,7 @@ impl ParameterSlot {
             (ParameterSlot::ModeCount, Value::Integer(i)) => {
                 settings.plant.mode_count = usize::try_from(i).unwrap_or(settings.plant.mode_count);
             }
+            (ParameterSlot::LoadModes, Value::Boolean(flag)) => settings.plant.load_modes = flag,
             (ParameterSlot::InflowStates, Value::Integer(i)) => {
                 settings.plant.inflow_states = usize::try_from(i).unwrap_or(settings.plant.inflow_states);
             }

@@ -3,7 +3,7 @@
 use crate::aircraft::{ALTITUDES, Control, Support, TrimRole};
 use crate::flight::Settings;
 use crate::plant::PlantSettings;
-use crate::structure::ReducedModel;
+use crate::structure::{Mode, ModeFamily, ReducedModel};
 
 use super::{
     AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot,
@@ -88,9 +88,18 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
         count(
             "mode_count",
             P::ModeCount,
-            model.modes.len(),
-            "Number of modes that take part, lowest first; of mirrored pairs both do",
+            model.natural_modes(),
+            "Number of natural modes that take part, lowest first; of mirrored pairs both do",
         ),
+        Variable {
+            kind: Type::Boolean,
+            ..parameter(
+                "load_modes",
+                P::LoadModes,
+                &start,
+                "Whether the load modes that belong to those natural modes take part too",
+            )
+        },
         count(
             "inflow_states",
             P::InflowStates,
@@ -100,8 +109,12 @@ fn parameters(model: &ReducedModel) -> Vec<Variable> {
         real("tolerance", P::Tolerance, Unit::One, "Relative tolerance of the internal integrator")
             .between(1e-12, 0.1),
     ];
-    let has_altitude = model.tunnel_air.is_none();
-    rows.into_iter().filter(|row| has_altitude || row.slot != Slot::Parameter(P::Altitude)).collect()
+    let is_there = |row: &Variable| match row.slot {
+        Slot::Parameter(P::Altitude) => model.tunnel_air.is_none(),
+        Slot::Parameter(P::LoadModes) => model.has_load_modes(),
+        _ => true,
+    };
+    rows.into_iter().filter(is_there).collect()
 }
 
 fn motion() -> Vec<Variable> {
@@ -214,15 +227,27 @@ fn sensors(model: &ReducedModel) -> Vec<Variable> {
 
 fn modal_coordinates(model: &ReducedModel) -> Vec<Variable> {
     let mut rows = Vec::new();
-    for mode in 0..model.modes.len() {
+    // Load modes of fewer natural modes than packaged are combined of all that is packaged.
+    let unused = if model.has_load_modes() {
+        "0 when neither it nor a load mode of its family is in use"
+    } else {
+        "0 when not in use"
+    };
+    let kind = |mode: &Mode| match (mode.of_loads, mode.family) {
+        (false, _) => "",
+        (true, ModeFamily::Symmetric) => ", a symmetric load mode",
+        (true, ModeFamily::Antisymmetric) => ", an antisymmetric load mode",
+        (true, ModeFamily::Unsymmetric) => ", a load mode",
+    };
+    for (mode, kind) in model.modes.iter().map(kind).enumerate() {
         let number = mode + 1;
-        let text = format!("Generalised coordinate of mode {number} (kg^(1/2) m), 0 when not in use");
+        let text = format!("Generalised coordinate of mode {number} (kg^(1/2) m){kind}, {unused}");
         let slot = OutputSlot::ModalCoordinate(mode);
         rows.push(output(format!("modal.q[{number}]"), None, slot, text));
     }
-    for mode in 0..model.modes.len() {
+    for (mode, kind) in model.modes.iter().map(kind).enumerate() {
         let number = mode + 1;
-        let text = format!("Rate of the generalised coordinate of mode {number} (kg^(1/2) m/s)");
+        let text = format!("Rate of the generalised coordinate of mode {number} (kg^(1/2) m/s){kind}");
         let slot = OutputSlot::ModalRate(mode);
         rows.push(output(format!("modal.q_dot[{number}]"), None, slot, text));
     }

@@ -12,6 +12,13 @@ fn table() -> VariableTable {
     VariableTable::new(jet())
 }
 
+/// The jet as if its last two modes were load modes.
+fn jet_with_load_modes() -> ReducedModel {
+    let mut model = jet().clone();
+    model.modes[24..].iter_mut().for_each(|mode| mode.of_loads = true);
+    model
+}
+
 fn row(name: &str) -> Variable {
     let table = table();
     let reference = table.reference(name).unwrap_or_else(|| panic!("no variable `{name}`"));
@@ -51,7 +58,7 @@ fn the_jet_has_exactly_the_variables_of_the_contract() {
 #[test]
 fn names_that_no_control_can_have_are_those_of_other_variables() {
     let glider = ReducedModel { engines: Vec::new(), ..jet().clone() };
-    let tables = [jet(), &glider].map(VariableTable::new);
+    let tables = [jet(), &glider, &jet_with_load_modes()].map(VariableTable::new);
     let names = tables.iter().flat_map(|table| table.iter().map(|(_, variable)| variable.name.as_str()));
     let names: HashSet<&str> = names.collect();
     let is_controls = |name: &str| jet().control(name).is_some();
@@ -180,13 +187,15 @@ fn settings_start_from_the_aircrafts_own_flight_condition() {
 
 #[test]
 fn every_parameter_reads_back_what_was_set() {
-    let mut settings = Settings::of(jet());
-    for (_, variable) in table().iter() {
+    let model = jet_with_load_modes();
+    let mut settings = Settings::of(&model);
+    for (_, variable) in VariableTable::new(&model).iter() {
         let Slot::Parameter(slot) = variable.slot else { continue };
         let value = match variable.kind {
             Type::Real => Value::Real(0.03),
             Type::Integer => Value::Integer(3),
             Type::Enumeration(enumeration) => Value::Integer(enumeration.items().len() as i32),
+            Type::Boolean => Value::Boolean(false),
         };
         assert_ne!(
             slot.get(&settings),
@@ -197,7 +206,29 @@ fn every_parameter_reads_back_what_was_set() {
         slot.set(&mut settings, value);
         assert_eq!(slot.get(&settings), value, "{}", variable.name);
     }
-    assert_eq!(settings.plant.fidelity, Fidelity::Rigid);
+    assert_eq!(settings.plant.fidelity, Fidelity::GeometricallyExact);
+}
+
+#[test]
+fn only_an_aircraft_with_load_modes_has_the_parameter_and_its_mode_count_counts_natural_modes() {
+    let model = jet_with_load_modes();
+    let table = VariableTable::new(&model);
+    assert!(row("mode_count").max == Some(26.0) && self::table().named("load_modes").is_none());
+    assert_eq!(table.named("mode_count").unwrap().max, Some(24.0));
+    let load_modes = table.named("load_modes").unwrap();
+    assert_eq!((load_modes.kind, load_modes.start), (Type::Boolean, Some(Value::Boolean(true))));
+    assert_eq!(load_modes.allowed(), "true or false");
+    let allows = [Value::Boolean(false), Value::Integer(1), Value::Real(1.0)].map(|v| load_modes.allows(v));
+    assert_eq!(allows, [true, false, false]);
+    assert!(!row("mode_count").allows(Value::Boolean(true)));
+    for (mode, described) in [(24, false), (25, true), (26, true)] {
+        for name in ["q", "q_dot"].map(|name| format!("modal.{name}[{mode}]")) {
+            let text = &table.named(&name).unwrap().description;
+            assert_eq!(text.contains("symmetric load mode"), described, "{text}");
+        }
+    }
+    let Slot::Output(pitch) = row("trim.pitch").slot else { panic!("trim.pitch is no output") };
+    assert!(table.initial_dependencies(pitch).contains(&table.reference("load_modes").unwrap()));
 }
 
 #[test]
@@ -219,9 +250,9 @@ fn every_input_has_its_own_place() {
 fn enumerations_list_their_items_and_refuse_others() {
     let model = row("model");
     let names: Vec<_> = EnumerationType::Model.items().iter().map(|(name, _)| *name).collect();
-    assert_eq!(names, ["exact", "consistently_linearised", "inconsistent", "ruthlessly_linearised", "rigid"]);
-    assert!(model.allowed().contains("5 (rigid)"), "{}", model.allowed());
-    for (value, allowed) in [(0, false), (1, true), (5, true), (6, false)] {
+    assert_eq!(names, Fidelity::ALL.map(Fidelity::name));
+    assert!(model.allowed().contains("5 (rigid), 6 (geometrically_exact)"), "{}", model.allowed());
+    for (value, allowed) in [(0, false), (1, true), (6, true), (7, false)] {
         assert_eq!(model.allows(Value::Integer(value)), allowed, "{value}");
     }
 }

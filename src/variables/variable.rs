@@ -10,6 +10,8 @@ pub enum Type {
     Real,
     /// A 32-bit integer.
     Integer,
+    /// True or false.
+    Boolean,
     /// An integer that names one of a list, from 1.
     Enumeration(EnumerationType),
 }
@@ -51,22 +53,29 @@ pub struct Variable {
 }
 
 impl Variable {
-    /// Whether the value is within `min` and `max` (enumerations: one of the list).
+    /// Whether the value is within `min` and `max` (enumerations: one of the list; Booleans: either).
     pub fn allows(&self, value: Value) -> bool {
         let number = match value {
             Value::Real(x) => x,
             Value::Integer(i) => f64::from(i),
+            Value::Boolean(_) => return self.kind == Type::Boolean,
         };
-        number.is_finite()
+        self.kind != Type::Boolean
+            && number.is_finite()
             && self.min.is_none_or(|min| number >= min)
             && self.max.is_none_or(|max| number <= max)
     }
 
     /// What [`allows`](Self::allows) accepts, for people, with its unit.
     pub fn allowed(&self) -> String {
-        if let Type::Enumeration(enumeration) = self.kind {
-            let items = enumeration.items().iter().enumerate();
-            return items.map(|(i, (item, _))| format!("{} ({item})", i + 1)).collect::<Vec<_>>().join(", ");
+        match self.kind {
+            Type::Enumeration(enumeration) => {
+                let items = enumeration.items().iter().enumerate();
+                let items: Vec<String> = items.map(|(i, (item, _))| format!("{} ({item})", i + 1)).collect();
+                return items.join(", ");
+            }
+            Type::Boolean => return "true or false".to_owned(),
+            Type::Real | Type::Integer => {}
         }
         let unit = match self.unit {
             None | Some(Unit::One) => String::new(),

@@ -368,3 +368,22 @@ fn surface_across_the_beam_needs_a_width() {
         ],
     );
 }
+
+#[test]
+fn limits_of_nothing_beyond_all_or_upside_down() {
+    let limits = "inflow_states = 5\nlimits = { maximum_mach = 0, maximum_alpha = 3 }";
+    let edits = [
+        ("inflow_states = 5", limits),
+        ("positive = \"nose-down\"", "positive = \"nose-down\"\nminimum_deg = 20\nmaximum_deg = -20"),
+        ("positive = \"nose right\"", "positive = \"nose right\"\nmaximum_deg = 91"),
+    ];
+    let error = super::edited(&edits).expect_err("bad limits").to_string();
+    for message in [
+        "limits.maximum_mach: found 0; a Mach number above 0 up to 10 is allowed",
+        "79:15: control.elevator.maximum_deg: found minimum_deg = 20 and maximum_deg = -20, in degrees; maximum_deg > minimum_deg is allowed",
+        "control.rudder.maximum_deg: found 91; an angle in degrees from -90 to 90 is allowed",
+        "limits.maximum_alpha: found the unknown field \"maximum_alpha\"; allowed here: minimum_angle_of_attack_deg, ",
+    ] {
+        assert!(error.contains(message), "{message}\n{error}");
+    }
+}

@@ -133,7 +133,7 @@ fn missing_top_field() {
     assert_messages(
         &[("support = \"free\"\n", "")],
         &[
-            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, inflow_states, airspeed_m_s, altitude_m, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, limits, control, component, engine, station",
+            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, model, inflow_states, airspeed_m_s, altitude_m, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, basis, limits, control, component, engine, station",
         ],
     );
 }
@@ -249,6 +249,16 @@ fn unknown_word() {
 }
 
 #[test]
+fn unknown_level() {
+    assert_messages(
+        &[("model = \"exact\"", "model = \"Exact\"")],
+        &[
+            "small.toml:8:9: model: found the text \"Exact\"; \"exact\" or \"consistently_linearised\" or \"inconsistent\" or \"ruthlessly_linearised\" or \"rigid\" or \"geometrically_exact\" is allowed",
+        ],
+    );
+}
+
+#[test]
 fn unknown_format() {
     assert_messages(
         &[("format = 1", "format = 2")],
@@ -273,25 +283,6 @@ fn a_trim_where_nothing_flies() {
             "small.toml:8:14: altitude_m: found 30000; an altitude in metres from -1000 to 20000 is allowed",
         ],
     );
-}
-
-#[test]
-fn limits_of_nothing_beyond_all_or_upside_down() {
-    let limits = "inflow_states = 5\nlimits = { maximum_mach = 0, maximum_alpha = 3 }";
-    let edits = [
-        ("inflow_states = 5", limits),
-        ("positive = \"nose-down\"", "positive = \"nose-down\"\nminimum_deg = 20\nmaximum_deg = -20"),
-        ("positive = \"nose right\"", "positive = \"nose right\"\nmaximum_deg = 91"),
-    ];
-    let error = super::edited(&edits).expect_err("bad limits").to_string();
-    for message in [
-        "limits.maximum_mach: found 0; a Mach number above 0 up to 10 is allowed",
-        "79:15: control.elevator.maximum_deg: found minimum_deg = 20 and maximum_deg = -20, in degrees; maximum_deg > minimum_deg is allowed",
-        "control.rudder.maximum_deg: found 91; an angle in degrees from -90 to 90 is allowed",
-        "limits.maximum_alpha: found the unknown field \"maximum_alpha\"; allowed here: minimum_angle_of_attack_deg, ",
-    ] {
-        assert!(error.contains(message), "{message}\n{error}");
-    }
 }
 
 #[test]

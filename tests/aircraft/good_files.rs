@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
-use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Bound, Limits, Problem, Strip};
+use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Bound, Fidelity, Limits, Problem, Strip};
+use flexible_aircraft::plant::PlantSettings;
 use flexible_aircraft::structure::ReducedModel;
+use flexible_aircraft::variables::{Value, VariableTable};
 use nalgebra::Vector3;
 
 use super::{AILERON, GOOD, edited};
@@ -24,6 +26,19 @@ fn small_aircraft_has_the_parts_that_it_lists() {
     assert_eq!((aircraft.nodes.len(), aircraft.beams.len()), (18, 17));
     assert_eq!((aircraft.bays.len(), aircraft.strips.len()), (10, 12));
     assert_eq!((aircraft.engines.len(), aircraft.stations.len()), (1, 1));
+}
+
+#[test]
+fn an_aircraft_flies_at_the_level_that_its_file_names() {
+    for level in Fidelity::ALL {
+        let named = aircraft(&[("model = \"exact\"", &format!("model = \"{}\"", level.name()))]);
+        let model = ReducedModel::new(&named, 2).unwrap();
+        assert_eq!([named.fidelity, model.fidelity, PlantSettings::of(&model).fidelity], [level; 3]);
+        let table = VariableTable::new(&model);
+        let variable = table.named("model").unwrap();
+        assert_eq!(variable.start, Some(Value::Integer(level as i32 + 1)));
+    }
+    assert_eq!(aircraft(&[("model = \"exact\"", "")]).fidelity, Fidelity::GeometricallyExact);
 }
 
 #[test]
@@ -197,7 +212,7 @@ fn every_shipped_file_is_an_aircraft() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft");
     let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let files: Vec<_> = paths.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect();
-    assert!(files.len() >= 4, "{files:?}");
+    assert!(files.len() >= 5, "{files:?}");
     for file in files {
         Aircraft::read(&file).unwrap_or_else(|error| panic!("{error}"));
     }

@@ -3,6 +3,7 @@
 
 mod bad_airframes;
 mod bad_fields;
+mod basis;
 mod controls;
 mod good_files;
 mod jet;

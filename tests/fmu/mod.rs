@@ -27,6 +27,7 @@ fn package() -> Package {
     Package {
         aircraft: jet_file(),
         mode_count: MODE_COUNT.into(),
+        load_modes: false,
         binaries: vec![(Platform::host().unwrap(), library)],
         workspace: env!("CARGO_MANIFEST_DIR").into(),
     }

@@ -1,6 +1,8 @@
 //! A uniform cantilever in any direction, as an [`Aircraft`] without air.
 
-use flexible_aircraft::aircraft::{Aircraft, Attachment, Beam, Limits, MassBay, ModeBasis, Support};
+use flexible_aircraft::aircraft::{
+    Aircraft, Attachment, Beam, Fidelity, Limits, MassBay, ModeBasis, Support,
+};
 use nalgebra::{Matrix3, Vector3};
 
 /// A uniform beam clamped at O.
@@ -68,6 +70,8 @@ impl Cantilever {
             gravity: 0.0,
             support: Support::Clamped,
             mode_basis: ModeBasis::Full,
+            load_modes: false,
+            fidelity: Fidelity::Exact,
             inflow_states: 0,
             airspeed: 127.0,
             altitude: 7620.0,

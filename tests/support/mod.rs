@@ -4,7 +4,11 @@ pub mod beams;
 pub mod kane;
 pub mod linearised;
 pub mod plain_loads;
+pub mod plain_points;
+pub mod plain_sections;
+pub mod planar;
 pub mod ritz;
+pub mod rod;
 pub mod strip;
 
 use std::path::Path;

@@ -8,57 +8,23 @@ use std::f64::consts::PI;
 use flexible_aircraft::air::Air;
 use flexible_aircraft::equations::{Controls, EquationsOfMotion};
 use flexible_aircraft::math::Attitude;
-use flexible_aircraft::structure::{ModeShapes, ReducedStrip};
-use nalgebra::{DVectorView, Matrix3xX, Rotation3, Vector3};
+use flexible_aircraft::structure::ReducedStrip;
+use nalgebra::Vector3;
+
+use super::plain_points::{Fixed, Moving, Point};
 
 /// A state of the aircraft, and what acts on it.
 pub struct Instant<'a> {
     /// The state's layout.
     pub equations: &'a EquationsOfMotion,
+    /// How sections move.
+    pub moving: Moving<'a>,
     /// Surfaces and the motion of the air.
     pub controls: &'a Controls,
     /// The whole state.
     pub state: &'a [f64],
     /// Its rates: the accelerations of the loads are taken from them.
     pub rates: &'a [f64],
-}
-
-/// A point of the structure.
-pub struct Point {
-    /// How its section is turned.
-    pub turn: Rotation3<f64>,
-    /// R.
-    pub place: Vector3<f64>,
-    /// Body axes, m/s.
-    pub velocity: Vector3<f64>,
-    /// ω + Ψᵠq̇, rad/s.
-    pub spin: Vector3<f64>,
-    /// Ψᵠq and Ψᵠq̇.
-    rotation: [Vector3<f64>; 2],
-}
-
-/// A point of an aircraft in a state.
-pub fn point(
-    equations: &EquationsOfMotion,
-    state: &[f64],
-    position: &Vector3<f64>,
-    shapes: &ModeShapes,
-) -> Point {
-    let layout = equations.layout();
-    let [psi_u, psi_phi] =
-        [&shapes.translation, &shapes.rotation].map(|rows| Matrix3xX::from_row_slice(rows));
-    let part = |range: std::ops::Range<usize>| DVectorView::from_slice(&state[range], layout.modes());
-    let (q, q_dot) = (part(layout.coordinates()), part(layout.coordinate_rates()));
-    let motion = equations.motion(state);
-    let place = position + &psi_u * q;
-    let rotation = [&psi_phi * q, &psi_phi * q_dot];
-    Point {
-        turn: Rotation3::new(rotation[0]),
-        place,
-        velocity: motion.velocity + motion.rate.cross(&place) + &psi_u * q_dot,
-        spin: motion.rate + rotation[1],
-        rotation,
-    }
 }
 
 /// f, s, n of a strip, V and what follows.
@@ -92,7 +58,7 @@ pub struct StripLoad {
 impl Instant<'_> {
     /// The flow at a strip in a state and a wind.
     fn flow_in(&self, strip: &ReducedStrip, state: &[f64], wind: &Vector3<f64>) -> Flow {
-        let at = point(self.equations, state, &strip.position, &strip.shapes);
+        let at = Fixed::from(strip).point(self.moving, self.equations, state);
         let attitude = Attitude::from_quaternion(&state[self.equations.layout().attitude()]);
         let velocity = at.velocity - attitude.body_from_inertial * wind;
         let (forward, span) = (at.turn * strip.forward, at.turn * strip.span);
@@ -117,32 +83,24 @@ impl Instant<'_> {
         let part =
             |numbers: &[f64], range: std::ops::Range<usize>| Vector3::from_column_slice(&numbers[range]);
         let (omega, omega_dot) = (part(self.state, layout.rate()), part(self.rates, layout.rate()));
-        let [psi_u, psi_phi] =
-            [&strip.shapes.translation, &strip.shapes.rotation].map(|rows| Matrix3xX::from_row_slice(rows));
-        let q_dot = DVectorView::from_slice(&self.state[layout.coordinate_rates()], layout.modes());
-        let q_dot_dot = DVectorView::from_slice(&self.rates[layout.coordinate_rates()], layout.modes());
+        let [q, q_ddot] = [&self.state[layout.coordinates()], &self.rates[layout.coordinate_rates()]];
+        let [accelerating, spinning_up] = Fixed::from(strip).rows_times(self.moving, q, q_ddot);
+        let [bias, spin_bias] = at.biases;
+        let sigma = at.true_spin;
 
-        let [phi, phi_dot] = at.rotation;
-        let angle = phi.norm();
-        let (once, twice) = (phi.cross(&phi_dot), phi.cross(&phi.cross(&phi_dot)));
-        let sigma = if angle == 0.0 {
-            phi_dot
-        } else {
-            let (sin, cos) = libm::sincos(angle);
-            phi_dot + once * ((1.0 - cos) / angle.powi(2)) + twice * ((1.0 - sin / angle) / angle.powi(2))
-        };
         let attitude = Attitude::from_quaternion(&self.state[layout.attitude()]).body_from_inertial;
         let (wind, wind_rate) = (attitude * self.controls.wind, attitude * self.controls.wind_rate);
         let velocity_change = part(self.rates, layout.velocity())
             + omega_dot.cross(&at.place)
-            + &psi_u * q_dot_dot
-            + omega.cross(&(&psi_u * q_dot))
+            + accelerating
+            + bias
+            + omega.cross(&at.relative_velocity)
             + omega.cross(&wind)
             - wind_rate;
         let m = normal + forward * strip.zero_lift_offset;
         [
             m.dot(&velocity_change) + sigma.cross(&m).dot(velocity),
-            span.dot(&(omega_dot + &psi_phi * q_dot_dot)) + sigma.cross(span).dot(&at.spin),
+            span.dot(&(omega_dot + spinning_up + spin_bias)) + sigma.cross(span).dot(&at.spin),
         ]
     }
 

@@ -62,6 +62,7 @@ pub fn ritz_modes(structure: &Structure, trial: &DMatrix<f64>) -> (Vec<Mode>, DM
         family: ModeFamily::Unsymmetric,
         angular_frequency: libm::sqrt(*square),
         completes_a_pair: false,
+        of_loads: false,
     });
     (modes.collect(), normal * eigen.eigenvectors)
 }

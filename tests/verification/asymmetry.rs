@@ -11,6 +11,7 @@ use flexible_aircraft::variables::{Slot, VariableTable};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::support::plain_loads::Instant;
+use crate::support::plain_points::Moving;
 use crate::support::{AILERON, ELEVATOR, RUDDER, angles, jet};
 
 /// The shipped jet, changed by the caller.
@@ -108,7 +109,8 @@ fn gravity_thrust_and_the_air_balance_the_trimmed_aircraft_in_all_six_directions
     let trim = plant.trim(&settings.plant.trim_condition()).unwrap();
     let rates = vec![0.0; trim.state.len()];
     let (equations, controls) = (plant.equations(), &trim.controls);
-    let instant = Instant { equations, controls, state: &trim.state, rates: &rates };
+    let moving = Moving::Superposed;
+    let instant = Instant { equations, moving, controls, state: &trim.state, rates: &rates };
     let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
     let mut act = |place: &Vector3<f64>, acting: Vector3<f64>| {
         force += acting;

@@ -1,4 +1,4 @@
-//! The five levels differ as theory and the thesis say.
+//! The thesis' levels differ as theory and the thesis say.
 
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Inputs, Settings};

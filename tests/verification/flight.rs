@@ -130,10 +130,14 @@ fn the_heading_only_turns_the_flight() {
     record.finish();
 }
 
+/// One level of each kind of kinematics.
+const KINDS: [Fidelity; 2] = [Fidelity::Exact, Fidelity::GeometricallyExact];
+
 #[test]
 fn one_long_step_and_many_short_ones_give_the_same_bits() {
-    let flight = |steps_per_centisecond: u32| {
-        let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
+    let flight = |fidelity: Fidelity, steps_per_centisecond: u32| {
+        let settings = Settings::from(PlantSettings { fidelity, ..PlantSettings::of(&jet()) });
+        let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
         let (mut inputs, rates) = (Inputs::zero(&jet()), Inputs::zero(&jet()));
         for centisecond in 0..300 {
             let time = f64::from(centisecond) * 0.01;
@@ -145,14 +149,21 @@ fn one_long_step_and_many_short_ones_give_the_same_bits() {
         }
         flight.outputs().clone()
     };
-    let reference = flight(1);
-    assert_eq!(flight(10), reference);
-    assert_eq!(flight(3), reference);
+    for fidelity in KINDS {
+        let reference = flight(fidelity, 1);
+        assert_eq!(flight(fidelity, 10), reference);
+        assert_eq!(flight(fidelity, 3), reference);
+    }
 }
 
 #[test]
 fn a_restored_snapshot_continues_with_the_same_bits_and_damage_is_refused() {
-    let mut flight = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
+    KINDS.into_iter().for_each(a_restored_snapshot_continues_at);
+}
+
+fn a_restored_snapshot_continues_at(fidelity: Fidelity) {
+    let settings = Settings::from(PlantSettings { fidelity, ..PlantSettings::of(&jet()) });
+    let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
     let mut inputs = Inputs::zero(&jet());
     inputs.controls[RUDDER] = 0.02;
     inputs.wind = Vector3::new(1.0, 2.0, -3.0);
@@ -162,7 +173,7 @@ fn a_restored_snapshot_continues_with_the_same_bits_and_damage_is_refused() {
     flight.snapshot(&mut bytes);
     assert_eq!(bytes.len(), flight.snapshot_size());
 
-    let mut other = Simulation::new(jet(), &Settings::of(&jet()), 0.0).unwrap();
+    let mut other = Simulation::new(jet(), &settings, 0.0).unwrap();
     other.restore(&bytes).unwrap();
     for flight in [&mut flight, &mut other] {
         flight.advance_to(2.5).unwrap();
@@ -178,7 +189,7 @@ fn a_restored_snapshot_continues_with_the_same_bits_and_damage_is_refused() {
     assert!(other.restore(&bytes[..bytes.len() - 1]).is_err());
     let mut stiffer = Simulation::new(
         jet(),
-        &Settings::from(PlantSettings { stiffness_scale: 2.0, ..PlantSettings::of(&jet()) }),
+        &Settings::from(PlantSettings { stiffness_scale: 2.0, ..settings.plant }),
         0.0,
     )
     .unwrap();

@@ -206,6 +206,7 @@ fn forward_swept(incidence_deg: f64) -> ReducedModel {
         gravity_m_s2 = 0
         support = "clamped"
         mode_basis = "bending_torsion"
+        model = "exact"
         altitude_m = 0
 
         [[component]]

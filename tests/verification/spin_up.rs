@@ -18,7 +18,7 @@
 use flexible_aircraft::aircraft::{Limits, Support};
 use flexible_aircraft::equations::{Configuration, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{
-    ModalIntegrals, ModeShapes, ReducedModel, ReducedStation, StrainEnergy, Structure,
+    Carrier, ModalIntegrals, ModeShapes, ReducedModel, ReducedStation, StrainEnergy, Structure,
 };
 use nalgebra::{Complex, DMatrix, DVector, Schur, Vector3};
 
@@ -54,6 +54,7 @@ fn model(elements: usize) -> ReducedModel {
         name: aircraft.name.clone(),
         gravity: 0.0,
         support: Support::Clamped,
+        fidelity: Fidelity::Exact,
         inflow_states: 0,
         airspeed: 127.0,
         altitude: 7620.0,
@@ -63,12 +64,15 @@ fn model(elements: usize) -> ReducedModel {
         modes,
         integrals: ModalIntegrals::new(&structure, &shapes),
         strain_energy: StrainEnergy::new(&structure, &shapes),
+        static_loads: Vec::new(),
+        sections: Vec::new(),
         strips: Vec::new(),
         controls: Vec::new(),
         engines: Vec::new(),
         stations: vec![ReducedStation {
             name: "tip".to_owned(),
             position: Vector3::x() * LENGTH,
+            carrier: Carrier { section: 0, mirrored: false },
             twist_axis: Vector3::x(),
             shapes: ModeShapes { translation: at_tip(tip), rotation: at_tip(tip + 3) },
         }],

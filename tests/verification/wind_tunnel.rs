@@ -21,6 +21,7 @@ name = "Half wing"
 gravity_m_s2 = 0.0
 support = "clamped"
 mode_basis = "bending_torsion"
+model = "exact"
 
 [[component]]
 name = "wing"

@@ -55,7 +55,7 @@ impl Scaling {
     pub fn measure(aircraft: &Aircraft, model: &Arc<ReducedModel>) -> Result<Self, BenchError> {
         let most = Arc::new(ReducedModel::new(aircraft, ModeCount::Usual(40))?);
         let standard = Settings::of(model);
-        let counts: Vec<usize> = MODES.into_iter().filter(|&count| count <= most.modes.len()).collect();
+        let counts: Vec<usize> = MODES.into_iter().filter(|&count| count <= most.natural_modes()).collect();
         let points = counts.len() + PARTS.len() + INFLOW_STATES.len() + Fidelity::ALL.len();
         let progress = Progress::new(points, "aircraft");
         let point = |model: &Arc<ReducedModel>, settings: &Settings, label: String, size: usize| {

@@ -17,7 +17,9 @@ fn jet() -> (tempfile::TempDir, Fmu) {
     let library = std::env::current_exe().unwrap().with_file_name(name);
     let binaries = vec![(Platform::host().unwrap(), library)];
     let aircraft = workspace.join("aircraft/generic-business-jet.toml");
-    Package { aircraft, mode_count: 26.into(), binaries, workspace }.write(&output).unwrap();
+    Package { aircraft, mode_count: 26.into(), load_modes: false, binaries, workspace }
+        .write(&output)
+        .unwrap();
     let fmu = Fmu::open(&output).unwrap();
     (folder, fmu)
 }

@@ -1,23 +1,20 @@
 //! `flexair flutter`: at which airspeeds an aircraft flutters or diverges, in words, plots and numbers.
 
-use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use flexible_aircraft::air::Air;
-use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Support};
-use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::plant::{ModeSelection, PlantSettings, SettingError};
+use flexible_aircraft::plant::{PlantSettings, SettingError};
 use flexible_aircraft::stability::Sweep;
-use flexible_aircraft::structure::{ModeCount, ModeFamily, ModeKind, ReducedModel, StructureError};
+use flexible_aircraft::structure::{ModeCount, ReducedModel};
 use flexible_aircraft_packaging::FileError;
 
+use crate::condition::{self, ConditionOptions};
 use crate::files::{Drafts, Overwriting, refuse_overwriting};
-use crate::numbers::Plain;
 use crate::progress::Progress;
-use crate::{diagnostics, terminal, workspace};
+use crate::{diagnostics, terminal};
 
-mod motion;
+pub mod motion;
 mod plots;
 mod report;
 mod roots;
@@ -28,15 +25,11 @@ const USUAL_MODES: usize = 12;
 /// How the names of the files end that are written: V–g and V–f plots, growth of aperiodic roots, numbers.
 const OUTPUTS: [&str; 4] = ["v-g.svg", "v-f.svg", "v-aperiodic.svg", "roots.csv"];
 
-/// More airspeeds than this are a slip of the pen: the jet would take hours.
-const MOST_POINTS: usize = 100_000;
-
 /// Options of `flexair flutter`.
 #[derive(Args)]
 pub struct FlutterOptions {
-    /// The aircraft file (TOML), free or clamped
-    #[arg(value_name = "AIRCRAFT", default_value_os_t = workspace::aircraft())]
-    aircraft: PathBuf,
+    #[command(flatten)]
+    condition: ConditionOptions,
 
     /// Lowest airspeed, m/s
     #[arg(long, value_name = "M/S")]
@@ -50,81 +43,20 @@ pub struct FlutterOptions {
     #[arg(long, value_name = "N", default_value_t = 41)]
     points: usize,
 
-    /// Altitude in the standard atmosphere, m, where the aircraft has no `density_kg_m3` [default: the aircraft's]
-    #[arg(long, value_name = "M", allow_negative_numbers = true)]
-    altitude: Option<f64>,
-
-    /// Factor on all elastic properties
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
-    stiffness_scale: f64,
-
-    /// Modal damping ratio of every mode
-    #[arg(long, value_name = "RATIO", default_value_t = 0.0)]
-    structural_damping: f64,
-
-    /// Fidelity level
-    #[arg(long, value_enum, default_value_t = Model::Exact)]
-    model: Model,
-
-    /// Number of modes, lowest frequencies first [default: 12, or all where there are fewer]
+    /// Number of natural modes, lowest frequencies first [default: 12, or all where there are fewer]
     #[arg(long, value_name = "N")]
     modes: Option<usize>,
-
-    /// Families of modes that take part
-    #[arg(long, value_enum, default_value_t = Modes::All)]
-    mode_family: Modes,
-
-    /// Peters inflow states of each strip, 0 (steady) to 8 [default: the aircraft's]
-    #[arg(long, value_name = "N")]
-    inflow_states: Option<usize>,
 
     /// Folder for the plots and the table of roots
     #[arg(long, value_name = "DIR", default_value = "target/flutter")]
     output: PathBuf,
 }
 
-/// The fidelity levels under their names in the FMU.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-#[value(rename_all = "snake_case")]
-enum Model {
-    Exact,
-    ConsistentlyLinearised,
-    Inconsistent,
-    RuthlesslyLinearised,
-    Rigid,
-}
-
-/// The families under their names in the FMU.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Modes {
-    All,
-    Symmetric,
-}
-
 /// Why `flexair flutter` did not succeed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     #[error(transparent)]
-    Aircraft(#[from] AircraftFileError),
-    #[error(transparent)]
-    Structure(#[from] StructureError),
-    #[error("{}: found {}, allowed is {}", option(.0.setting), .0.found, .0.allowed)]
-    Setting(#[from] SettingError),
-    #[error("{option}: found {}, allowed is {} to {} m/s", Plain(*found), allowed.start(), allowed.end())]
-    Airspeed { option: &'static str, found: f64, allowed: RangeInclusive<f64> },
-    #[error(
-        "--altitude {}: {aircraft} is in a wind tunnel with air of its own, `density_kg_m3`; allowed is one of them",
-        Plain(*altitude)
-    )]
-    TunnelAltitude { altitude: f64, aircraft: String },
-    #[error(
-        "--from {} --to {} --points {points} is no range: 0 < from < to (m/s) and 2 to {MOST_POINTS} points are allowed",
-        Plain(*from),
-        Plain(*to)
-    )]
-    Range { from: f64, to: f64, points: usize },
-    #[error("{option}: nothing would move, for the aircraft is clamped; allowed is {allowed}")]
-    Motionless { option: &'static str, allowed: &'static str },
+    Condition(#[from] condition::Error),
     #[error(transparent)]
     File(#[from] FileError),
     #[error(transparent)]
@@ -135,36 +67,29 @@ impl Error {
     /// For people, on a terminal.
     pub fn report(&self) -> String {
         match self {
-            Error::Aircraft(error) => diagnostics::render(error),
+            Error::Condition(error) => error.report(),
             other => format!("error: {other}"),
         }
     }
 }
 
-/// The option with which a parameter of the FMU is set here.
-fn option(setting: &str) -> String {
-    match setting {
-        "mode_count" => "--modes".to_owned(),
-        other => format!("--{}", other.replace('_', "-")),
-    }
-}
-
 /// What was analysed, and what came out.
-struct Analysis {
-    model: ReducedModel,
+pub struct Analysis {
+    /// With the modes that take part.
+    pub model: ReducedModel,
     /// Fidelity level for people.
-    level: String,
-    settings: PlantSettings,
+    pub level: String,
+    pub settings: PlantSettings,
     /// Lowest and highest airspeed asked for, m/s.
-    range: [f64; 2],
-    sweep: Sweep,
+    pub range: [f64; 2],
+    pub sweep: Sweep,
 }
 
 /// Analyses, prints, draws, and writes the roots.
 pub fn run(options: &FlutterOptions) -> Result<(), Error> {
-    let name = options.aircraft.file_stem().unwrap_or_default().to_string_lossy();
+    let name = options.condition.aircraft.file_stem().unwrap_or_default().to_string_lossy();
     let outputs = OUTPUTS.map(|ending| options.output.join(format!("{name}-{ending}")));
-    refuse_overwriting(&outputs.each_ref().map(PathBuf::as_path), [options.aircraft.as_path()])?;
+    refuse_overwriting(&outputs.each_ref().map(PathBuf::as_path), [options.condition.aircraft.as_path()])?;
     let [dampings, frequencies, aperiodic, roots] = outputs.each_ref().map(PathBuf::as_path);
     let drafts = Drafts::new([dampings, frequencies, roots, aperiodic])?;
     let analysis = analyse(options)?;
@@ -187,98 +112,34 @@ pub fn run(options: &FlutterOptions) -> Result<(), Error> {
     Ok(())
 }
 
-fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
-    let aircraft = diagnostics::read_aircraft(&options.aircraft)?;
-    let airspeeds = airspeeds(options, aircraft.support)?;
-    if let (Some(altitude), Some(_)) = (options.altitude, &aircraft.tunnel_air) {
-        return Err(Error::TunnelAltitude { altitude, aircraft: options.aircraft.display().to_string() });
-    }
-    let (model, mode_count) = reduce(&aircraft, options)?;
-    check_mobility(aircraft.support, options)?;
-    let settings = PlantSettings {
-        fidelity: options.model.fidelity(),
-        altitude: options.altitude.unwrap_or(aircraft.altitude),
-        stiffness_scale: options.stiffness_scale,
-        structural_damping: options.structural_damping,
-        mode_selection: options.mode_family.selection(),
-        mode_count,
-        inflow_states: options.inflow_states.unwrap_or(aircraft.inflow_states),
-        ..PlantSettings::of(&model)
-    };
+fn analyse(options: &FlutterOptions) -> Result<Analysis, condition::Error> {
+    let FlutterOptions { condition, from, to, points, modes, .. } = options;
+    let aircraft = condition.read()?;
+    let airspeeds = condition::airspeeds([*from, *to], *points, aircraft.support)?;
+    let (model, count) = condition.reduce(&aircraft, ModeCount::asked_or_usual(*modes, USUAL_MODES))?;
+    condition::check_mobility(&model, condition.fidelity(&aircraft), *modes)?;
+    let settings = condition.settings(&aircraft, &model, count);
     let progress = Progress::new(airspeeds.len(), "airspeeds");
-    let sweep = Sweep::watched(&model, &settings, &airspeeds, &|| progress.advance())?;
-    drop(progress);
-    let model = model.select(&settings.choose_modes(&model)?);
-    let level =
-        options.model.to_possible_value().map_or(String::new(), |value| value.get_name().replace('_', " "));
-    Ok(Analysis { model, level, settings, range: [options.from, options.to], sweep })
-}
-
-/// A clamped aircraft moves in its modes alone.
-fn check_mobility(support: Support, options: &FlutterOptions) -> Result<(), Error> {
-    match (support, options.model, options.modes) {
-        (Support::Clamped, Model::Rigid, _) => {
-            Err(Error::Motionless { option: "--model rigid", allowed: "a flexible model" })
-        }
-        (Support::Clamped, _, Some(0)) => {
-            Err(Error::Motionless { option: "--modes 0", allowed: "at least 1 mode" })
-        }
-        _ => Ok(()),
-    }
-}
-
-/// The airspeeds of the range.
-fn airspeeds(options: &FlutterOptions, support: Support) -> Result<Vec<f64>, Error> {
-    let FlutterOptions { from, to, points, .. } = *options;
-    if !(0.0 < from && from < to && to.is_finite() && (2..=MOST_POINTS).contains(&points)) {
-        return Err(Error::Range { from, to, points });
-    }
-    let allowed = support.airspeeds();
-    for (option, found) in [("--from", from), ("--to", to)] {
-        if !allowed.contains(&found) {
-            return Err(Error::Airspeed { option, found, allowed });
-        }
-    }
-    let step = (to - from) / (points - 1) as f64;
-    Ok((0..points).map(|point| from + step * point as f64).collect())
-}
-
-/// The model with enough modes of the family, and how many of them take part.
-fn reduce(aircraft: &Aircraft, options: &FlutterOptions) -> Result<(ReducedModel, usize), Error> {
-    let count = ModeCount::asked_or_usual(options.modes, USUAL_MODES);
-    let (kind, takes_part): (_, fn(ModeFamily) -> bool) = match options.mode_family {
-        Modes::All => (ModeKind::All, |_| true),
-        Modes::Symmetric => (ModeKind::Symmetric, |family| family == ModeFamily::Symmetric),
-    };
-    let model = ReducedModel::with(aircraft, count, kind)?;
-    let count = model.modes.iter().filter(|mode| takes_part(mode.family)).count();
-    Ok((model, count))
-}
-
-impl Model {
-    fn fidelity(self) -> Fidelity {
-        match self {
-            Model::Exact => Fidelity::Exact,
-            Model::ConsistentlyLinearised => Fidelity::ConsistentlyLinearised,
-            Model::Inconsistent => Fidelity::Inconsistent,
-            Model::RuthlesslyLinearised => Fidelity::RuthlesslyLinearised,
-            Model::Rigid => Fidelity::Rigid,
-        }
-    }
-}
-
-impl Modes {
-    fn selection(self) -> ModeSelection {
-        match self {
-            Modes::All => ModeSelection::All,
-            Modes::Symmetric => ModeSelection::Symmetric,
-        }
-    }
+    Ok(Analysis::new(&model, settings, [*from, *to], &airspeeds, &progress)?)
 }
 
 impl Analysis {
+    /// Of a model under some settings over the ascending airspeeds of a range, m/s.
+    pub fn new(
+        model: &ReducedModel,
+        settings: PlantSettings,
+        range: [f64; 2],
+        airspeeds: &[f64],
+        progress: &Progress,
+    ) -> Result<Self, SettingError> {
+        let sweep = Sweep::watched(model, &settings, airspeeds, &|| progress.advance())?;
+        let model = model.in_use(&settings.choose_modes(model)?);
+        let level = settings.fidelity.name().replace('_', " ");
+        Ok(Analysis { model, level, settings, range, sweep })
+    }
+
     /// kg/m³.
-    fn density(&self) -> f64 {
+    pub fn density(&self) -> f64 {
         let tunnel = self.model.tunnel_air.as_ref().map(Air::of_tunnel);
         tunnel.unwrap_or_else(|| Air::at(self.settings.altitude)).density
     }

@@ -78,12 +78,23 @@ pub fn damping(root: &Root) -> f64 {
     2.0 * root.eigenvalue.re / root.eigenvalue.im.abs()
 }
 
+/// A mode by its number; load modes, which stand last, have numbers of their own: `load mode 1`.
+fn mode_name(mode: usize, analysis: &Analysis) -> String {
+    let natural = analysis.model.natural_modes();
+    if mode < natural { format!("mode {}", mode + 1) } else { format!("load mode {}", mode - natural + 1) }
+}
+
 /// The motion that leads a root: `mode 2`, or `flight`.
 pub fn leading_motion(root: &Root, analysis: &Analysis) -> String {
     match Shares::of(root, analysis).leading_mode() {
-        Some(mode) => format!("mode {}", mode + 1),
+        Some(mode) => mode_name(mode, analysis),
         None => "flight".to_owned(),
     }
+}
+
+/// Whether a root is one of flight mechanics.
+pub fn is_of_flight(root: &Root, analysis: &Analysis) -> bool {
+    Shares::of(root, analysis).leading_mode().is_none()
 }
 
 /// A branch by the motion and the frequency it begins with.
@@ -100,7 +111,7 @@ pub fn name(branch: &Branch, analysis: &Analysis) -> String {
 /// The motions that make up a root, largest share first: `60 % mode 2, 39 % mode 1`.
 pub fn composition(root: &Root, analysis: &Analysis) -> String {
     let Shares { rigid, modes } = Shares::of(root, analysis);
-    let named = modes.iter().enumerate().map(|(mode, share)| (*share, format!("mode {}", mode + 1)));
+    let named = modes.iter().enumerate().map(|(mode, share)| (*share, mode_name(mode, analysis)));
     let mut shares: Vec<(f64, String)> = named.chain([(rigid, "flight".to_owned())]).collect();
     shares.retain(|(share, _)| *share >= NOTABLE);
     shares.sort_by(|a, b| b.0.total_cmp(&a.0));

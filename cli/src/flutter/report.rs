@@ -59,12 +59,16 @@ fn heading(analysis: &Analysis) -> String {
     };
     let altitude =
         if model.tunnel_air.is_some() { String::new() } else { format!("{} m, ", Plain(settings.altitude)) };
+    let natural = model.natural_modes();
+    let modes = match model.modes.len() - natural {
+        0 => format!("{natural} modes"),
+        loads => format!("{natural} natural and {loads} load modes"),
+    };
     format!(
-        "{}, {support}\n{level} model, stiffness × {}, {} modes, {} inflow states, {altitude}{:.4} kg/m³\n\
+        "{}, {support}\n{level} model, stiffness × {}, {modes}, {} inflow states, {altitude}{:.4} kg/m³\n\
          {} airspeeds from {} to {} m/s\n\n",
         model.name,
         Plain(settings.stiffness_scale),
-        model.modes.len(),
         settings.inflow_states,
         analysis.density(),
         sweep.airspeeds.len() + sweep.skipped.len(),

@@ -203,6 +203,19 @@ fn the_altitude_is_the_aircrafts_unless_asked_for() {
 }
 
 #[test]
+fn load_modes_are_counted_and_named_by_themselves_and_bring_motion_where_no_natural_mode_does() {
+    let wing = |rest: &str| report::text(&analyse(&options("goland-wing.toml", rest)).unwrap());
+    let text = wing("--from 100 --to 200 --points 5 --modes 2 --load-modes");
+    assert!(text.contains(", 2 natural and 3 load modes, "), "{text}");
+    assert!(wing("--from 100 --to 110 --points 2 --modes 2").contains(", 2 modes, "));
+    let text = wing("--from 100 --to 200 --points 5 --modes 0 --load-modes");
+    assert!(
+        text.contains(", 0 natural and 3 load modes, ") && text.contains("(begins as load mode "),
+        "{text}"
+    );
+}
+
+#[test]
 fn the_roots_are_written_with_speed_root_frequency_damping_and_mode() {
     let analysis = section("--from 5 --to 80 --points 16 --modes 2 --inflow-states 6");
     let table = roots::table(&analysis);

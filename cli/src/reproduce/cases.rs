@@ -143,7 +143,7 @@ impl Flight {
     /// Every flight that some figure or table needs, once.
     pub fn all() -> Vec<Flight> {
         let unsteady =
-            |case| Fidelity::ALL.map(|fidelity| Flight { case, fidelity, inflow_states: UNSTEADY });
+            |case| Fidelity::OF_THESIS.map(|fidelity| Flight { case, fidelity, inflow_states: UNSTEADY });
         let steady = [Fidelity::Exact, Fidelity::ConsistentlyLinearised].map(Flight::steady);
         Case::ALL.into_iter().flat_map(unsteady).chain(steady).collect()
     }

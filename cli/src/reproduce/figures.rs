@@ -166,7 +166,7 @@ impl Comparison {
         match self {
             Comparison::Models(case) => {
                 let flight = |fidelity| Flight { case, fidelity, inflow_states: UNSTEADY };
-                Fidelity::ALL.map(|fidelity| (flight(fidelity), fidelity.symbol().to_owned())).into()
+                Fidelity::OF_THESIS.map(|fidelity| (flight(fidelity), fidelity.symbol().to_owned())).into()
             }
             Comparison::Aerodynamics(fidelity) => {
                 let steady = Flight::steady(fidelity);

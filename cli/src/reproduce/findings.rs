@@ -50,6 +50,10 @@ pub const WINDOWS: &str = "The lowest and highest value of all curves of a figur
     window that they fill. Percentages of leaving are of the window's width; the curves that leave are \
     named.";
 
+/// On the wings of others.
+pub const WINGS: &str = "The thesis' five models superpose displacements; the sixth, geometrically exact, superposes strains. Where a wing bends by more than some tenths of its span it is the one to fly. These wings are \
+    clamped in a wind tunnel, whatever aircraft flew above.";
+
 /// Between the two ends of the flight that are compared to see whether an oscillation grows, s.
 const SPELL: f64 = 2.0;
 

@@ -8,6 +8,7 @@ mod history;
 mod page;
 mod plots;
 mod table;
+mod wings;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -25,6 +26,7 @@ use figures::{GROUPS, Group};
 use history::{DURATION, History, Places};
 use plots::Plot;
 use table::Table;
+use wings::Wing;
 
 /// The figures that show the inputs.
 const INPUTS: [(u8, Surface); 2] = [(1, Surface::Elevator), (33, Surface::Rudder)];
@@ -42,6 +44,8 @@ pub enum Error {
     NoStation { station: &'static str, found: String },
     #[error("no control has trim = \"{role}\", and the flights move one for pitch and one for yaw")]
     NoControl { role: &'static str },
+    #[error(transparent)]
+    Wings(#[from] wings::Error),
     #[error(transparent)]
     Overwriting(#[from] Overwriting),
     #[error(transparent)]
@@ -66,6 +70,8 @@ pub struct Reproduction {
     /// Elevator and rudder.
     inputs: [(u8, String); 2],
     sections: Vec<Section>,
+    /// Not of the thesis, and of no aircraft that is asked for.
+    wings: [Wing; 3],
     /// Flights that ended before their time, with the reason.
     ended: Vec<(Flight, String)>,
 }
@@ -90,7 +96,7 @@ pub fn run(options: &ReproduceOptions) -> Result<(), Error> {
     refuse_overwriting(&outputs, [options.aircraft.as_path()])?;
     let drafts = Drafts::new(outputs)?;
     let histories = fly(&model, &Flight::all())?;
-    let reproduction = Reproduction::new(&aircraft, &histories);
+    let reproduction = Reproduction::new(&aircraft, &histories, wings::all()?);
     drafts.keep(contents(&reproduction, &histories).iter().map(String::as_str))?;
     let (table, page) = (reproduction.table.markdown(), options.output.join("index.html"));
     Ok(terminal::print(&format!("{table}{}\n{}\n", reproduction.summary(), page.display()))?)
@@ -109,7 +115,7 @@ fn fly(model: &Arc<ReducedModel>, flights: &[Flight]) -> Result<Vec<History>, Er
 }
 
 impl Reproduction {
-    fn new(aircraft: &Aircraft, histories: &[History]) -> Self {
+    fn new(aircraft: &Aircraft, histories: &[History], wings: [Wing; 3]) -> Self {
         let section = |group: &Group| {
             let plots: Vec<Plot> = group.figures().map(|figure| Plot::new(figure, histories)).collect();
             let findings = findings::of(group, &plots, histories);
@@ -125,6 +131,7 @@ impl Reproduction {
             inputs: INPUTS
                 .map(|(number, surface)| (number, plots::input(surface, name_of(surface, aircraft)))),
             sections: GROUPS.iter().map(section).collect(),
+            wings,
             ended: ended.collect(),
         }
     }
@@ -144,6 +151,12 @@ impl Reproduction {
         let panels: Vec<&str> = drawings.map(|plot| plot.panel.as_str()).collect();
         plots::overview(&format!("{}: {}", self.name, Case::ElevatorTenthFast.title()), &panels)
     }
+
+    /// The wings of others with what they found, one below the other.
+    fn wings_of_others(&self) -> String {
+        let [patil, pazy, _] = &self.wings;
+        plots::column(&[patil.chart.to_svg(), pazy.chart.to_svg()])
+    }
 }
 
 /// Whether it is the aircraft that comes with the program, which others have computed too.
@@ -154,7 +167,7 @@ fn is_shipped(aircraft: &Aircraft) -> bool {
 
 /// The names in the folder of all files of the page.
 fn file_names() -> Vec<String> {
-    let whole = ["index.html", "overview.svg", "table-5.1.md"].map(str::to_owned);
+    let whole = ["index.html", "overview.svg", "wings.svg", "table-5.1.md"].map(str::to_owned);
     let inputs = INPUTS.map(|(number, _)| format!("figures/figure-5.{number:02}-input.svg"));
     let figures = GROUPS.iter().flat_map(Group::figures);
     let flights = Flight::all().into_iter();
@@ -176,7 +189,8 @@ fn name_of(surface: Surface, aircraft: &Aircraft) -> &str {
 
 /// What is in them, in the same order.
 fn contents(reproduction: &Reproduction, histories: &[History]) -> Vec<String> {
-    let whole = [page::html(reproduction), reproduction.overview(), reproduction.table.markdown()];
+    let drawings = [reproduction.overview(), reproduction.wings_of_others()];
+    let whole = [page::html(reproduction)].into_iter().chain(drawings).chain([reproduction.table.markdown()]);
     whole
         .into_iter()
         .chain(reproduction.inputs.iter().map(|(_, svg)| svg.clone()))
@@ -197,7 +211,7 @@ mod tests {
         let places = Places::of(&model).unwrap();
         let fly = |&flight: &Flight| History::fly(&model, places, flight, 0.1);
         let histories: Vec<History> = Flight::all().iter().map(fly).collect();
-        let reproduction = Reproduction::new(&aircraft, &histories);
+        let reproduction = Reproduction::new(&aircraft, &histories, wings::all().unwrap());
         let (names, contents) = (file_names(), contents(&reproduction, &histories));
         assert_eq!(names.len(), contents.len());
         let content = |name: String| &contents[names.iter().position(|found| *found == name).unwrap()];

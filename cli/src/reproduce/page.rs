@@ -7,6 +7,7 @@ use crate::chart::{escaped, legend};
 use super::figures::Comparison;
 use super::fit::Verdict;
 use super::plots::Plot;
+use super::wings::Wing;
 use super::{Reproduction, Section, findings};
 
 /// Light and dark by the reader's preference; the drawings are inverted in the dark.
@@ -44,6 +45,7 @@ pub fn html(reproduction: &Reproduction) -> String {
         page += &figures(reproduction, section);
     }
     page += &fits(reproduction);
+    page += &wings(reproduction);
     page += "</body>\n</html>\n";
     page
 }
@@ -60,7 +62,8 @@ fn introduction(reproduction: &Reproduction) -> String {
     });
     format!(
         "<h1>The flights of the thesis, flown again</h1>\n<p>{}</p>\n<p>Aircraft: {}. <strong>{}</strong></p>\n\
-         {}<p>{}</p>\n<nav><a href=\"#table-5.1\">Table 5.1</a> {}<a href=\"#fits\">All windows</a></nav>\n\
+         {}<p>{}</p>\n<nav><a href=\"#table-5.1\">Table 5.1</a> {}<a href=\"#fits\">All windows</a> \
+         <a href=\"#wings\">Wings that bend far</a></nav>\n\
          <h2 id=\"inputs\">The inputs</h2>\n<p>{}</p>\n<div class=\"figures\">\n{}</div>\n",
         findings::INTRODUCTION,
         escaped(&reproduction.name),
@@ -161,6 +164,18 @@ fn fits(reproduction: &Reproduction) -> String {
     )
 }
 
+/// What the thesis does not have: the level that is right for large deflections, against what others found.
+fn wings(reproduction: &Reproduction) -> String {
+    let figures = reproduction.wings.iter().map(|Wing { slug, chart, caption }| {
+        format!("<figure id=\"{slug}\">{}<figcaption>{caption}</figcaption></figure>\n", chart.to_svg())
+    });
+    format!(
+        "<h2 id=\"wings\">Beyond the thesis: wings that bend far</h2>\n<p>{}</p>\n<div class=\"figures\">\n{}</div>\n",
+        findings::WINGS,
+        figures.collect::<String>()
+    )
+}
+
 /// How many figures fit, in one sentence.
 pub fn count<'a>(plots: impl Iterator<Item = &'a Plot>) -> String {
     let (mut all, mut same, mut inside) = (0, 0, 0);
@@ -229,6 +244,7 @@ mod tests {
     use super::*;
     use crate::reproduce::cases::{Case, Flight, UNSTEADY};
     use crate::reproduce::history::{History, Places, Quantity};
+    use crate::reproduce::wings;
 
     /// One second of one flight: enough for the trim and for a page.
     fn reproduction() -> &'static Reproduction {
@@ -249,7 +265,7 @@ mod tests {
             );
             assert_eq!(history.to_csv().lines().count(), 202);
             history.end = Some(flexible_aircraft::flight::SimulationError::NotFinite { time: 2.0 });
-            Reproduction::new(&aircraft, &[history])
+            Reproduction::new(&aircraft, &[history], wings::all().unwrap())
         })
     }
 
@@ -280,9 +296,9 @@ mod tests {
     fn only_the_shipped_aircraft_is_compared_with_what_others_found_for_it() {
         let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../aircraft/generic-business-jet.toml");
         let mut aircraft = Aircraft::read(file).unwrap();
-        assert!(Reproduction::new(&aircraft, &[]).table.is_shipped);
+        assert!(Reproduction::new(&aircraft, &[], wings::all().unwrap()).table.is_shipped);
         aircraft.bays[0].mass += 1.0;
-        let page = html(&Reproduction::new(&aircraft, &[]));
+        let page = html(&Reproduction::new(&aircraft, &[], wings::all().unwrap()));
         assert!(!page.contains("independent programs") && page.contains("another aircraft"));
     }
 

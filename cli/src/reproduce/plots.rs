@@ -105,7 +105,8 @@ pub fn overview(title: &str, panels: &[&str]) -> String {
         let (x, y) = (width * (index % 2) as f64, head + height * (index / 2) as f64);
         format!("<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\">{panel}</svg>")
     });
-    let labels = Fidelity::ALL.map(|fidelity| format!("{}, {}", fidelity.symbol(), fidelity.in_words()));
+    let labels =
+        Fidelity::OF_THESIS.map(|fidelity| format!("{}, {}", fidelity.symbol(), fidelity.in_words()));
     let legend = legend(&labels.each_ref().map(String::as_str), whole);
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {whole} {}\"><rect width=\"100%\" height=\"100%\" \
@@ -115,6 +116,20 @@ pub fn overview(title: &str, panels: &[&str]) -> String {
         escaped(title),
         placed.collect::<String>(),
         head + height * rows + 8.0
+    )
+}
+
+/// Some charts with legends of up to three rows, one below the other, as one.
+pub fn column(drawings: &[String]) -> String {
+    let (width, height) = (720.0, 524.0);
+    let place = |(index, drawing): (usize, &String)| {
+        format!("<svg y=\"{}\" width=\"{width}\" height=\"{height}\">{drawing}</svg>", height * index as f64)
+    };
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {}\"><rect width=\"100%\" height=\"100%\" \
+         fill=\"#ffffff\"/>{}</svg>\n",
+        height * drawings.len() as f64,
+        drawings.iter().enumerate().map(place).collect::<String>()
     )
 }
 

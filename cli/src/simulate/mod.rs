@@ -49,6 +49,11 @@ pub struct SimulateOptions {
     #[arg(long, value_name = "N")]
     modes: Option<usize>,
 
+    /// Put load modes beside them, shapes that typical static loads give the structure, also where the aircraft file does
+    /// not ask for them; `--set load_modes=false` switches them off where it does
+    #[arg(long)]
+    load_modes: bool,
+
     /// A parameter of the FMU, as in `model=rigid`. May be repeated
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
@@ -112,7 +117,9 @@ pub fn run(options: &SimulateOptions) -> Result<(), Error> {
     let outputs = if output == Path::new(STANDARD) { vec![&**output] } else { vec![&**output, &unfinished] };
     refuse_overwriting(&outputs, [inputs.as_path(), &options.aircraft])?;
     let count = ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES);
-    let model = Arc::new(ReducedModel::new(&diagnostics::read_aircraft(&options.aircraft)?, count)?);
+    let mut aircraft = diagnostics::read_aircraft(&options.aircraft)?;
+    aircraft.load_modes |= options.load_modes;
+    let model = Arc::new(ReducedModel::new(&aircraft, count)?);
     let variables = VariableTable::new(&model);
     let settings = parameter::settings(&options.set, &variables, &model)?;
     let schedule = Schedule::parse(&read(inputs)?, &variables)

@@ -2,7 +2,7 @@
 
 use flexible_aircraft::flight::Settings;
 use flexible_aircraft::plant::ModeSelection;
-use flexible_aircraft::structure::{ModeFamily, ReducedModel};
+use flexible_aircraft::structure::{Mode, ModeFamily, ReducedModel};
 use flexible_aircraft::variables::{
     ParameterSlot, Slot, Type, Value, Variable, VariableTable, probably_meant,
 };
@@ -43,7 +43,8 @@ pub fn settings(
     set_all(assignments, variables, &mut settings)?;
     let is_asked_for = assignments.iter().any(|assignment| name(assignment) == "mode_count");
     if !is_asked_for && settings.plant.mode_selection == ModeSelection::Symmetric {
-        let symmetric = model.modes.iter().filter(|mode| mode.family == ModeFamily::Symmetric).count();
+        let is_counted = |mode: &&Mode| !mode.of_loads && mode.family == ModeFamily::Symmetric;
+        let symmetric = model.modes.iter().filter(is_counted).count();
         settings.plant.mode_count = settings.plant.mode_count.min(symmetric);
     }
     Ok(settings)
@@ -117,11 +118,12 @@ fn meant(variable: &Variable, text: &str) -> Option<String> {
     probably_meant(text, enumeration.items().iter().map(|(item, _)| *item)).map(str::to_owned)
 }
 
-/// A number, or the name of an enumeration's item, in any case.
+/// A number, the name of an enumeration's item or a truth value, names in any case.
 fn value(variable: &Variable, text: &str) -> Option<Value> {
     match variable.kind {
         Type::Real => text.parse().ok().map(Value::Real),
         Type::Integer => text.parse().ok().map(Value::Integer),
+        Type::Boolean => text.to_lowercase().parse().ok().map(Value::Boolean),
         Type::Enumeration(enumeration) => {
             let mut items = (1..).zip(enumeration.items());
             let item = items.find(|(_, (item, _))| item.eq_ignore_ascii_case(text));
@@ -174,9 +176,9 @@ mod tests {
             ),
             (
                 "model=rigit",
-                "model=rigit: found `rigit`, allowed is 1 (exact), 2 (consistently_linearised), 3 (inconsistent), 4 (ruthlessly_linearised), 5 (rigid), did you mean `rigid`?",
+                "model=rigit: found `rigit`, allowed is 1 (exact), 2 (consistently_linearised), 3 (inconsistent), 4 (ruthlessly_linearised), 5 (rigid), 6 (geometrically_exact), did you mean `rigid`?",
             ),
-            ("model=6", "model=6: found `6`, allowed is 1 (exact), "),
+            ("model=7", "model=7: found `7`, allowed is 1 (exact), "),
             ("airspeed=fast", "airspeed=fast: found `fast`, allowed is 1 to 400 m/s"),
             ("airspeed=NaN", "airspeed=NaN: found `NaN`, allowed is 1 to 400 m/s"),
             ("altitude=25000", "altitude=25000: found `25000`, allowed is -1000 to 20000 m"),
@@ -207,6 +209,22 @@ mod tests {
         assert!(
             asked.plant.choose_modes(&model).unwrap_err().to_string().starts_with("mode_count: found 12")
         );
+    }
+
+    #[test]
+    fn load_modes_are_switched_by_true_and_false_in_any_case_where_there_are_some() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft/goland-wing.toml");
+        let wing = Aircraft::read(&path).unwrap();
+        let set = |load_modes, assignment: &str| {
+            let model = ReducedModel::new(&Aircraft { load_modes, ..wing.clone() }, 2).unwrap();
+            settings(&[assignment.to_owned()], &VariableTable::new(&model), &model)
+        };
+        assert!(!set(true, "load_modes=false").unwrap().plant.load_modes);
+        assert!(set(true, "load_modes=True").unwrap().plant.load_modes);
+        let mistake = set(true, "load_modes=1").unwrap_err().to_string();
+        assert_eq!(mistake, "load_modes=1: found `1`, allowed is true or false");
+        let mistake = set(false, "load_modes=true").unwrap_err().to_string();
+        assert!(mistake.starts_with("load_modes=true: there is no parameter `load_modes`"), "{mistake}");
     }
 
     #[test]

@@ -111,6 +111,7 @@ pub fn value_attributes(variable: &Variable) -> Vec<(&'static str, String)> {
     match variable.start {
         Some(Value::Real(x)) => attributes.push(("start", x.to_string())),
         Some(Value::Integer(i)) => attributes.push(("start", i.to_string())),
+        Some(Value::Boolean(flag)) => attributes.push(("start", flag.to_string())),
         None => {}
     }
     attributes

@@ -119,6 +119,7 @@ fn typed_element(xml: &mut Xml, variable: &Variable) -> io::Result<()> {
     let name = match variable.kind {
         Type::Real => "Real",
         Type::Integer => "Integer",
+        Type::Boolean => "Boolean",
         Type::Enumeration(_) => "Enumeration",
     };
     let attributes = value_attributes(variable);

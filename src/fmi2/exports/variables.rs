@@ -6,7 +6,7 @@ use super::{array, array_to_fill, on};
 use crate::fmi::instance::Instance;
 use crate::fmi::life_cycle::Operation;
 use crate::fmi::values::Numbers;
-use crate::fmi2::types::{Boolean, CString, Component, Integer, Real, Status, ValueReference};
+use crate::fmi2::types::{Boolean, CString, Component, FALSE, Integer, Real, Status, ValueReference};
 use crate::variables::Value;
 
 /// Values of Reals.
@@ -89,35 +89,63 @@ pub unsafe extern "C" fn fmi2SetInteger(
     unsafe { on(component, Operation::SetInteger, body) }
 }
 
-/// Refuses any Boolean or String: there are none.
-///
-/// # Safety
-/// As the module says.
-unsafe fn none_of_type(
-    component: Component,
-    operation: Operation,
-    references: *const ValueReference,
-    count: size_t,
-    wanted: &str,
-) -> Status {
-    let body = |instance: &mut Instance| {
-        // SAFETY: arrays as the module says.
-        instance.none_of_type(unsafe { array(references, count, "vr") }?, wanted)
-    };
-    // SAFETY: components as the module says.
-    unsafe { on(component, operation, body) }
-}
-
-/// Values of Booleans, of which there are none.
+/// Values of Booleans.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetBoolean(
     component: Component,
     references: *const ValueReference,
     count: size_t,
-    _values: *mut Boolean,
+    values: *mut Boolean,
 ) -> Status {
-    // SAFETY: as the module says.
-    unsafe { none_of_type(component, Operation::GetBoolean, references, count, "a Boolean") }
+    let body = |instance: &mut Instance| {
+        // SAFETY: arrays as the module says.
+        let (references, places) =
+            unsafe { (array(references, count, "vr")?, array_to_fill(values, count, "value")?) };
+        instance.get(Numbers::Boolean, references, |i, value| {
+            if let Value::Boolean(flag) = value {
+                places[i].write(Boolean::from(flag));
+            }
+        })
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Operation::GetBoolean, body) }
+}
+
+/// Sets Booleans; whatever is not 0 is true.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetBoolean(
+    component: Component,
+    references: *const ValueReference,
+    count: size_t,
+    values: *const Boolean,
+) -> Status {
+    let body = |instance: &mut Instance| {
+        // SAFETY: arrays as the module says.
+        let (references, values) =
+            unsafe { (array(references, count, "vr")?, array(values, count, "value")?) };
+        let values = values.iter().map(|flag| Value::Boolean(*flag != FALSE));
+        instance.set(Numbers::Boolean, references, values)
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, Operation::SetBoolean, body) }
+}
+
+/// Refuses any String: there are none.
+///
+/// # Safety
+/// As the module says.
+unsafe fn no_strings(
+    component: Component,
+    operation: Operation,
+    references: *const ValueReference,
+    count: size_t,
+) -> Status {
+    let body = |instance: &mut Instance| {
+        // SAFETY: arrays as the module says.
+        instance.no_strings(unsafe { array(references, count, "vr") }?)
+    };
+    // SAFETY: components as the module says.
+    unsafe { on(component, operation, body) }
 }
 
 /// Values of Strings, of which there are none.
@@ -129,19 +157,7 @@ pub unsafe extern "C" fn fmi2GetString(
     _values: *mut CString,
 ) -> Status {
     // SAFETY: as the module says.
-    unsafe { none_of_type(component, Operation::GetString, references, count, "a String") }
-}
-
-/// Sets Booleans, of which there are none.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetBoolean(
-    component: Component,
-    references: *const ValueReference,
-    count: size_t,
-    _values: *const Boolean,
-) -> Status {
-    // SAFETY: as the module says.
-    unsafe { none_of_type(component, Operation::SetBoolean, references, count, "a Boolean") }
+    unsafe { no_strings(component, Operation::GetString, references, count) }
 }
 
 /// Sets Strings, of which there are none.
@@ -153,5 +169,5 @@ pub unsafe extern "C" fn fmi2SetString(
     _values: *const CString,
 ) -> Status {
     // SAFETY: as the module says.
-    unsafe { none_of_type(component, Operation::SetString, references, count, "a String") }
+    unsafe { no_strings(component, Operation::SetString, references, count) }
 }

@@ -101,6 +101,7 @@ fn set_all_starts(fmu: &Fmu, at_once: bool) {
                 integers.0.push(reference);
                 integers.1.push(i);
             }
+            Some(Value::Boolean(_)) => panic!("the jet has no Boolean"),
             None => {}
         }
     }

@@ -9,6 +9,7 @@ mod initial_derivatives;
 mod input_rates;
 mod instantiation;
 mod life_cycle;
+mod load_modes;
 mod mutated;
 mod random;
 mod state;

@@ -11,7 +11,7 @@ use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
-use crate::aircraft::{Aircraft, AircraftFileError};
+use crate::aircraft::{Aircraft, AircraftFileError, Fidelity};
 use crate::flight::{Inputs, Settings, Simulation};
 use crate::fmi::description;
 use crate::plant::PlantSettings;
@@ -102,16 +102,19 @@ fn each<S: Strategy>(cases: u32, strategy: S, check: impl Fn(S::Value)) {
     }
 }
 
-/// Everything that an FMU does with a model that has been accepted.
+/// Everything that an FMU does with a model that has been accepted, at its own level of fidelity and geometrically exactly.
 fn fly(model: ReducedModel) {
     assert!(description::write(&model).contains(&guid(&model)));
-    let settings =
-        Settings::from(PlantSettings { mode_count: model.modes.len(), ..PlantSettings::of(&model) });
-    let (inputs, zero) = (Inputs::zero(&model), Inputs::zero(&model));
-    if let Ok(mut flight) = Simulation::new(Arc::new(model), &settings, 0.0) {
-        flight.set_inputs(&inputs, &zero);
-        let _ = flight.advance_to(0.012);
-        let _ = flight.outputs();
+    let model = Arc::new(model);
+    let own = PlantSettings { mode_count: model.natural_modes(), ..PlantSettings::of(&model) };
+    for fidelity in [own.fidelity, Fidelity::GeometricallyExact] {
+        let settings = Settings::from(PlantSettings { fidelity, ..own });
+        let (inputs, zero) = (Inputs::zero(&model), Inputs::zero(&model));
+        if let Ok(mut flight) = Simulation::new(Arc::clone(&model), &settings, 0.0) {
+            flight.set_inputs(&inputs, &zero);
+            let _ = flight.advance_to(0.012);
+            let _ = flight.outputs();
+        }
     }
 }
 

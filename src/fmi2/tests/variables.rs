@@ -22,8 +22,8 @@ fn a_refused_value_leaves_all_of_the_call_undone() {
         fmu.assert_refused(&parts);
         assert_eq!(fmu.get("elevator"), 0.0);
     }
-    assert_eq!(fmu.set_integer("model", 6), Status::Error);
-    fmu.assert_refused(&["found 6", "1 (exact)", "5 (rigid)"]);
+    assert_eq!(fmu.set_integer("model", 7), Status::Error);
+    fmu.assert_refused(&["found 7", "1 (exact)", "6 (geometrically_exact)"]);
     assert_eq!(fmu.get_integer("model"), Ok(1));
 }
 
@@ -36,10 +36,10 @@ fn unknown_references_and_wrong_types_are_refused() {
     fmu.assert_refused(&["`model`", "Enumeration", "a Real"]);
     assert_eq!(fmu.set_integer("elevator", 1), Status::Error);
     fmu.assert_refused(&["`elevator`", "a Real"]);
-    // SAFETY: the component is alive, the array has one element; the refused call reads no values.
-    assert_eq!(unsafe { fmi2GetBoolean(fmu.component, &0, 1, null_mut()) }, Status::Error);
+    // SAFETY: the component is alive, the arrays have one element.
+    assert_eq!(unsafe { fmi2GetBoolean(fmu.component, &0, 1, &mut 0) }, Status::Error);
     fmu.assert_refused(&["`elevator`", "a Boolean"]);
-    // SAFETY: as before.
+    // SAFETY: the component is alive, the array has one element; the refused call reads no values.
     assert_eq!(unsafe { fmi2SetString(fmu.component, &u32::MAX, 1, null()) }, Status::Error);
     fmu.assert_refused(&["4294967295"]);
 }

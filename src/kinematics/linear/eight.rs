@@ -121,8 +121,8 @@ impl SectionsInSpace for Superposed<'_, EightSections> {
     }
 
     #[inline(always)]
-    fn rows(&self) -> impl Iterator<Item = &[Eight; 6]> {
-        self.sections.shapes.iter()
+    fn rows<T>(&self, all: impl Iterator<Item = T>) -> impl Iterator<Item = (&[Eight; 6], T)> {
+        self.sections.shapes.iter().zip(all)
     }
 }
 
@@ -139,17 +139,14 @@ impl SectionsInPlane for Superposed<'_, EightSections> {
         &self,
         window: Window<S>,
     ) -> SectionMotion<PlaneVector<S>, Lanes<S>, PlaneRotation<S>> {
-        superpose_in_plane(
-            window,
-            SectionsInPlane::at_rest(self, window),
-            SectionsInPlane::rows(self),
-            self.coordinates,
-        )
+        let Coordinates { q, q_dot } = self.coordinates;
+        let rows = SectionsInPlane::rows(self, q.iter().zip(q_dot));
+        superpose_in_plane(window, SectionsInPlane::at_rest(self, window), rows)
     }
 
     #[inline(always)]
-    fn rows(&self) -> impl Iterator<Item = [&Eight; 3]> {
-        self.sections.shapes.iter().map(|[x, _, z, _, about_y, _]| [x, z, about_y])
+    fn rows<T>(&self, all: impl Iterator<Item = T>) -> impl Iterator<Item = ([&Eight; 3], T)> {
+        self.sections.shapes.iter().map(|[x, _, z, _, about_y, _]| [x, z, about_y]).zip(all)
     }
 }
 
@@ -166,12 +163,13 @@ impl SectionsInPlane for Superposed<'_, EightEdgeOn> {
         &self,
         window: Window<S>,
     ) -> SectionMotion<PlaneVector<S>, Lanes<S>, PlaneRotation<S>> {
-        superpose_in_plane(window, self.at_rest(window), self.rows(), self.coordinates)
+        let Coordinates { q, q_dot } = self.coordinates;
+        superpose_in_plane(window, self.at_rest(window), self.rows(q.iter().zip(q_dot)))
     }
 
     #[inline(always)]
-    fn rows(&self) -> impl Iterator<Item = [&Eight; 3]> {
-        self.sections.shapes.iter().map(<[Eight; 3]>::each_ref)
+    fn rows<T>(&self, all: impl Iterator<Item = T>) -> impl Iterator<Item = ([&Eight; 3], T)> {
+        self.sections.shapes.iter().map(<[Eight; 3]>::each_ref).zip(all)
     }
 }
 
@@ -180,13 +178,12 @@ impl SectionsInPlane for Superposed<'_, EightEdgeOn> {
 fn superpose_in_plane<'a, S: Arithmetic>(
     window: Window<S>,
     at_rest: PlaneVector<S>,
-    shapes: impl Iterator<Item = [&'a Eight; 3]>,
-    Coordinates { q, q_dot }: Coordinates,
+    shapes: impl Iterator<Item = ([&'a Eight; 3], (&'a f64, &'a f64))>,
 ) -> SectionMotion<PlaneVector<S>, Lanes<S>, PlaneRotation<S>> {
     let zero = window.splat(0.0);
     let (mut x, mut z, mut turn) = (zero, zero, zero);
     let (mut x_rate, mut z_rate, mut turn_rate) = (zero, zero, zero);
-    for (shape, (&q, &q_dot)) in shapes.zip(q.iter().zip(q_dot)) {
+    for (shape, (&q, &q_dot)) in shapes {
         let [along_x, along_z, about_y] = shape.map(|shape| window.load(shape));
         x += along_x * q;
         z += along_z * q;

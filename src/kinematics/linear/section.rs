@@ -88,6 +88,16 @@ impl Section for SuperposedSection<'_> {
             *generalised = (0..3).map(|i| rows[i][mode] * force[i]).sum();
         }
     }
+
+    /// σ = Tφ̇: what a moment does on φ̇ is Tᵀ times it, and Tᵀ belongs to −φ.
+    fn add_generalised_load(&self, force: &Vector3<f64>, moment: &Vector3<f64>, generalised: &mut [f64]) {
+        let back = Rotation::new(LaneVector::single(&-self.rotation));
+        let moment = moment + back.excess_spin(&LaneVector::single(moment)).vector();
+        for (mode, generalised) in generalised.iter_mut().enumerate() {
+            let [displacement, turn] = self.section.shapes.of_mode(mode);
+            *generalised += displacement.dot(force) + turn.dot(&moment);
+        }
+    }
 }
 
 /// Three rows times q.

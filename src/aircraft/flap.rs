@@ -2,7 +2,7 @@
 //!
 //! [theory: air-loads.flap, corrections.flap-lift, corrections.flap-moment; thesis §4.1]
 
-use crate::aircraft::Flap;
+use super::Flap;
 
 /// What a flap does to its section, per radian.
 #[derive(Clone, Copy, Debug, PartialEq)]

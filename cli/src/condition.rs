@@ -1,0 +1,194 @@
+//! What is analysed and under which settings: the options that `flexair flutter` and `flexair converge` share.
+
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, ValueEnum};
+use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Support};
+use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::plant::{ModeSelection, PlantSettings, SettingError};
+use flexible_aircraft::structure::{ModeCount, ModeFamily, ModeKind, ReducedModel, StructureError};
+
+use crate::numbers::Plain;
+use crate::{diagnostics, workspace};
+
+/// More airspeeds than this are a slip of the pen: the jet would take hours.
+const MOST_POINTS: usize = 100_000;
+
+/// The aircraft and its settings.
+#[derive(Args)]
+pub struct ConditionOptions {
+    /// The aircraft file (TOML), free or clamped
+    #[arg(value_name = "AIRCRAFT", default_value_os_t = workspace::aircraft())]
+    pub aircraft: PathBuf,
+
+    /// Altitude in the standard atmosphere, m, where the aircraft has no `density_kg_m3` [default: the aircraft's]
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    altitude: Option<f64>,
+
+    /// Factor on all elastic properties
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
+    stiffness_scale: f64,
+
+    /// Modal damping ratio of every mode
+    #[arg(long, value_name = "RATIO", default_value_t = 0.0)]
+    structural_damping: f64,
+
+    /// Fidelity level [default: the aircraft's]
+    #[arg(long, value_name = "LEVEL", value_parser = level())]
+    model: Option<Fidelity>,
+
+    /// Put load modes beside the natural ones, shapes that typical static loads give the structure, also where the aircraft
+    /// file does not ask for them
+    #[arg(long)]
+    load_modes: bool,
+
+    /// Families of modes that take part
+    #[arg(long, value_enum, default_value_t = Modes::All)]
+    mode_family: Modes,
+
+    /// Peters inflow states of each strip, 0 (steady) to 8 [default: the aircraft's]
+    #[arg(long, value_name = "N")]
+    inflow_states: Option<usize>,
+}
+
+/// The families under their names in the FMU.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Modes {
+    All,
+    Symmetric,
+}
+
+/// The fidelity levels under their names.
+fn level() -> impl TypedValueParser<Value = Fidelity> {
+    // PROOF: the parser hands on nothing but these names, all of small letters, in any case.
+    PossibleValuesParser::new(Fidelity::ALL.map(Fidelity::name))
+        .map(|name| Fidelity::named(&name.to_ascii_lowercase()).expect("a name of a level"))
+}
+
+/// Why the aircraft cannot be analysed so.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    #[error(transparent)]
+    Aircraft(#[from] AircraftFileError),
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+    #[error("{}: found {}, allowed is {}", option(.0.setting), .0.found, .0.allowed)]
+    Setting(#[from] SettingError),
+    #[error("{option}: found {}, allowed is {} to {} m/s", Plain(*found), allowed.start(), allowed.end())]
+    Airspeed { option: &'static str, found: f64, allowed: RangeInclusive<f64> },
+    #[error(
+        "--altitude {}: {aircraft} is in a wind tunnel with air of its own, `density_kg_m3`; allowed is one of them",
+        Plain(*altitude)
+    )]
+    TunnelAltitude { altitude: f64, aircraft: String },
+    #[error(
+        "--from {} --to {} --points {points} is no range: 0 < from < to (m/s) and 2 to {MOST_POINTS} points are allowed",
+        Plain(*from),
+        Plain(*to)
+    )]
+    Range { from: f64, to: f64, points: usize },
+    #[error("{option}: nothing would move, for the aircraft is clamped; allowed is {allowed}")]
+    Motionless { option: &'static str, allowed: &'static str },
+}
+
+impl Error {
+    /// For people, on a terminal.
+    pub fn report(&self) -> String {
+        match self {
+            Error::Aircraft(error) => diagnostics::render(error),
+            other => format!("error: {other}"),
+        }
+    }
+}
+
+/// The option with which a parameter of the FMU is set here.
+fn option(setting: &str) -> String {
+    match setting {
+        "mode_count" => "--modes".to_owned(),
+        other => format!("--{}", other.replace('_', "-")),
+    }
+}
+
+impl ConditionOptions {
+    /// The aircraft, with load modes where they are asked for.
+    pub fn read(&self) -> Result<Aircraft, Error> {
+        let mut aircraft = diagnostics::read_aircraft(&self.aircraft)?;
+        aircraft.load_modes |= self.load_modes;
+        if let (Some(altitude), Some(_)) = (self.altitude, &aircraft.tunnel_air) {
+            return Err(Error::TunnelAltitude { altitude, aircraft: self.aircraft.display().to_string() });
+        }
+        Ok(aircraft)
+    }
+
+    /// The model with enough modes of the family, and how many of them take part.
+    pub fn reduce(&self, aircraft: &Aircraft, count: ModeCount) -> Result<(ReducedModel, usize), Error> {
+        let (kind, takes_part): (_, fn(ModeFamily) -> bool) = match self.mode_family {
+            Modes::All => (ModeKind::All, |_| true),
+            Modes::Symmetric => (ModeKind::Symmetric, |family| family == ModeFamily::Symmetric),
+        };
+        let model = ReducedModel::with(aircraft, count, kind)?;
+        let count = model.modes.iter().filter(|mode| !mode.of_loads && takes_part(mode.family)).count();
+        Ok((model, count))
+    }
+
+    /// The level at which an aircraft is analysed.
+    pub fn fidelity(&self, aircraft: &Aircraft) -> Fidelity {
+        self.model.unwrap_or(aircraft.fidelity)
+    }
+
+    /// The settings of a model of an aircraft with so many natural modes.
+    pub fn settings(&self, aircraft: &Aircraft, model: &ReducedModel, mode_count: usize) -> PlantSettings {
+        PlantSettings {
+            fidelity: self.fidelity(aircraft),
+            altitude: self.altitude.unwrap_or(aircraft.altitude),
+            stiffness_scale: self.stiffness_scale,
+            structural_damping: self.structural_damping,
+            mode_selection: self.mode_family.selection(),
+            mode_count,
+            inflow_states: self.inflow_states.unwrap_or(aircraft.inflow_states),
+            ..PlantSettings::of(model)
+        }
+    }
+}
+
+/// A clamped aircraft moves in its modes alone: `least` is the smallest number of them that is asked for, if any is.
+pub fn check_mobility(model: &ReducedModel, level: Fidelity, least: Option<usize>) -> Result<(), Error> {
+    match (model.support, level, least) {
+        (Support::Clamped, Fidelity::Rigid, _) => {
+            Err(Error::Motionless { option: "--model rigid", allowed: "a flexible model" })
+        }
+        (Support::Clamped, _, Some(0)) if !model.has_load_modes() => {
+            Err(Error::Motionless { option: "--modes 0", allowed: "at least 1 mode" })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// So many airspeeds of a range, evenly.
+pub fn airspeeds([from, to]: [f64; 2], points: usize, support: Support) -> Result<Vec<f64>, Error> {
+    if !(0.0 < from && from < to && to.is_finite() && (2..=MOST_POINTS).contains(&points)) {
+        return Err(Error::Range { from, to, points });
+    }
+    for (option, found) in [("--from", from), ("--to", to)] {
+        check_airspeed(option, found, support)?;
+    }
+    let step = (to - from) / (points - 1) as f64;
+    Ok((0..points).map(|point| from + step * point as f64).collect())
+}
+
+/// Whether an aircraft can be asked for an airspeed.
+pub fn check_airspeed(option: &'static str, found: f64, support: Support) -> Result<(), Error> {
+    let allowed = support.airspeeds();
+    if allowed.contains(&found) { Ok(()) } else { Err(Error::Airspeed { option, found, allowed }) }
+}
+
+impl Modes {
+    fn selection(self) -> ModeSelection {
+        match self {
+            Modes::All => ModeSelection::All,
+            Modes::Symmetric => ModeSelection::Symmetric,
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! What `flexair converge` prints: a table with a column for each number of modes, and the verdict.
+
+use std::fmt::Write;
+
+use flexible_aircraft::aircraft::Support;
+use flexible_aircraft::plant::ModeSelection;
+
+use super::quantity::{Quantity, Value};
+use super::study::Study;
+use super::verdict::percent;
+use crate::numbers::Plain;
+
+/// The whole report.
+pub fn text(study: &Study) -> String {
+    let mut text = heading(study);
+    text += &table(study);
+    text += &remarks(study);
+    let with_loads = study.last().is_some_and(|row| row.loads > 0);
+    text + "\n" + &study.verdict.text(&study.quantities, &study.labels(), with_loads) + "\n"
+}
+
+fn heading(study: &Study) -> String {
+    let Some(row) = study.last() else { return String::new() };
+    let (analysis, model) = (&row.analysis, &row.analysis.model);
+    let settings = &analysis.settings;
+    let support = match model.support {
+        Support::Free => "free, trimmed",
+        Support::Clamped => "clamped in a wind tunnel",
+    };
+    let altitude =
+        if model.tunnel_air.is_some() { String::new() } else { format!("{} m, ", Plain(settings.altitude)) };
+    let family = match settings.mode_selection {
+        ModeSelection::All => "modes of all families",
+        ModeSelection::Symmetric => "symmetric modes",
+    };
+    let [from, to] = analysis.range.map(Plain);
+    let loads = if row.loads > 0 { ", with load modes (natural + load)" } else { "" };
+    format!(
+        "{}, {support} at {} m/s\n{} model, stiffness × {}, {} inflow states, {altitude}{:.4} kg/m³\n\
+         {family}{loads}; flutter and divergence from {from} to {to} m/s\n\n",
+        model.name,
+        Plain(study.airspeed),
+        analysis.level,
+        Plain(settings.stiffness_scale),
+        settings.inflow_states,
+        analysis.density(),
+    )
+}
+
+/// A line of the table: a name, a cell for each number of modes, by how much the last step moved it.
+struct Line {
+    name: String,
+    cells: Vec<String>,
+    last_step: String,
+}
+
+fn table(study: &Study) -> String {
+    let mut lines = vec![Line { name: "modes".into(), cells: study.labels(), last_step: "last step".into() }];
+    for quantity in study.distinct() {
+        lines.extend(self::lines(&quantity));
+    }
+    let letters = |text: &String| text.chars().count();
+    let names = lines.iter().map(|line| letters(&line.name)).max().unwrap_or(0);
+    let width = |cell: usize| lines.iter().map(|line| letters(&line.cells[cell])).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..study.rows.len()).map(width).collect();
+    let mut text = String::new();
+    for Line { name, cells, last_step } in &lines {
+        let mut line = format!("  {name:names$}");
+        for (cell, width) in cells.iter().zip(&widths) {
+            let _ = write!(line, "  {cell:>width$}");
+        }
+        if study.rows.len() > 1 {
+            let _ = write!(line, "  {last_step:>9}");
+        }
+        text += line.trim_end();
+        text.push('\n');
+    }
+    text
+}
+
+/// One line for a number, two for a root.
+fn lines(quantity: &Quantity) -> Vec<Line> {
+    let last = quantity.values.len() - 1;
+    let moved = |from: usize| percent(quantity.change(from, last));
+    let last_step = match last.checked_sub(1).filter(|_| quantity.kind.is_some()) {
+        Some(from) if !matches!(quantity.values[last], Value::Outside(_)) => moved(from),
+        _ => String::new(),
+    };
+    let Quantity { name, unit, places, .. } = quantity;
+    let is_root = quantity.values.iter().any(|value| matches!(value, Value::Root(_)));
+    if !is_root {
+        let cells = (0..=last).map(|row| quantity.text(row)).collect();
+        return vec![Line { name: format!("{name} ({unit})"), cells, last_step }];
+    }
+    let parts = [("grows", 0, last_step), ("swings", 1, String::new())];
+    let part = |(what, part, last_step): (&str, usize, String)| {
+        let cell = |value: &Value| match value {
+            Value::Root(root) => super::quantity::fixed([root.re, root.im][part], *places),
+            _ => "–".to_owned(),
+        };
+        let unit = ["1/s", "rad/s"][part];
+        Line {
+            name: format!("{name} {what} ({unit})"),
+            cells: quantity.values.iter().map(cell).collect(),
+            last_step,
+        }
+    };
+    parts.into_iter().map(part).collect()
+}
+
+/// What is to be said of single numbers of modes.
+fn remarks(study: &Study) -> String {
+    let mut text = String::new();
+    for row in &study.rows {
+        let trim = row.trim.as_ref().err().map(|reason| format!("no trim: {reason}"));
+        for remark in trim.iter().chain(&row.remarks) {
+            let _ = write!(text, "\n  {} modes: {remark}", row.label());
+        }
+    }
+    if text.is_empty() { text } else { text + "\n" }
+}
