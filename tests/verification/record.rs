@@ -34,6 +34,7 @@ const CLAIMS: &[Claim] = &[
     ("Leading-edge suction", "suction", &["steady-drag", "camber-thrust", "adverse-yaw", "steady-power"]),
     ("Clamped frequencies and mass of the jet", "frequencies", &["frequencies"]),
     ("Trim", "trim", &["trim"]),
+    ("Trim with wings bent by half of their length", "geometrically_exact", &["trim-geometrically-exact"]),
     ("Load modes", "load_modes", &["load-modes", "load-modes-trim"]),
     ("Eigenvalues", "eigenvalues", &["eigenvalues", "eigenvalues-geometrically-exact"]),
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
