@@ -1,6 +1,7 @@
 """The Pazy wing against the published results of UM/NAST, with data that are not ours to ship.
 
     git clone https://github.com/UM-A2SRL/AePW3-LDWG target/AePW3-LDWG
+    git -C target/AePW3-LDWG checkout 396710a
     cargo build --release -p flexair
     python3 tests/pazy/compare.py target/AePW3-LDWG --write
 
@@ -37,6 +38,8 @@ ONSETS = f"{IFASD}/03_Flutter_Deformed/nonlinear_flutter_UM_NAST_onset_w_skin.tx
 BENDING = "01_2022_SciTech_Riso_Cesnik/03_Static_Bending/02_Sweeps/static_bending_UM_NAST_sweep_w_skin.txt"
 
 MODES = 12
+# The independent computation has two digits after the point, and does not say its inflow states.
+SAME_EQUATIONS = 0.004
 INFLOW_STATES = 8
 # Chord, m; where the beam runs, as a fraction of it.
 CHORD = 0.1
@@ -190,7 +193,7 @@ class Program:
 
 @dataclass
 class Row:
-    """A number beside what others found, of which UM/NAST's is to be met within a share, or merely shown."""
+    """A number beside what others found: UM/NAST's is to be met within a share, or merely shown, the independent one within less."""
 
     case: str
     published: float
@@ -204,7 +207,8 @@ class Row:
 
     @property
     def holds(self):
-        return self.tolerance is None or abs(self.deviation) <= self.tolerance
+        beside = self.independent is None or abs(self.found / self.independent - 1.0) <= SAME_EQUATIONS
+        return beside and (self.tolerance is None or abs(self.deviation) <= self.tolerance)
 
     def cells(self):
         independent = "–" if self.independent is None else f"{self.independent:.2f}"

@@ -6,7 +6,9 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Vector3};
+
+use super::beams::{Cantilever, ENDS};
 
 /// The beam of Kane, Ryan, Banerjee 1987: m, m², m⁴, Pa, kg/m³.
 pub const LENGTH: f64 = 10.0;
@@ -67,7 +69,7 @@ pub fn integrate(
     let steps = (20.0 / step).round() as usize;
     let last = (18.0 / step).round() as usize;
     for index in 0..steps {
-        let t = index as f64 * step;
+        let (t, end) = (index as f64 * step, (index + 1) as f64 * step);
         let a1 = accelerate(t, &q, &p);
         let (q2, p2) = (&q + &p * (0.5 * step), &p + &a1 * (0.5 * step));
         let a2 = accelerate(t + 0.5 * step, &q2, &p2);
@@ -80,11 +82,11 @@ pub fn integrate(
         let [lag, stretch] = tip(&q);
         if lag.is_nan() || lag.abs() >= LENGTH {
             history.peak_lag = f64::INFINITY;
-            history.peak_time = t;
+            history.peak_time = end;
             return history;
         }
         if lag > history.peak_lag {
-            (history.peak_lag, history.peak_time) = (lag, t);
+            (history.peak_lag, history.peak_time) = (lag, end);
         }
         if index >= last {
             history.residual = history.residual.max(lag.abs());
@@ -92,6 +94,22 @@ pub fn integrate(
         }
     }
     history
+}
+
+/// The beam along x, turning about z, its bending out of the plane so many times stiffer than in it.
+pub fn beam(out_of_plane: f64) -> Cantilever {
+    Cantilever {
+        axis: Vector3::x(),
+        y_axis: Vector3::y(),
+        length: LENGTH,
+        axial: YOUNG * AREA,
+        torsional: 1e4,
+        bending_y: out_of_plane * YOUNG * SECOND_MOMENT,
+        bending_z: YOUNG * SECOND_MOMENT,
+        mass_per_length: DENSITY * AREA,
+        gyration: libm::sqrt(2.0 * SECOND_MOMENT / AREA),
+        lumps: ENDS,
+    }
 }
 
 /// Kane's theory by Galerkin's method in four cantilever modes, integrals by the midpoint rule.

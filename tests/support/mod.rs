@@ -119,6 +119,19 @@ pub fn fly(
     history
 }
 
+/// The derivative at 0 of a smooth function, of the eighth order in the step.
+pub fn derivative_of_eighth_order<T>(step: f64, function: impl Fn(f64) -> T) -> T
+where
+    T: std::ops::Sub<Output = T> + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>,
+{
+    let difference =
+        |steps: f64, weight: f64| (function(steps * step) - function(-steps * step)) * (weight / step);
+    difference(1.0, 0.8)
+        + difference(2.0, -0.2)
+        + difference(3.0, 4.0 / 105.0)
+        + difference(4.0, -1.0 / 280.0)
+}
+
 /// The derivative at 0 of a polynomial of degree ≤ 4, whatever the step.
 pub fn derivative(step: f64, f: impl Fn(f64) -> f64) -> f64 {
     (8.0 * (f(step) - f(-step)) - (f(2.0 * step) - f(-2.0 * step))) / (12.0 * step)

@@ -39,6 +39,27 @@ pub struct Rod {
     pub incidence: f64,
 }
 
+impl Rod {
+    /// The wing of Patil, Hodges and Cesnik (J. Aircraft 38 (2001) 88) with full suction.
+    pub fn patils(density: f64, incidence: f64) -> Self {
+        Rod {
+            length: 16.0,
+            chord: 1.0,
+            elastic_axis: 0.5,
+            stiffness: Vector3::new(2e4, 1e4, 4e6),
+            mass_per_length: 0.75,
+            centre_of_mass: 0.0,
+            tip_mass: 0.0,
+            lift_slope: |_| std::f64::consts::TAU,
+            suction: |_| 1.0,
+            profile_drag: 0.0,
+            density,
+            gravity: 9.80665,
+            incidence,
+        }
+    }
+}
+
 /// A piece where it is: its middle, its turn, the force and the moment about its middle.
 #[derive(Clone, Copy)]
 struct Piece {

@@ -134,6 +134,12 @@ fn the_wings_of_goland_and_patil() {
         onset(&goland, CrossingKind::Divergence).0,
     );
 
+    // Undeformed wings move alike at every level.
+    let alike = PlantSettings { fidelity: Fidelity::GeometricallyExact, ..settings(0.0, 8, 8) };
+    let alike = onset(&sweep("goland-wing.toml", &alike, [100.0, 150.0], 6), CrossingKind::Flutter);
+    record.relative("Goland, GE: flutter speed of E", speed, 1e-5, alike.0);
+    record.relative("Goland, GE: flutter frequency of E", frequency, 1e-5, alike.1);
+
     let patil = sweep("patil-wing.toml", &settings(PATILS_ALTITUDE, 8, 8), [20.0, 45.0], 6);
     let (speed, frequency) = onset(&patil, CrossingKind::Flutter);
     let divergence = onset(&patil, CrossingKind::Divergence).0;

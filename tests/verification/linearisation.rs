@@ -1,5 +1,6 @@
 //! The state matrix of a trimmed aircraft: kinematics that are known exactly, and what it leaves out.
 
+use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::Settings;
 use flexible_aircraft::plant::{Plant, PlantSettings, StateMatrix, Unknown};
 use flexible_aircraft::symmetry::Plants;
@@ -70,8 +71,8 @@ fn a_free_aircraft_keeps_nine_rigid_unknowns_and_a_clamped_one_none() {
 }
 
 /// The jet's half and the whole: (unknowns, eigenvalues) of each, with six modes of which some are antisymmetric.
-fn half_and_whole() -> [(Vec<Unknown>, Vec<Complex<f64>>); 2] {
-    let settings = PlantSettings { mode_count: 6, inflow_states: 2, ..PlantSettings::of(&jet()) };
+fn half_and_whole(fidelity: Fidelity) -> [(Vec<Unknown>, Vec<Complex<f64>>); 2] {
+    let settings = PlantSettings { fidelity, mode_count: 6, inflow_states: 2, ..PlantSettings::of(&jet()) };
     let plants = Plants::under(&jet(), &settings).unwrap();
     [plants.half().unwrap(), plants.whole()].map(|plant| {
         let matrix = plant.linearise(&plant.trim(&settings.trim_condition()).unwrap());
@@ -82,7 +83,13 @@ fn half_and_whole() -> [(Vec<Unknown>, Vec<Complex<f64>>); 2] {
 
 #[test]
 fn half_an_aircraft_has_the_eigenvalues_of_the_symmetric_motion_of_the_whole_and_no_others() {
-    let [(unknowns, half), (_, mut whole)] = half_and_whole();
+    for fidelity in [Fidelity::Exact, Fidelity::GeometricallyExact] {
+        half_an_aircraft_has_the_eigenvalues_of_the_whole_at(fidelity);
+    }
+}
+
+fn half_an_aircraft_has_the_eigenvalues_of_the_whole_at(fidelity: Fidelity) {
+    let [(unknowns, half), (_, mut whole)] = half_and_whole(fidelity);
     let in_plane = [
         Unknown::Down,
         Unknown::Pitch,

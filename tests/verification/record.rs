@@ -23,7 +23,7 @@ const CLAIMS: &[Claim] = &[
     ("Geometric stiffening", "spin_up", &["spin-up", "spin-up-taut", "spinning"]),
     ("Large deflections of beams", "elastica", &["elastica", "half-circle", "bend"]),
     ("A turning beam that keeps its length", "turning_beam", &["spin-up-geometrically-exact"]),
-    ("Geometrically exact kinematics", "exact_kinematics", &["exact-kinematics", "exact-rows"]),
+    ("Geometrically exact kinematics", "exact_kinematics", &["exact-kinematics", "exact-mass", "exact-rows"]),
     (
         "Small motions of the geometrically exact level",
         "small_motions",
@@ -34,8 +34,12 @@ const CLAIMS: &[Claim] = &[
     ("Leading-edge suction", "suction", &["steady-drag", "camber-thrust", "adverse-yaw", "steady-power"]),
     ("Clamped frequencies and mass of the jet", "frequencies", &["frequencies"]),
     ("Trim", "trim", &["trim"]),
-    ("Trim with wings bent by half of their length", "geometrically_exact", &["trim-geometrically-exact"]),
-    ("Load modes", "load_modes", &["load-modes", "load-modes-trim"]),
+    (
+        "Trim with wings bent by nearly half of their span",
+        "geometrically_exact",
+        &["trim-geometrically-exact"],
+    ),
+    ("Load modes", "load_modes", &["load-modes", "load-modes-trim", "load-modes-few"]),
     ("Eigenvalues", "eigenvalues", &["eigenvalues", "eigenvalues-geometrically-exact"]),
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
     ("Energy balance in air", "energy_balance", &["energy-balance"]),

@@ -22,9 +22,8 @@ use flexible_aircraft::structure::{
 };
 use nalgebra::{Complex, DMatrix, DVector, Schur, Vector3};
 
-use crate::support::beams::{Cantilever, ENDS};
 use crate::support::kane::{
-    AREA, Base, DENSITY, FROM_REST, History, LENGTH, SECOND_MOMENT, SPIN_UP, TAUT, YOUNG, integrate, kane,
+    Base, DENSITY, FROM_REST, History, LENGTH, SPIN_UP, TAUT, YOUNG, beam, integrate, kane,
 };
 use crate::support::ritz::{bending_and_shortening, ritz_modes};
 
@@ -33,19 +32,7 @@ use super::record::Record;
 /// The beam along x, turning about z, in Ritz modes of a `full` basis. Natural axial modes span the same space, but
 /// slowly: they have no strain at the tip.
 fn model(elements: usize) -> ReducedModel {
-    let beam = Cantilever {
-        axis: Vector3::x(),
-        y_axis: Vector3::y(),
-        length: LENGTH,
-        axial: YOUNG * AREA,
-        torsional: 1e4,
-        bending_y: YOUNG * SECOND_MOMENT,
-        bending_z: YOUNG * SECOND_MOMENT,
-        mass_per_length: DENSITY * AREA,
-        gyration: libm::sqrt(2.0 * SECOND_MOMENT / AREA),
-        lumps: ENDS,
-    };
-    let aircraft = beam.aircraft(elements);
+    let aircraft = beam(1.0).aircraft(elements);
     let structure = Structure::new(&aircraft).unwrap();
     let (modes, shapes) = ritz_modes(&structure, &bending_and_shortening(&structure));
     let tip = structure.unknowns() - 6;
