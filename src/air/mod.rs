@@ -1,8 +1,16 @@
-//! The air: the atmosphere, and how it moves at a point [theory: air.atmosphere, air.tunnel, air.wind].
+//! The air: the atmosphere, and how it moves at a point [theory: air.atmosphere, air.tunnel, air.wind, gusts.field].
 
 mod atmosphere;
 mod flow;
+mod frozen;
+mod gust;
+mod out_of_range;
+mod turbulence;
 
 pub use atmosphere::{Air, STANDARD_GRAVITY};
 pub use flow::UniformFlow;
 pub(crate) use flow::{MetAir, MetAt, UniformlyMet};
+pub use frozen::{FrozenGust, Track, TrackSeen};
+pub use gust::{CS25_GRADIENTS, GustCriterion, GustSettings, GustShape};
+pub use out_of_range::OutOfRange;
+pub use turbulence::{Spectrum, TurbulenceComponents, TurbulenceSettings};

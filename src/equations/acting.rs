@@ -25,6 +25,7 @@ impl EquationsOfMotion {
             thrust: vec![0.0; self.engines.len()],
             wind: Vector3::zeros(),
             wind_rate: Vector3::zeros(),
+            air_travel: Vector3::zeros(),
         }
     }
 }

@@ -4,7 +4,7 @@
 
 use nalgebra::Vector3;
 
-use crate::air::{Air, UniformFlow, UniformlyMet};
+use crate::air::{Air, FrozenGust, TrackSeen, UniformFlow, UniformlyMet};
 use crate::aircraft::Support;
 use crate::kinematics::RigidMotion;
 use crate::math::Attitude;
@@ -31,7 +31,39 @@ impl EquationsOfMotion {
     /// Velocity of O relative to the air, body axes, m/s.
     pub fn air_velocity(&self, state: &[f64], controls: &Controls) -> Vector3<f64> {
         let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
-        self.air_met(state, &attitude, controls).at_origin().velocity
+        let uniform = self.air_met(state, &attitude, controls).at_origin().velocity;
+        match self.gust_seen(state, &attitude, controls) {
+            None => uniform,
+            Some((gust, seen)) => uniform - gust.at_origin(&seen),
+        }
+    }
+
+    /// Velocity of the air at O, all of it, in the axes of the state's position, m/s.
+    pub fn air_motion(&self, state: &[f64], controls: &Controls) -> Vector3<f64> {
+        let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
+        let uniform = self.air_flow(controls).velocity;
+        match self.gust_seen(state, &attitude, controls) {
+            None => uniform,
+            Some((gust, seen)) => uniform + attitude.body_from_inertial.tr_mul(&gust.at_origin(&seen)),
+        }
+    }
+
+    /// Of the single gust into which the aircraft flies, m/s; 0 where there is none.
+    pub fn gust_peak_velocity(&self) -> f64 {
+        self.gust.as_ref().map_or(0.0, |gust| gust.peak_velocity())
+    }
+
+    /// The gust into which the aircraft flies, and its track as seen in a state.
+    #[inline(always)]
+    pub(super) fn gust_seen(
+        &self,
+        state: &[f64],
+        attitude: &Attitude,
+        controls: &Controls,
+    ) -> Option<(&FrozenGust, TrackSeen)> {
+        let gust = self.gust.as_deref()?;
+        let position = Vector3::from_column_slice(&state[self.layout.position()]);
+        Some((gust, gust.seen_by(attitude, [&position, &controls.air_travel])))
     }
 
     /// How the air moves: the wind, and the tunnel's flow.
@@ -58,7 +90,7 @@ impl EquationsOfMotion {
         workspace.reversed_strip().filter(|_| !in_still_air())
     }
 
-    /// What all strips share in a state.
+    /// What all strips share in a state, but for a gust.
     pub(crate) fn surroundings<'a>(
         &'a self,
         state: &[f64],
@@ -67,6 +99,7 @@ impl EquationsOfMotion {
     ) -> Surroundings<'a, UniformlyMet> {
         Surroundings {
             air: self.air_met(state, attitude, controls),
+            gust: None,
             rate: self.motion(state).rate,
             density: self.air(state).density,
             inflow: &self.inflow,

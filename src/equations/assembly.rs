@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 
 use crate::kinematics::{Coordinates, GeneralisedVectorMut, Inertia, Kinematics, RigidMotion};
 use crate::math::{Arithmetic, Attitude, Machine, SquareMatrix, Work};
-use crate::strips::{StripSums, SumLoads};
+use crate::strips::{GustAtStrips, Penetrate, StripSums, SumLoads, Surroundings};
 use crate::structure::ElasticScratch;
 
 use super::controls::Controls;
@@ -33,6 +33,8 @@ pub struct Assembly<'a, K: Kinematics> {
     pub elastic_scratch: &'a mut ElasticScratch,
     /// The mass matrix with apparent mass of the components of ν that move.
     pub mass: &'a mut SquareMatrix,
+    /// What a gust is at the strips.
+    pub gust: &'a mut GustAtStrips,
     /// Loads and apparent mass of the strips.
     pub strip_sums: &'a mut StripSums,
 }
@@ -52,7 +54,8 @@ impl<K: Kinematics> Assembly<'_, K> {
     /// Writes the mass matrix and the generalised forces, and the rates of the inflow states into `rates`.
     #[inline(always)]
     pub fn write(self, machine: impl Machine, situation: Situation, rates: &mut [f64]) {
-        let Assembly { equations, kinematics, memory, inertia, forces, strip_sums: sums, mass, .. } = self;
+        let Assembly { equations, kinematics, memory, inertia, forces, gust, strip_sums: sums, mass, .. } =
+            self;
         let Situation { state, attitude, controls } = situation;
         let at = equations.coordinates(state);
         machine.run(Evaluation { kinematics, at, memory });
@@ -77,8 +80,18 @@ impl<K: Kinematics> Assembly<'_, K> {
         let to_body = &attitude.body_from_inertial;
         equations.station_loads.add(&sections, to_body, deformed_arms, forces.passive_mut());
 
-        let around = &equations.surroundings(state, attitude, controls);
         let (strips, layout) = (&equations.strips, equations.layout.inflow_layout());
+        let gust = equations.gust_seen(state, attitude, controls).map(|(frozen, seen)| {
+            machine.run(Penetrate {
+                strips,
+                sections: &sections,
+                gust: frozen,
+                seen: &seen,
+                at_strips: gust,
+            });
+            &*gust
+        });
+        let around = &Surroundings { gust, ..equations.surroundings(state, attitude, controls) };
         let (passive, effects) = forces.of_air_mut();
         machine.run(SumLoads {
             strips,
@@ -175,6 +188,7 @@ mod tests {
             elastic_force: &mut workspace.elastic_force,
             elastic_scratch: &mut workspace.elastic_scratch,
             mass: &mut workspace.system.matrix,
+            gust: &mut workspace.gust,
             strip_sums: &mut workspace.strip_sums,
         };
         let attitude = Attitude::from_quaternion(&state[equations.layout().attitude()]);

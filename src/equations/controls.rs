@@ -13,4 +13,8 @@ pub struct Controls {
     pub wind: Vector3<f64>,
     /// Its rate, m/s².
     pub wind_rate: Vector3<f64>,
+    /// D: how far the air has gone since the flight began, with it what is frozen in it; north-east-down, m.
+    ///
+    /// [theory: gusts.field]
+    pub air_travel: Vector3<f64>,
 }

@@ -1,13 +1,15 @@
 //! What the equations of motion of an aircraft consist of [theory: equations-of-motion.rows; thesis eq. 2.3, 2.4].
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 use pulp::Arch;
 
-use crate::air::Air;
+use crate::air::{Air, FrozenGust};
 use crate::aircraft::{Control, Support};
 use crate::kinematics::{AnyInertia, AnyKind, RigidFreedom, RigidMotion};
 use crate::math::LinearSystem;
-use crate::strips::{FlapFactor, InflowLayout, PetersInflow, StripSums, Strips};
+use crate::strips::{FlapFactor, GustAtStrips, InflowLayout, PetersInflow, StripSums, Strips};
 use crate::structure::{
     ElasticForces, ElasticScratch, ModalIntegrals, ReducedModel, ReducedStrip, StrainEnergy,
 };
@@ -57,6 +59,8 @@ pub struct EquationsOfMotion {
     pub(crate) tunnel_flow: Vector3<f64>,
     /// `None`: the standard atmosphere.
     pub(crate) tunnel_air: Option<Air>,
+    /// What blows beside wind and tunnel.
+    pub(super) gust: Option<Arc<FrozenGust>>,
     /// Roll, pitch and yaw in the tunnel, rad.
     pub(crate) mount: Vector3<f64>,
     /// Whether the mass matrix is.
@@ -131,6 +135,7 @@ impl EquationsOfMotion {
             inflow,
             tunnel_flow: configuration.tunnel_flow,
             tunnel_air: model.tunnel_air.as_ref().map(Air::of_tunnel),
+            gust: None,
             mount: model.mount,
             arch: Arch::new(),
         }
@@ -159,6 +164,11 @@ impl EquationsOfMotion {
     /// From now on these loads act on the stations.
     pub(crate) fn take_loads(&mut self, loads: StationLoads) {
         self.station_loads = loads;
+    }
+
+    /// From now on the aircraft flies into this.
+    pub(crate) fn take_gust(&mut self, gust: Arc<FrozenGust>) {
+        self.gust = Some(gust);
     }
 
     /// The same equations without wide vectors: slower, with the same bits. For comparisons.
@@ -244,6 +254,11 @@ impl EquationsOfMotion {
     /// Room for the loads of the strips of these equations.
     pub(crate) fn strip_sums(&self) -> StripSums {
         self.strips.sums(self.freedom, self.layout.modes(), self.self_adjoint)
+    }
+
+    /// Room for what a gust is at the strips.
+    pub(crate) fn gust_at_strips(&self) -> GustAtStrips {
+        GustAtStrips::new(&self.strips)
     }
 
     /// What the loads of the flaps are proportional to.

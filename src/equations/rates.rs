@@ -113,8 +113,17 @@ impl EquationsOfMotion {
         rates: &mut [f64],
         workspace: &mut Workspace,
     ) {
-        let Workspace { memory, inertia, forces, elastic_force, elastic_scratch, system, strip_sums, .. } =
-            workspace;
+        let Workspace {
+            memory,
+            inertia,
+            forces,
+            elastic_force,
+            elastic_scratch,
+            system,
+            gust,
+            strip_sums,
+            ..
+        } = workspace;
         let written = memory.as_mut().with(inertia.as_mut());
         by_kind!(self.kinematics.as_ref().with(written), |(kinematics, (memory, inertia))| {
             let assembly = Assembly {
@@ -126,6 +135,7 @@ impl EquationsOfMotion {
                 elastic_force,
                 elastic_scratch,
                 mass: &mut system.matrix,
+                gust,
                 strip_sums,
             };
             assembly.write(machine, situation, rates);

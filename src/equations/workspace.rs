@@ -2,7 +2,7 @@
 
 use crate::kinematics::{AnyInertia, AnyMemory};
 use crate::math::LinearSystem;
-use crate::strips::StripSums;
+use crate::strips::{GustAtStrips, StripSums};
 use crate::structure::ElasticScratch;
 
 use super::controls::Controls;
@@ -28,6 +28,8 @@ pub struct Workspace {
     pub(crate) regular: bool,
     /// Forces on them, then their accelerations.
     pub(crate) solution: Vec<f64>,
+    /// What a gust was at the strips.
+    pub(crate) gust: GustAtStrips,
     /// Loads and apparent mass of the strips.
     pub(crate) strip_sums: StripSums,
     /// ν̇ of the last evaluation.
@@ -48,6 +50,7 @@ impl Workspace {
             system: equations.linear_system(),
             regular: false,
             solution: vec![0.0; moving],
+            gust: equations.gust_at_strips(),
             strip_sums: equations.strip_sums(),
             accelerations: vec![0.0; components],
         }

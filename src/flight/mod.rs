@@ -1,6 +1,7 @@
 //! A flight in time: the thing a user steps.
 
 mod diagonal;
+mod encounter;
 mod error;
 mod evaluation;
 mod exponential;

@@ -7,6 +7,7 @@ use crate::plant::{Course, LimitExceeded, Outputs, PackagedStrip, Trim, TrimPoin
 use crate::structure::ReducedModel;
 use crate::symmetry::{FlyingPlant, Plants};
 
+use super::encounter::encounter;
 use super::error::SimulationError;
 use super::evaluation::{Wind, refresh};
 use super::inputs::Inputs;
@@ -81,6 +82,12 @@ impl Simulation {
         let plants = Plants::under(&model, &along_course)?;
         let found = plants.trim(&along_course.trim_condition())?;
         let trimmed = found.trim().clone();
+        let gust = encounter(&model, settings, plants.simplest(), &trimmed);
+        let gust_is_in_plane = gust.as_ref().is_none_or(|gust| gust.is_in_plane());
+        let plants = match gust {
+            Some(gust) => plants.map(|plant| plant.clone().in_gust(&gust)),
+            None => plants,
+        };
         let room = plants.most_states();
         let flying = FlyingPlant::new(plants, &found, |plant, trim| {
             let scale = ErrorScale { tolerance: settings.tolerance, floors: plant.magnitudes() };
@@ -89,7 +96,7 @@ impl Simulation {
         Ok(Simulation {
             settings_hash: settings.hash(),
             identity: OnceLock::new(),
-            steering: Steering::new(trimmed.point, settings, &model),
+            steering: Steering::new(trimmed.point, settings, &model).in_gust(gust_is_in_plane),
             course: Course::new(settings.plant.heading),
             start,
             path: Path::new(Moment::START, &trimmed.state, room),

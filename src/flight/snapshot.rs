@@ -2,10 +2,12 @@
 //!
 //! Content of the [sealed] bytes: whether the aircraft flies in its form of symmetric motion and whether the cell of time begins at the present (a
 //! byte each), sub-steps of anchor and present (u32), then numbers (f64): when present and anchor are and when the inputs
-//! were set, each as cells of the grid and a part of one, start time, reference airspeed, inputs, their rates, the present's
-//! state and, where the cell begins elsewhere, the anchor's.
+//! were set, each as cells of the grid and a part of one, start time, reference airspeed, how far the air had gone when the
+//! inputs were set, inputs, their rates, the present's state and, where the cell begins elsewhere, the anchor's.
 
 use std::iter::from_fn;
+
+use nalgebra::Vector3;
 
 use crate::sealed::{self, BrokenSeal, CHECKSUM, HEADER, Mark, Reader, Writer};
 
@@ -15,7 +17,7 @@ use super::moment::{LATEST, Moment};
 use super::simulation::Simulation;
 
 /// Names the format and its version.
-const MARK: Mark = *b"FLXSNP05";
+const MARK: Mark = *b"FLXSNP06";
 
 /// Bytes of the content before its numbers.
 const FLAGS_AND_COUNTS: usize = 2 + 2 * size_of::<u32>();
@@ -69,6 +71,7 @@ impl Simulation {
         let reference_airspeed = self.flying.marcher().reference_airspeed();
         let times = [present.time, anchor.time, self.steering.since].into_iter().flat_map(Moment::numbers);
         writer.reals(times.chain([self.start, reference_airspeed]));
+        writer.reals(self.steering.air_travel.iter().copied());
         writer.reals(self.steering.inputs.values().chain(self.steering.rates.values()));
         writer.reals(present.state.iter().copied());
         if !self.path.begins_here() {
@@ -77,7 +80,7 @@ impl Simulation {
     }
 
     fn content_size(&self, states: usize) -> usize {
-        let numbers = 8 + 2 * self.steering.inputs.values().count() + states;
+        let numbers = 11 + 2 * self.steering.inputs.values().count() + states;
         FLAGS_AND_COUNTS + size_of::<f64>() * numbers
     }
 
@@ -127,6 +130,7 @@ impl Simulation {
         }
         self.start = start;
         self.steering.since = since;
+        self.steering.air_travel = Vector3::from_fn(|_, _| next());
         for number in self.steering.inputs.values_mut().chain(self.steering.rates.values_mut()) {
             *number = next();
         }

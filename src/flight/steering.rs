@@ -1,6 +1,6 @@
 //! The inputs as functions of time: values and rates set at an instant, about the trim or absolute.
 //!
-//! [theory: integration.inputs]
+//! [theory: integration.inputs, gusts.field]
 
 use nalgebra::Vector3;
 
@@ -36,6 +36,12 @@ pub struct Steering {
     pub rates: Inputs,
     /// When they were set.
     pub(super) since: Moment,
+    /// Along the course: how far the air had gone then, m.
+    pub(super) air_travel: Vector3<f64>,
+    /// Of a wind tunnel, along the course, m/s.
+    tunnel_flow: Vector3<f64>,
+    /// Whether what is frozen in the air blows in the mirror plane.
+    gust_is_in_plane: bool,
 }
 
 impl Steering {
@@ -48,7 +54,23 @@ impl Steering {
             InputReference::Absolute => TrimPoint::default(),
         };
         let reference = Reference { angles: point.angles(&model.controls).collect(), thrust: point.thrust };
-        Steering { trim, reference, course, inputs, rates, since: Moment::START }
+        let tunnel_flow = settings.plant.along_course().configuration(model.support).tunnel_flow;
+        Steering {
+            trim,
+            reference,
+            course,
+            inputs,
+            rates,
+            since: Moment::START,
+            air_travel: Vector3::zeros(),
+            tunnel_flow,
+            gust_is_in_plane: true,
+        }
+    }
+
+    /// The same in a gust that blows in the mirror plane, or not.
+    pub(super) fn in_gust(self, gust_is_in_plane: bool) -> Self {
+        Steering { gust_is_in_plane, ..self }
     }
 
     /// Sets inputs and rates at a time; returns whether that changes anything.
@@ -57,6 +79,7 @@ impl Steering {
         if is_steady && self.inputs == *inputs {
             return false;
         }
+        self.air_travel = self.air_travel_after(time.since(self.since));
         self.inputs.clone_from(inputs);
         self.rates.clone_from(rates);
         self.since = time;
@@ -83,6 +106,13 @@ impl Steering {
         [wind + (rate + change * (0.5 * elapsed)) * elapsed, rate + change * elapsed]
     }
 
+    /// Along the course: how far the air has gone a time (s) after the inputs were set, m.
+    fn air_travel_after(&self, elapsed: f64) -> Vector3<f64> {
+        let [wind, rate, change] = self.winds();
+        let mean = self.tunnel_flow + wind + (rate * 0.5 + change * (elapsed / 6.0)) * elapsed;
+        self.air_travel + mean * elapsed
+    }
+
     /// The absolute controls at a time.
     pub(super) fn write_at(&self, time: Moment, controls: &mut Controls) {
         self.write_after(time.since(self.since), controls);
@@ -99,6 +129,7 @@ impl Steering {
             *acting = thrust + input + elapsed * rate;
         }
         [controls.wind, controls.wind_rate] = self.winds_after(elapsed);
+        controls.air_travel = self.air_travel_after(elapsed);
     }
 }
 
@@ -119,5 +150,9 @@ impl Actions for Steering {
         let [wind, given, input, change] =
             [inputs.wind, rates.wind, inputs.wind_rate, rates.wind_rate].map(|wind| course.along(&wind));
         [wind, given + input, change]
+    }
+
+    fn gust_is_in_plane(&self) -> bool {
+        self.gust_is_in_plane
     }
 }

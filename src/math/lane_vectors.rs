@@ -199,6 +199,15 @@ impl<S: Arithmetic> Add for PlaneVector<S> {
     }
 }
 
+impl<S: Arithmetic> Sub for PlaneVector<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        PlaneVector { x: self.x - other.x, z: self.z - other.z }
+    }
+}
+
 impl<S: Arithmetic> Mul<Lanes<S>> for PlaneVector<S> {
     type Output = Self;
 

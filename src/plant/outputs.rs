@@ -42,6 +42,10 @@ pub struct Outputs {
     pub load_factor: Vector3<f64>,
     /// Flow at O.
     pub air: AirData,
+    /// Velocity of the air at O, all of it, north-east-down, m/s [theory: gusts.outputs].
+    pub wind: Vector3<f64>,
+    /// Of the single gust into which the aircraft flies, m/s of true airspeed; 0 where there is none.
+    pub gust_peak_velocity: f64,
     /// One per station of the model.
     pub deflections: Vec<Deflection>,
     /// One per station of the model.
@@ -93,6 +97,8 @@ impl Outputs {
             acceleration: Vector3::zeros(),
             load_factor: Vector3::zeros(),
             air: AirData::default(),
+            wind: Vector3::zeros(),
+            gust_peak_velocity: 0.0,
             deflections: vec![Deflection::default(); stations],
             sensors: vec![Sensors::default(); stations],
             modal_q: vec![0.0; modes],

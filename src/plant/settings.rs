@@ -4,6 +4,7 @@ use std::fmt::Display;
 
 use nalgebra::Vector3;
 
+use crate::air::OutOfRange;
 use crate::aircraft::{ALTITUDES, Support};
 use crate::equations::{Configuration, Fidelity};
 use crate::strips::PetersInflow;
@@ -75,6 +76,12 @@ pub struct SettingError {
     pub found: String,
     /// What is allowed.
     pub allowed: String,
+}
+
+impl From<OutOfRange> for SettingError {
+    fn from(OutOfRange { setting, found, allowed }: OutOfRange) -> Self {
+        SettingError { setting, found: found.to_string(), allowed: allowed.to_owned() }
+    }
 }
 
 impl PlantSettings {

@@ -5,9 +5,11 @@
 //! Nobody above asks which strips, modes or fidelity level there are. Time enters by the inputs alone, of which the motion
 //! of the air is one.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
-use crate::air::Air;
+use crate::air::{Air, FrozenGust};
 use crate::aircraft::{Control, Support};
 use crate::equations::{Configuration, Controls, EquationsOfMotion, StateLayout, Workspace};
 use crate::structure::{ModesInUse, ReducedModel, ReducedStation};
@@ -217,6 +219,8 @@ impl Plant {
         outputs.write_stations(&self.stations, &self.equations, state, workspace);
         outputs.write_controls(controls);
         outputs.air = self.air_data(state, controls);
+        outputs.wind = course.north_east_down(&self.equations.air_motion(state, controls));
+        outputs.gust_peak_velocity = self.equations.gust_peak_velocity();
     }
 
     /// Speed of O relative to the air, m/s.
@@ -255,13 +259,19 @@ impl Plant {
         Plant { equations: self.equations.one_strip_at_a_time(), ..self }
     }
 
+    /// The same plant before what is frozen in the air.
+    pub fn in_gust(mut self, gust: &Arc<FrozenGust>) -> Self {
+        self.equations.take_gust(Arc::clone(gust));
+        self
+    }
+
     /// The same plant in another flow of the tunnel (m/s), with all elastic properties multiplied by a factor.
     pub(crate) fn varied(&self, tunnel_flow: Vector3<f64>, stiffness: f64) -> Self {
         Plant { equations: self.equations.varied(tunnel_flow, stiffness), ..self.clone() }
     }
 
     /// The air around O.
-    pub(super) fn air(&self, state: &[f64]) -> Air {
+    pub(crate) fn air(&self, state: &[f64]) -> Air {
         self.equations.air(state)
     }
 }

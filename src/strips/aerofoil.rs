@@ -1,6 +1,6 @@
 //! Lift, moment, suction and drag of aerofoil sections, several side by side.
 //!
-//! [theory: air-loads.lift, air-loads.moment, air-loads.suction, air-loads.drag; thesis §4.1]
+//! [theory: air-loads.lift, air-loads.moment, air-loads.suction, air-loads.drag, gusts.strip; thesis §4.1]
 //!
 //! Symbols: U `chordwise`, w `upwash`, Ω `pitch_rate`, λ₀ `induced`. Loads are per unit width and leave out
 //! the apparent-mass part that is proportional to accelerations, which the equations of motion carry on
@@ -47,7 +47,7 @@ pub struct LocalFlow<S: Arithmetic> {
     pub upwash: Lanes<S>,
     /// Ω, rad/s.
     pub pitch_rate: Lanes<S>,
-    /// w₃: the upwash at three-quarter chord, m/s.
+    /// w₃: the upwash at three-quarter chord, and half of g₁, m/s.
     pub w3: Lanes<S>,
     /// The part of ẇ that no acceleration makes, m/s².
     pub upwash_drift: Lanes<S>,
@@ -55,6 +55,8 @@ pub struct LocalFlow<S: Arithmetic> {
     pub pitch_drift: Lanes<S>,
     /// λ₀, m/s.
     pub induced: Lanes<S>,
+    /// g₁ in a gust: how its upwash changes along the chord, m/s.
+    pub gust_gradient: Option<Lanes<S>>,
 }
 
 /// Loads of flaps at the elastic axis per unit width: per radian of δ, and a drag per radian squared.
@@ -132,7 +134,11 @@ impl<S: Arithmetic> Aerofoil<Lanes<S>> {
 
         let effective_upwash = w3 - induced;
         let lift_by_upwash = self.lift_slope * rho_b;
-        let lift = lift_by_upwash * chordwise * effective_upwash;
+        let mut lift = lift_by_upwash * chordwise * effective_upwash;
+        if let Some(gradient) = flow.gust_gradient {
+            // The gust's apparent mass acts at the quarter chord too [theory: gusts.strip].
+            lift += -(rho_b * PI * chordwise * gradient);
+        }
 
         let apparent = rho_b * b * PI;
         let apparent_lift = apparent * (flow.upwash_drift - d * flow.pitch_drift);

@@ -60,7 +60,8 @@ impl<K: Sections, A: MetAir> SumLoads<'_, K, A> {
             let hung_on = sections.of_strips(index);
             for window in Window::all(simd) {
                 if group.in_plane {
-                    let mut moving = group.deform_in_plane::<S, EQUAL_ROWS>(window, &hung_on, around);
+                    let mut moving =
+                        group.deform_in_plane::<S, EQUAL_ROWS>(window, (index, &hung_on), around);
                     follow_wake(window, (index, group), around, &mut moving, (&states, &mut rates), sums);
                     group.distribute_in_plane::<S, EQUAL_ROWS>(
                         window,
@@ -70,7 +71,7 @@ impl<K: Sections, A: MetAir> SumLoads<'_, K, A> {
                         sums,
                     );
                 } else {
-                    let mut moving = group.deform::<S, EQUAL_ROWS>(window, &hung_on, around);
+                    let mut moving = group.deform::<S, EQUAL_ROWS>(window, (index, &hung_on), around);
                     follow_wake(window, (index, group), around, &mut moving, (&states, &mut rates), sums);
                     group.distribute::<S, EQUAL_ROWS>(window, (index, &hung_on), around, &moving, sums);
                 }

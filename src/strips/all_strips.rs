@@ -89,7 +89,7 @@ impl Strips {
         for (index, group) in self.groups.iter().enumerate() {
             let sections = sections.of_strips(index);
             for window in Window::all(Scalar::new()) {
-                let w3 = group.deform::<Scalar, false>(window, &sections, around).flow.w3;
+                let w3 = group.deform::<Scalar, false>(window, (index, &sections), around).flow.w3;
                 around.inflow.settle(window, w3, &mut layout.of_group(index).write(state));
             }
         }

@@ -17,9 +17,11 @@ use super::surroundings::Surroundings;
 
 /// Eight strips.
 #[derive(Clone, Debug)]
-struct EdgeOnGroup {
+pub struct EdgeOnGroup {
     /// f: x and z.
     forward: [Eight; 2],
+    /// b and d, m.
+    chords: [Eight; 2],
     /// CD0 b Δy, m².
     drag_area: Eight,
     /// CLα of strips that would lift, were they not edge-on, 1/rad.
@@ -38,6 +40,11 @@ impl EdgeOnStrips {
         EdgeOnStrips { groups: strips.chunks(LANES).map(EdgeOnGroup::new).collect() }
     }
 
+    /// In groups of eight.
+    pub fn groups(&self) -> impl Iterator<Item = &EdgeOnGroup> {
+        self.groups.iter()
+    }
+
     /// Adds the drag to the sums; returns the first strip that would lift and meets the air from behind.
     #[inline(always)]
     pub fn add_drag<S: Arithmetic>(
@@ -51,7 +58,7 @@ impl EdgeOnStrips {
         for (index, group) in self.groups.iter().enumerate() {
             let sections = sections.edge_on(index);
             for window in Window::all(simd) {
-                let chordwise = group.add_drag(window, &sections, around, sums);
+                let chordwise = group.add_drag(window, (index, &sections), around, sums);
                 if chordwise.least() <= 0.0 && reversed.is_none() {
                     let lane = first_reversed(chordwise, window.load(&group.lift_slope));
                     reversed = lane.map(|lane| index * LANES + window.lane(lane));
@@ -70,9 +77,23 @@ impl EdgeOnGroup {
                 Eight::of(strips, |strip| strip.forward.x, 1.0),
                 Eight::of(strips, |strip| strip.forward.z, 0.0),
             ],
+            chords: [
+                Eight::of(strips, |strip| strip.semichord, 1.0),
+                Eight::of(strips, |strip| strip.elastic_axis_aft_of_midchord, 0.0),
+            ],
             drag_area: Eight::of(strips, |strip| strip.profile_drag * strip.semichord * strip.width, 0.0),
             lift_slope: Eight::of(strips, |strip| strip.lift_slope, 0.0),
         }
+    }
+
+    /// f: x and z.
+    pub fn forward(&self) -> [&Eight; 2] {
+        self.forward.each_ref()
+    }
+
+    /// b and d, m.
+    pub fn chords(&self) -> [&Eight; 2] {
+        self.chords.each_ref()
     }
 
     /// Adds the drag of the strips in a window; returns U.
@@ -80,13 +101,14 @@ impl EdgeOnGroup {
     fn add_drag<S: Arithmetic>(
         &self,
         window: Window<S>,
-        sections: &impl SectionsInPlane,
+        (index, sections): (usize, &impl SectionsInPlane),
         around: &Surroundings<impl MetAir>,
         sums: &mut StripSums,
     ) -> Lanes<S> {
         let motion = sections.motion(window);
         let forward = motion.turn.apply(&PlaneVector::load(window, self.forward.each_ref()));
-        let chordwise = forward.dot(&flow_past(window, &motion, around).velocity);
+        let gust = around.gust.map(|gust| gust.edge_on(index));
+        let chordwise = forward.dot(&flow_past(window, &motion, around, gust).velocity);
         let drag = window.load(&self.drag_area) * around.density * chordwise.abs() * chordwise;
         let force = forward * -drag;
 

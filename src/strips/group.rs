@@ -104,8 +104,8 @@ impl Group {
         if EQUAL_ROWS { normal } else { normal + forward * window.load(&self.zero_lift_offset) }
     }
 
-    /// The flow by f·V, n·V and Ω, and by those parts of ẇ and Ω̇ that no acceleration makes; the induced velocity is left
-    /// at zero [theory: air-loads.flow, air-loads.rates].
+    /// The flow by f·V, n·V and Ω, by those parts of ẇ and Ω̇ that no acceleration makes, and by g₁ in a gust; the induced
+    /// velocity is left at zero [theory: air-loads.flow, air-loads.rates, gusts.strip].
     #[inline(always)]
     pub(crate) fn flow<S: Arithmetic, const EQUAL_ROWS: bool>(
         &self,
@@ -113,19 +113,25 @@ impl Group {
         density: f64,
         [chordwise, normal, pitch_rate]: [Lanes<S>; 3],
         [upwash_drift, pitch_drift]: [Lanes<S>; 2],
+        gust_gradient: Option<Lanes<S>>,
     ) -> LocalFlow<S> {
         let upwash =
             if EQUAL_ROWS { normal } else { normal + chordwise * window.load(&self.zero_lift_offset) };
+        let mut w3 = self.aerofoil.three_quarter_chord_upwash(window, upwash, pitch_rate);
+        if let Some(gradient) = gust_gradient {
+            w3 += gradient * 0.5;
+        }
         LocalFlow {
             density: window.splat(density),
             chordwise,
             normal,
             upwash,
             pitch_rate,
-            w3: self.aerofoil.three_quarter_chord_upwash(window, upwash, pitch_rate),
+            w3,
             upwash_drift,
             pitch_drift,
             induced: window.splat(0.0),
+            gust_gradient,
         }
     }
 

@@ -7,6 +7,7 @@ use crate::kinematics::{Bias, RigidFreedom, SectionMotion, SectionsInPlane, Turn
 use crate::math::{Arithmetic, Arrow, Lanes, PlaneVector, Window};
 
 use super::group::{Group, MovingSections, StripLoadsWithFlaps};
+use super::penetration::EightGusts;
 use super::sums::StripSums;
 use super::surroundings::Surroundings;
 
@@ -28,14 +29,21 @@ pub(crate) fn flow_past<S: Arithmetic, T>(
     window: Window<S>,
     motion: &SectionMotion<PlaneVector<S>, Lanes<S>, T>,
     around: &Surroundings<impl MetAir>,
+    gust: Option<&EightGusts>,
 ) -> MetAt<PlaneVector<S>> {
     let SectionMotion { position, velocity, .. } = motion;
     let body_rate = window.splat(around.rate.y);
     let air = around.air.at(window, [position, velocity]);
-    MetAt {
+    let mut met = MetAt {
         velocity: air.velocity + position.turned_by(body_rate) + *velocity,
         drift: air.drift + velocity.turned_by(body_rate),
+    };
+    if let Some(gust) = gust {
+        let mean = PlaneVector::load(window, [&gust.mean.x, &gust.mean.z]);
+        met.velocity = met.velocity - mean;
+        met.drift = met.drift + mean.turned_by(body_rate);
     }
+    met
 }
 
 impl Group {
@@ -44,11 +52,12 @@ impl Group {
     pub(crate) fn deform_in_plane<S: Arithmetic, const EQUAL_ROWS: bool>(
         &self,
         window: Window<S>,
-        sections: &impl SectionsInPlane,
+        (index, sections): (usize, &impl SectionsInPlane),
         around: &Surroundings<impl MetAir>,
     ) -> MovingSections<S, PlaneSections<S>> {
         let motion = sections.motion(window);
-        let MetAt { velocity, mut drift } = flow_past(window, &motion, around);
+        let gust = around.gust.map(|gust| gust.of_group(index));
+        let MetAt { velocity, mut drift } = flow_past(window, &motion, around, gust);
         let SectionMotion { position, turn, rate, spin, bias, .. } = motion;
         let forward = turn.apply(&PlaneVector::load(window, [&self.forward.x, &self.forward.z]));
         let span = window.load(&self.span.y);
@@ -67,6 +76,9 @@ impl Group {
             around.density,
             [forward.dot(&velocity), normal.dot(&velocity), span * (body_rate + rate)],
             [upwash_drift, pitch_drift],
+            gust.map(|gust| {
+                -zero_lift_normal.dot(&PlaneVector::load(window, [&gust.change.x, &gust.change.z]))
+            }),
         );
         let motion = PlaneSections { position, forward, span, normal, zero_lift_normal };
         MovingSections { motion, flow }

@@ -1,6 +1,6 @@
 //! How strips move with the deformed aircraft and where their loads go.
 //!
-//! [theory: kinematics.sections, air-loads.triad, air-loads.flow, air-loads.rows, air-loads.rates; thesis §4.1]
+//! [theory: kinematics.sections, air-loads.triad, air-loads.flow, air-loads.rows, air-loads.rates, gusts.strip; thesis §4.1]
 //!
 //! Symbols: f, s, n the deformed triad, X the place of its section, J and S the section's rows, V the velocity relative to the
 //! air, m = n + α0 f, and the rows G_w = nᵀ[1, −X×, J], G_Ω = sᵀ[0, 1, S] on ν = [v; ω; q̇]. ẇ and Ω̇ are the rates of w and
@@ -33,7 +33,7 @@ impl Group {
     pub(crate) fn deform<S: Arithmetic, const EQUAL_ROWS: bool>(
         &self,
         window: Window<S>,
-        sections: &impl SectionsInSpace,
+        (index, sections): (usize, &impl SectionsInSpace),
         around: &Surroundings<impl MetAir>,
     ) -> MovingSections<S, SpaceMotion<S>> {
         let SectionMotion { position, turn, velocity, rate, spin, bias } = sections.motion(window);
@@ -44,8 +44,16 @@ impl Group {
 
         let body_rate = LaneVector::splat(window, &around.rate);
         let air = around.air.at(window, [&position, &velocity]);
-        let air_velocity = air.velocity + body_rate.cross(&position) + velocity;
+        let mut air_velocity = air.velocity + body_rate.cross(&position) + velocity;
         let mut drift = air.drift + body_rate.cross(&velocity);
+        let mut gust_gradient = None;
+        if let Some(gust) = around.gust {
+            let gust = gust.of_group(index);
+            let mean = LaneVector::load(window, &gust.mean);
+            air_velocity = air_velocity - mean;
+            drift = drift + body_rate.cross(&mean);
+            gust_gradient = Some(-zero_lift_normal.dot(&LaneVector::load(window, &gust.change)));
+        }
         let turning = body_rate + rate;
         // (σ × m)·V = σ·(m × V): how w and Ω change with the spin of the triad.
         let mut pitch_drift = spin.dot(&span.cross(&turning));
@@ -59,6 +67,7 @@ impl Group {
             around.density,
             [forward.dot(&air_velocity), normal.dot(&air_velocity), span.dot(&turning)],
             [upwash_drift, pitch_drift],
+            gust_gradient,
         );
         let motion = SpaceMotion { forward, span, normal, zero_lift_normal, position };
         MovingSections { motion, flow }

@@ -1,6 +1,6 @@
 //! Aerodynamic strips: sections with their inflow and flaps, side by side on the deformed aircraft.
 //!
-//! [theory: air-loads.flow, air-loads.distribution, inflow.state; thesis §4.1]
+//! [theory: air-loads.flow, air-loads.distribution, inflow.state, gusts.chord; thesis §4.1]
 
 mod aerofoil;
 mod air_loads;
@@ -12,6 +12,7 @@ mod in_plane;
 mod in_space;
 mod inflow;
 mod inflow_layout;
+mod penetration;
 mod strip_loads;
 mod sums;
 mod surroundings;
@@ -21,6 +22,7 @@ pub(crate) use all_strips::Strips;
 pub(crate) use flap_factor::FlapFactor;
 pub use inflow::{InflowStates, PetersInflow};
 pub use inflow_layout::{GroupInflow, InflowLayout};
+pub(crate) use penetration::{GustAtStrips, Penetrate};
 pub(crate) use sums::StripSums;
 pub(crate) use surroundings::Surroundings;
 

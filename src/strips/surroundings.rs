@@ -5,11 +5,14 @@ use nalgebra::Vector3;
 use crate::kinematics::RigidFreedom;
 
 use super::inflow::PetersInflow;
+use super::penetration::GustAtStrips;
 
 /// The state of the aircraft and of the air that all strips share.
 pub struct Surroundings<'a, A> {
     /// The air as the aircraft meets it.
     pub air: A,
+    /// What blows at the strips beside it, if the aircraft flies into a gust [theory: gusts.chord].
+    pub gust: Option<&'a GustAtStrips>,
     /// ω, body axes, rad/s.
     pub rate: Vector3<f64>,
     /// ρ, kg/m³.

@@ -47,6 +47,7 @@ impl<K: Kinematics> OnSections<K> {
         let level = Attitude::from_quaternion(&[1.0, 0.0, 0.0, 0.0]);
         Surroundings {
             air: still.met_by(&level, [&motion.velocity, &motion.rate]),
+            gust: None,
             rate: motion.rate,
             density: DENSITY,
             inflow: &self.inflow,
@@ -96,9 +97,9 @@ impl<K: Kinematics> OnSections<K> {
         let sections = self.kinematics.sections(at, &memory);
         let (sections, around) = (sections.of_strips(0), &self.around(motion));
         let (window, group) = (Window::single(), &self.strips.groups[0]);
-        let mut flows = vec![group.deform::<Scalar, false>(window, &sections, around).flow];
+        let mut flows = vec![group.deform::<Scalar, false>(window, (0, &sections), around).flow];
         if group.in_plane {
-            flows.push(group.deform_in_plane::<Scalar, false>(window, &sections, around).flow);
+            flows.push(group.deform_in_plane::<Scalar, false>(window, (0, &sections), around).flow);
         }
         flows
     }

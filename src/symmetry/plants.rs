@@ -70,6 +70,8 @@ pub trait Actions {
     fn thrust(&self, engine: usize) -> [f64; 2];
     /// Along the course: the wind, m/s, its rate, m/s², and the rate of that, m/s³.
     fn winds(&self) -> [Vector3<f64>; 3];
+    /// Whether what is frozen in the air blows in the mirror plane.
+    fn gust_is_in_plane(&self) -> bool;
 }
 
 impl Plants {
@@ -231,6 +233,7 @@ impl Halving {
         let cancel = |[sum, size]: [f64; 2], much: f64| sum.abs() <= ROUNDING * size.max(much);
         angles.into_iter().all(|sum| cancel(sum, 1.0))
             && rates.into_iter().all(|sum| cancel(sum, 0.0))
+            && actions.gust_is_in_plane()
             && actions.winds().into_iter().all(|wind| wind.y == 0.0)
             && engines.all(|(engine, &image)| {
                 let pairs = actions.thrust(engine).into_iter().zip(actions.thrust(image));
@@ -249,6 +252,7 @@ mod tests {
         angles: [[f64; 2]; 2],
         thrusts: [[f64; 2]; 2],
         winds: [Vector3<f64>; 3],
+        gusts_aside: bool,
     }
 
     impl Actions for Acting {
@@ -260,6 +264,9 @@ mod tests {
         }
         fn winds(&self) -> [Vector3<f64>; 3] {
             self.winds
+        }
+        fn gust_is_in_plane(&self) -> bool {
+            !self.gusts_aside
         }
     }
 
@@ -298,6 +305,12 @@ mod tests {
             };
             assert!(is_the_limit(4096.0 * ROUNDING, thrusts));
         }
+    }
+
+    #[test]
+    fn a_gust_from_the_side_is_not_alike() {
+        assert!(are_symmetric(&Acting::default()));
+        assert!(!are_symmetric(&Acting { gusts_aside: true, ..Acting::default() }));
     }
 
     #[test]

@@ -18,6 +18,7 @@ mod flutter;
 mod frequencies;
 mod geometrically_exact;
 mod gliding;
+mod gusts;
 mod high_altitude;
 mod inflow;
 mod limits;

@@ -1,0 +1,62 @@
+//! What a flight flies into: gust and turbulence along the track on which it begins [theory: gusts.field].
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use crate::air::{FrozenGust, Track};
+use crate::aircraft::Support;
+use crate::math::Attitude;
+use crate::plant::{Plant, Trim};
+use crate::structure::ReducedModel;
+
+use super::settings::Settings;
+
+/// What is frozen in the air under some settings before an aircraft that is trimmed so, along its course; `None` where nothing is.
+pub(super) fn encounter(
+    model: &ReducedModel,
+    settings: &Settings,
+    plant: &Plant,
+    trim: &Trim,
+) -> Option<Arc<FrozenGust>> {
+    let layout = plant.layout();
+    let position = Vector3::from_column_slice(&trim.state[layout.position()]);
+    let velocity = match model.support {
+        Support::Free => {
+            let attitude = Attitude::from_quaternion(&trim.state[layout.attitude()]);
+            let velocity = Vector3::from_column_slice(&trim.state[layout.velocity()]);
+            attitude.body_from_inertial.tr_mul(&velocity)
+        }
+        Support::Clamped => -settings.plant.along_course().configuration(model.support).tunnel_flow,
+    };
+    let track = Track::new(&position, &along_the_course(velocity), nose(model));
+    let density = plant.air(&trim.state).density;
+    FrozenGust::new(track, (&settings.gust, &settings.turbulence), settings.plant.altitude, density)
+        .map(Arc::new)
+}
+
+/// A velocity, without what rounding leaves of it across the course.
+fn along_the_course(velocity: Vector3<f64>) -> Vector3<f64> {
+    let is_rounding = velocity.y.abs() <= 16.0 * f64::EPSILON * velocity.x.abs();
+    Vector3::new(velocity.x, if is_rounding { 0.0 } else { velocity.y }, velocity.z)
+}
+
+/// By how much the foremost leading edge of any strip is ahead of O on the undeformed aircraft, m.
+fn nose(model: &ReducedModel) -> f64 {
+    let edges = model.strips.iter().map(|strip| {
+        (strip.position + strip.forward * (strip.elastic_axis_aft_of_midchord + strip.semichord)).x
+    });
+    edges.reduce(f64::max).unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::test_jet::jet;
+
+    #[test]
+    fn the_jet_meets_a_gust_with_the_leading_edge_of_its_nose() {
+        // From an independent computation: 10.4143 m before O.
+        assert!((nose(jet()) - 10.4143).abs() < 5e-5, "{}", nose(jet()));
+    }
+}
