@@ -167,7 +167,7 @@ impl EquationsOfMotion {
     }
 
     /// From now on the aircraft flies into this.
-    pub(crate) fn take_gust(&mut self, gust: Arc<FrozenGust>) {
+    pub fn take_gust(&mut self, gust: Arc<FrozenGust>) {
         self.gust = Some(gust);
     }
 

@@ -1,6 +1,7 @@
 //! The jet and its flights, shared by the tests.
 
 pub mod beams;
+pub mod encounter;
 pub mod kane;
 pub mod linearised;
 pub mod plain_loads;

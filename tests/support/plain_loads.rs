@@ -1,7 +1,7 @@
 //! The loads of strips as the theory writes them, one strip after the other, from the state alone: nothing of the
 //! program's load summation is used. Steady inflow (N = 0): λ₀ = 0.
 //!
-//! [theory: air-loads.lift, air-loads.moment, air-loads.suction, air-loads.drag; thesis §4.1]
+//! [theory: air-loads.lift, air-loads.moment, air-loads.suction, air-loads.drag, gusts.chord, gusts.strip; thesis §4.1]
 
 use std::f64::consts::PI;
 
@@ -25,6 +25,18 @@ pub struct Instant<'a> {
     pub state: &'a [f64],
     /// Its rates: the accelerations of the loads are taken from them.
     pub rates: &'a [f64],
+    /// What the aircraft flies into.
+    pub gust: Option<&'a PlainGust<'a>>,
+}
+
+/// A gust that is frozen in the air.
+pub struct PlainGust<'a> {
+    /// Along the track, to the right, down, over the distance from where it begins: m/s over m.
+    pub velocity: &'a dyn Fn(f64) -> [f64; 3],
+    /// e.
+    pub along: Vector3<f64>,
+    /// Where O was at the start, plus how far the air has gone since, m.
+    pub origin: Vector3<f64>,
 }
 
 /// f, s, n of a strip, V and what follows.
@@ -40,6 +52,10 @@ pub struct Flow {
     across: f64,
     /// w.
     pub upwash: f64,
+    /// W̄, body axes.
+    gust: Vector3<f64>,
+    /// g₁.
+    gust_gradient: f64,
     /// Ω.
     pub pitch_rate: f64,
     at: Point,
@@ -60,13 +76,51 @@ impl Instant<'_> {
     fn flow_in(&self, strip: &ReducedStrip, state: &[f64], wind: &Vector3<f64>) -> Flow {
         let at = Fixed::from(strip).point(self.moving, self.equations, state);
         let attitude = Attitude::from_quaternion(&state[self.equations.layout().attitude()]);
-        let velocity = at.velocity - attitude.body_from_inertial * wind;
         let (forward, span) = (at.turn * strip.forward, at.turn * strip.span);
         let normal = forward.cross(&span);
+        let [gust, change] = self.gust_along_chord(strip, state, (&at.place, &forward));
+        let velocity = at.velocity - attitude.body_from_inertial * wind - gust;
+        let gust_gradient = -(normal + forward * strip.zero_lift_offset).dot(&change);
         let (chordwise, across) = (forward.dot(&velocity), normal.dot(&velocity));
         let upwash = across + chordwise * strip.zero_lift_offset;
         let pitch_rate = span.dot(&at.spin);
-        Flow { forward, span, normal, velocity, chordwise, across, upwash, pitch_rate, at }
+        Flow {
+            forward,
+            span,
+            normal,
+            velocity,
+            chordwise,
+            across,
+            upwash,
+            gust,
+            gust_gradient,
+            pitch_rate,
+            at,
+        }
+    }
+
+    /// W̄ and W̄₁ of a strip at X with its f, body axes.
+    fn gust_along_chord(
+        &self,
+        strip: &ReducedStrip,
+        state: &[f64],
+        (place, forward): (&Vector3<f64>, &Vector3<f64>),
+    ) -> [Vector3<f64>; 2] {
+        let Some(PlainGust { velocity, along, origin }) = self.gust else { return [Vector3::zeros(); 2] };
+        let layout = self.equations.layout();
+        let to_body = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial;
+        let position = Vector3::from_column_slice(&state[layout.position()]);
+        let right = Vector3::z().cross(along);
+        let (mut mean, mut change) = (Vector3::zeros(), Vector3::zeros());
+        for xi in [0.75_f64.sqrt(), 0.0, -(0.75_f64.sqrt())] {
+            let on_chord = place + forward * (strip.elastic_axis_aft_of_midchord - strip.semichord * xi);
+            let point = position + to_body.transpose() * on_chord;
+            let [ahead, aside, down] = velocity(along.dot(&(point - origin)));
+            let gust = to_body * (along * ahead + right * aside + Vector3::z() * down);
+            mean += gust / 3.0;
+            change += gust * (2.0 / 3.0 * xi);
+        }
+        [mean, change]
     }
 
     /// The flow at a strip some time later, on the tangent to the motion.
@@ -78,7 +132,7 @@ impl Instant<'_> {
 
     /// ẇ and Ω̇ as the theory writes them [theory: air-loads.rates].
     pub fn flow_rates(&self, strip: &ReducedStrip, flow: &Flow) -> [f64; 2] {
-        let Flow { forward, span, normal, velocity, at, .. } = flow;
+        let Flow { forward, span, normal, velocity, gust, at, .. } = flow;
         let layout = self.equations.layout();
         let part =
             |numbers: &[f64], range: std::ops::Range<usize>| Vector3::from_column_slice(&numbers[range]);
@@ -95,7 +149,7 @@ impl Instant<'_> {
             + accelerating
             + bias
             + omega.cross(&at.relative_velocity)
-            + omega.cross(&wind)
+            + omega.cross(&(wind + gust))
             - wind_rate;
         let m = normal + forward * strip.zero_lift_offset;
         [
@@ -109,13 +163,23 @@ impl Instant<'_> {
         let flow = self.flow_in(strip, self.state, &self.controls.wind);
         let [w_dot, omega_dot] = self.flow_rates(strip, &flow);
         let Flow {
-            forward, span, normal, velocity, chordwise: u, across, upwash: w, pitch_rate: omega, ..
+            forward,
+            span,
+            normal,
+            velocity,
+            chordwise: u,
+            across,
+            upwash: w,
+            gust_gradient: g1,
+            pitch_rate: omega,
+            ..
         } = flow;
         let (b, d) = (strip.semichord, strip.elastic_axis_aft_of_midchord);
         let rho = Air::at(self.equations.altitude(self.state)).density;
         let FlapLift { lift: c1_delta, moment: c4_delta } = self.flap_lift(strip);
 
-        let circulatory = strip.lift_slope * rho * u * b * (w + (0.5 * b - d) * omega);
+        let circulatory =
+            strip.lift_slope * rho * u * b * (w + (0.5 * b - d) * omega + 0.5 * g1) - PI * rho * b * u * g1;
         let flap_lift = rho * b * u * u * c1_delta;
         let lift = PI * rho * b * b * (w_dot - d * omega_dot) + circulatory + flap_lift;
         let moment = (0.5 * b + d) * (circulatory + flap_lift)

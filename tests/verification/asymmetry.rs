@@ -110,7 +110,7 @@ fn gravity_thrust_and_the_air_balance_the_trimmed_aircraft_in_all_six_directions
     let rates = vec![0.0; trim.state.len()];
     let (equations, controls) = (plant.equations(), &trim.controls);
     let moving = Moving::Superposed;
-    let instant = Instant { equations, moving, controls, state: &trim.state, rates: &rates };
+    let instant = Instant { equations, moving, controls, state: &trim.state, rates: &rates, gust: None };
     let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
     let mut act = |place: &Vector3<f64>, acting: Vector3<f64>| {
         force += acting;

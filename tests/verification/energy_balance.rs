@@ -12,7 +12,8 @@ use flexible_aircraft::plant::{Plant, TrimCondition};
 use flexible_aircraft::structure::{BeamSection, ReducedEngine, ReducedModel};
 use nalgebra::{DVector, Vector3};
 
-use crate::support::plain_loads::Instant;
+use crate::support::encounter::Encounter;
+use crate::support::plain_loads::{Instant, PlainGust};
 use crate::support::plain_points::{Fixed, Moving};
 use crate::support::plain_sections::moving_point;
 use crate::support::{AILERON, AILERON_SYMMETRIC, ELEVATOR, RUDDER, derivative, jet, random, soft};
@@ -101,8 +102,14 @@ fn balance(fidelity: Fidelity) -> (f64, f64) {
         let aircraft = &state.as_slice()[..state.len() - 1];
         equations.rates(aircraft, &controls, &mut rates[..aircraft.len()], &mut workspace);
         let work = rates.len() - 1;
-        let instant =
-            Instant { equations, moving, controls: &controls, state: aircraft, rates: &rates[..work] };
+        let instant = Instant {
+            equations,
+            moving,
+            controls: &controls,
+            state: aircraft,
+            rates: &rates[..work],
+            gust: None,
+        };
         rates[work] = power(&model, &instant);
         DVector::from_vec(rates)
     };
@@ -124,8 +131,8 @@ fn balance(fidelity: Fidelity) -> (f64, f64) {
     (largest, difference)
 }
 
-/// The largest difference of power and d(T + U)/dt over ten random states, relative to the power.
-fn instantaneous(fidelity: Fidelity) -> f64 {
+/// The largest difference of power and d(T + U)/dt over ten random states, in a gust or not, relative to the power.
+fn instantaneous(fidelity: Fidelity, in_gust: bool) -> f64 {
     let (model, plant) = soft_jet(fidelity);
     let equations = plant.equations();
     let layout = *equations.layout();
@@ -149,10 +156,16 @@ fn instantaneous(fidelity: Fidelity) -> f64 {
             (0.2 * next(), 0.2 * next(), 0.2 * next());
         controls.angles[AILERON_SYMMETRIC] = 0.2 * next();
         controls.thrust.fill(3e4 * next());
+        let position = Vector3::from_column_slice(&state[layout.position()]);
+        let Encounter { gust, along, start } = Encounter::around(&position, &controls.air_travel);
+        let plant = if in_gust { plant.clone().in_gust(&gust) } else { plant.clone() };
         let mut rates = vec![0.0; state.len()];
-        equations.rates(&state, &controls, &mut rates, &mut workspace);
+        plant.rates(&state, &controls, &mut rates, &mut workspace);
+        let velocity = |ahead| gust.velocity(ahead);
+        let gust = PlainGust { velocity: &velocity, along, origin: start };
+        let gust = in_gust.then_some(&gust);
         let moving = Moving::at(&model, fidelity);
-        let instant = Instant { equations, moving, controls: &controls, state: &state, rates: &rates };
+        let instant = Instant { equations, moving, controls: &controls, state: &state, rates: &rates, gust };
         let expected = power(&model, &instant);
         // T + U of superposed displacements is quartic along a straight line, that of strains smooth.
         let moved = |s: f64| state.iter().zip(&rates).map(|(x, rate)| x + s * rate).collect::<Vec<_>>();
@@ -180,7 +193,9 @@ fn the_work_of_air_thrust_and_gravity_is_the_change_of_energy() {
     }
     for fidelity in [Fidelity::Exact, Fidelity::Inconsistent, Fidelity::GeometricallyExact] {
         let case = format!("{fidelity:?}: power against d(T + U)/dt, ten random states, relative");
-        record.rounding(&case, 1e-9, instantaneous(fidelity));
+        record.rounding(&case, 1e-9, instantaneous(fidelity, false));
+        let case = format!("{fidelity:?}: the same in an oblique gust and turbulence");
+        record.rounding(&case, 1e-9, instantaneous(fidelity, true));
     }
     record.finish();
 }

@@ -1,11 +1,14 @@
 //! The loads of all strips are those of the formulas, summed plainly, and ẇ and Ω̇ in them are the true rates of w and Ω
 //! [theory: air-loads.distribution, air-loads.rates; thesis §4.1].
 
+use std::sync::Arc;
+
 use flexible_aircraft::equations::{Controls, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
 use nalgebra::Vector3;
 
-use crate::support::plain_loads::Instant;
+use crate::support::encounter::Encounter;
+use crate::support::plain_loads::{Instant, PlainGust};
 use crate::support::plain_points::{Fixed, Moving};
 use crate::support::{AILERON, AILERON_SYMMETRIC, ELEVATOR, RUDDER, derivative, jet, random, soft};
 
@@ -64,20 +67,34 @@ fn evaluate(equations: &EquationsOfMotion, state: &[f64], controls: &Controls) -
     (rates, workspace.forces().to_vec())
 }
 
-/// Largest difference of the strips' generalised forces without accelerations to the plain sum, over the largest force.
-fn difference(model: &ReducedModel, fidelity: Fidelity, seed: u64) -> f64 {
-    let with_strips = equations(model, fidelity);
+/// Largest difference of the strips' generalised forces without accelerations to the plain sum, in a gust or not, over the
+/// largest force.
+fn difference(model: &ReducedModel, fidelity: Fidelity, in_gust: bool, seed: u64) -> f64 {
+    let mut with_strips = equations(model, fidelity);
     let without = equations(&ReducedModel { strips: Vec::new(), ..model.clone() }, fidelity);
-    let (state, controls) = disturbed(&with_strips, seed);
+    let (state, mut controls) = disturbed(&with_strips, seed);
+    controls.air_travel = controls.wind * 0.3;
+    let position = Vector3::from_column_slice(&state[with_strips.layout().position()]);
+    let Encounter { gust, along, start } = Encounter::around(&position, &controls.air_travel);
+    if in_gust {
+        with_strips.take_gust(Arc::clone(&gust));
+    }
     let (mut rates, forces) = evaluate(&with_strips, &state, &controls);
     let (_, others) = evaluate(&without, &state, &controls);
     let layout = *with_strips.layout();
     for accelerations in [layout.velocity(), layout.rate(), layout.coordinate_rates()] {
         rates[accelerations].fill(0.0);
     }
-    let moving = Moving::at(model, fidelity);
-    let instant =
-        Instant { equations: &with_strips, moving, controls: &controls, state: &state, rates: &rates };
+    let velocity = |ahead| gust.velocity(ahead);
+    let gust = PlainGust { velocity: &velocity, along, origin: start + controls.air_travel };
+    let instant = Instant {
+        equations: &with_strips,
+        moving: Moving::at(model, fidelity),
+        controls: &controls,
+        state: &state,
+        rates: &rates,
+        gust: in_gust.then_some(&gust),
+    };
     let mut plain = vec![0.0; forces.len()];
     for strip in &model.strips {
         add(&mut plain, &instant, strip, fidelity);
@@ -119,8 +136,11 @@ fn the_loads_of_all_strips_are_the_plain_sum_of_the_formulas_at_every_level() {
     );
     for (name, model) in [("jet", aircraft(false)), ("altered jet", aircraft(true))] {
         for fidelity in Fidelity::ALL.into_iter().filter(|fidelity| *fidelity != Fidelity::Rigid) {
-            let largest = (0..10).map(|seed| difference(&model, fidelity, seed)).fold(0.0, f64::max);
-            record.rounding(&format!("{name}, {fidelity:?}"), 1e-12, largest);
+            for (air, in_gust) in [("", false), (", in an oblique gust and turbulence", true)] {
+                let differences = (0..10).map(|seed| difference(&model, fidelity, in_gust, seed));
+                let case = format!("{name}, {fidelity:?}{air}");
+                record.rounding(&case, 1e-12, differences.fold(0.0, f64::max));
+            }
         }
     }
     record.finish();
@@ -143,8 +163,14 @@ fn the_rates_of_the_flow_at_a_strip_are_the_true_ones() {
         for seed in 0..10 {
             let (state, controls) = disturbed(&equations, seed);
             let (rates, _) = evaluate(&equations, &state, &controls);
-            let instant =
-                Instant { equations: &equations, moving, controls: &controls, state: &state, rates: &rates };
+            let instant = Instant {
+                equations: &equations,
+                moving,
+                controls: &controls,
+                state: &state,
+                rates: &rates,
+                gust: None,
+            };
             for strip in &model.strips {
                 let found = instant.flow_rates(strip, &instant.flow_after(strip, 0.0));
                 let expected = [
