@@ -258,7 +258,7 @@ impl EquationsOfMotion {
 
     /// Room for what a gust is at the strips.
     pub(crate) fn gust_at_strips(&self) -> GustAtStrips {
-        GustAtStrips::new(&self.strips)
+        self.strips.gust()
     }
 
     /// What the loads of the flaps are proportional to.

@@ -10,6 +10,7 @@ use crate::structure::{ReducedModel, ReducedStrip};
 use super::edge_on::EdgeOnStrips;
 use super::flap_factor::FlapFactor;
 use super::group::{Group, flap_drag};
+use super::gust_at_strips::GustAtStrips;
 use super::inflow::PetersInflow;
 use super::inflow_layout::InflowLayout;
 use super::sums::StripSums;
@@ -62,6 +63,11 @@ impl Strips {
     /// where accelerations are distributed as loads are.
     pub fn sums(&self, freedom: RigidFreedom, modes: usize, equal_rows: bool) -> StripSums {
         StripSums::new([self.groups.len(), self.factors.len()], freedom, modes, equal_rows)
+    }
+
+    /// Room for what a gust is at them.
+    pub fn gust(&self) -> GustAtStrips {
+        GustAtStrips::new([self.groups.len(), self.edge_on.groups().count()])
     }
 
     /// Writes the inflow's linear part at a constant airspeed (m/s) into a vector of the state's layout, 1/s.

@@ -7,7 +7,7 @@ use crate::kinematics::{Bias, RigidFreedom, SectionMotion, SectionsInPlane, Turn
 use crate::math::{Arithmetic, Arrow, Lanes, PlaneVector, Window};
 
 use super::group::{Group, MovingSections, StripLoadsWithFlaps};
-use super::penetration::EightGusts;
+use super::gust_at_strips::EightGusts;
 use super::sums::StripSums;
 use super::surroundings::Surroundings;
 

@@ -2,61 +2,17 @@
 //!
 //! Symbols: W̄ the mean over the chord, W̄₁ how the gust changes along it, aft positive, g₁ = −m·W̄₁.
 
-use nalgebra::Vector3;
-
 use crate::air::{FrozenGust, TrackSeen};
 use crate::kinematics::{SectionMotion, Sections, SectionsInPlane, SectionsInSpace, Turn};
-use crate::math::{Arithmetic, Arrow, Eight, EightVectors, LaneVector, Lanes, PlaneVector, Window, Work};
+use crate::math::{Arithmetic, Arrow, Eight, LaneVector, Lanes, PlaneVector, Window, Work};
 
 use super::all_strips::Strips;
+use super::gust_at_strips::{EightGusts, GustAtStrips};
 
 /// ξ of the outer ones of three Chebyshev points: √3/2.
 const OUTER: f64 = 0.866_025_403_784_438_6;
 /// 1/√3: W̄₁ = ⅔ Σ ξ W.
 const PER_DIFFERENCE: f64 = 0.577_350_269_189_625_8;
-
-/// What a gust is at eight strips, body axes, m/s.
-#[derive(Clone, Debug)]
-pub(crate) struct EightGusts {
-    /// W̄.
-    pub(crate) mean: EightVectors,
-    /// W̄₁.
-    pub(crate) change: EightVectors,
-}
-
-/// What a gust is at all strips at an instant.
-#[derive(Clone, Debug)]
-pub struct GustAtStrips {
-    groups: Vec<EightGusts>,
-    edge_on: Vec<EightGusts>,
-}
-
-impl GustAtStrips {
-    /// Room for that at some strips.
-    pub fn new(strips: &Strips) -> Self {
-        let none = Vector3::zeros();
-        let calm = || EightGusts {
-            mean: EightVectors::of::<()>(&[], |()| none, none),
-            change: EightVectors::of::<()>(&[], |()| none, none),
-        };
-        GustAtStrips {
-            groups: strips.groups.iter().map(|_| calm()).collect(),
-            edge_on: strips.edge_on.groups().map(|_| calm()).collect(),
-        }
-    }
-
-    /// At a group of strips.
-    #[inline(always)]
-    pub(crate) fn of_group(&self, group: usize) -> &EightGusts {
-        &self.groups[group]
-    }
-
-    /// At a group of strips edge-on.
-    #[inline(always)]
-    pub(crate) fn edge_on(&self, group: usize) -> &EightGusts {
-        &self.edge_on[group]
-    }
-}
 
 /// How a gust comes to all strips.
 pub struct Penetrate<'a, K> {

@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 
 use crate::kinematics::RigidFreedom;
 
+use super::gust_at_strips::GustAtStrips;
 use super::inflow::PetersInflow;
-use super::penetration::GustAtStrips;
 
 /// The state of the aircraft and of the air that all strips share.
 pub struct Surroundings<'a, A> {

@@ -2,12 +2,20 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use flexible_aircraft::air::{GustSettings, GustShape, Spectrum, TurbulenceComponents, TurbulenceSettings};
-use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::flight::{Settings, Simulation};
-use flexible_aircraft::plant::{Outputs, PlantSettings};
+use std::sync::Arc;
 
-use crate::support::jet;
+use flexible_aircraft::air::{
+    FrozenGust, GustSettings, GustShape, Spectrum, Track, TurbulenceComponents, TurbulenceSettings,
+};
+use flexible_aircraft::equations::{Controls, Fidelity};
+use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+use flexible_aircraft::math::Attitude;
+use flexible_aircraft::plant::{Outputs, Plant, PlantSettings};
+use flexible_aircraft::symmetry::Plants;
+use nalgebra::Vector3;
+
+use crate::support::encounter::Encounter;
+use crate::support::{jet, random};
 
 use super::record::Record;
 
@@ -115,6 +123,187 @@ fn a_gust_from_the_side_and_turbulence_fly_as_the_independent_computation_has_th
     {
         let found = at(&flown, time, |outputs| outputs.load_factor.z);
         record.absolute(&format!("turbulence: load factor at {time} s"), load_factor, 2e-4, found);
+    }
+    record.finish();
+}
+
+/// A flight with sections turned and everything moving, at a state of a plant; what is across the mirror plane rests if it
+/// flies by half.
+fn disturbed(plant: &Plant, is_half: bool, seed: u64) -> Vec<f64> {
+    let layout = plant.layout();
+    let mut next = random(seed);
+    let mut state: Vec<f64> = (0..layout.len()).map(|_| next()).collect();
+    state[layout.position().end - 1] = -7620.0;
+    state[layout.velocity().start] = 127.0;
+    state[layout.coordinates()].iter_mut().for_each(|q| *q *= 20.0);
+    state[layout.coordinate_rates()].iter_mut().for_each(|rate| *rate *= 60.0);
+    let [velocity, rate, attitude] =
+        [layout.velocity(), layout.rate(), layout.attitude()].map(|part| part.start);
+    if is_half {
+        for aside in [layout.position().start + 1, velocity + 1, rate, rate + 2, attitude + 1, attitude + 3] {
+            state[aside] = 0.0;
+        }
+    }
+    let norm = state[layout.attitude()].iter().map(|x| x * x).sum::<f64>().sqrt();
+    state[layout.attitude()].iter_mut().for_each(|x| *x /= norm);
+    state
+}
+
+/// Rates of all states but position, with the inertial acceleration of O in the place of that of v.
+fn inertial_rates(plant: &Plant, state: &[f64], controls: &Controls) -> Vec<f64> {
+    let (mut rates, layout) = (vec![0.0; state.len()], plant.layout());
+    plant.rates(state, controls, &mut rates, &mut plant.workspace());
+    let motion = plant.equations().motion(state);
+    let turning = motion.rate.cross(&motion.velocity);
+    for (acceleration, turning) in rates[layout.velocity()].iter_mut().zip(turning.iter()) {
+        *acceleration += turning;
+    }
+    rates[layout.position()].fill(0.0);
+    rates
+}
+
+#[test]
+fn an_aircraft_that_moves_with_a_gust_that_is_the_same_everywhere_accelerates_as_in_still_air() {
+    let mut record = Record::new(
+        "gust-constant",
+        "A gust that is the same all along the aircraft, and velocities to match: largest difference of the rates to those in still air, over the largest",
+        "the principle of relativity; ten random states",
+    );
+    // At the peak of a gust of a million kilometres, 25 m/s in the mirror plane, with a part to the right for the whole.
+    const GRADIENT: f64 = 1e9;
+    // The consistently linearised level has the deformation in its forces and not in its mass: it is not the same in all frames.
+    for fidelity in Fidelity::ALL.into_iter().filter(|&level| level != Fidelity::ConsistentlyLinearised) {
+        let plants = Plants::under(&jet(), &PlantSettings { fidelity, ..PlantSettings::of(&jet()) }).unwrap();
+        for (name, still, aside) in [("whole", plants.whole(), 0.6), ("half", plants.half().unwrap(), 0.0)] {
+            let single = GustSettings {
+                shape: GustShape::OneMinusCosine,
+                gradient: GRADIENT,
+                peak: 25.0,
+                direction: aside,
+                inclination: 0.3,
+                start: 0.0,
+                ..GustSettings::default()
+            };
+            let mut largest = 0.0_f64;
+            for seed in 0..10 {
+                let mut state = disturbed(still, name == "half", seed);
+                let controls = still.neutral_controls();
+                let expected = inertial_rates(still, &state, &controls);
+                let layout = *still.layout();
+                let start = Vector3::from_column_slice(&state[layout.position()]) - Vector3::x() * GRADIENT;
+                let track = Track::new(&start, &Vector3::x(), 0.0);
+                let gust =
+                    FrozenGust::new(track, (&single, &TurbulenceSettings::default()), 0.0, 1.0).unwrap();
+                let carried = Vector3::from(gust.velocity(GRADIENT));
+                let to_body = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial;
+                for (speed, carried) in state[layout.velocity()].iter_mut().zip((to_body * carried).iter()) {
+                    *speed += carried;
+                }
+                let found = inertial_rates(&still.clone().in_gust(&Arc::new(gust)), &state, &controls);
+                let size = expected.iter().fold(0.0_f64, |size, rate| size.max(rate.abs()));
+                let apart =
+                    found.iter().zip(&expected).map(|(found, expected)| (found - expected).abs() / size);
+                largest = apart.fold(largest, f64::max);
+            }
+            record.rounding(&format!("{fidelity:?}, {name}"), 1e-12, largest);
+        }
+    }
+    record.finish();
+}
+
+#[test]
+fn the_width_of_the_vectors_changes_no_bit_in_a_gust() {
+    for fidelity in Fidelity::ALL {
+        let plants = Plants::under(&jet(), &PlantSettings { fidelity, ..PlantSettings::of(&jet()) }).unwrap();
+        for (plant, is_half) in [(plants.whole(), false), (plants.half().unwrap(), true)] {
+            let state = disturbed(plant, is_half, 3);
+            let position = Vector3::from_column_slice(&state[plant.layout().position()]);
+            let controls = plant.neutral_controls();
+            let wide = plant.clone().in_gust(&Encounter::around(&position, &controls.air_travel).gust);
+            let [wide, narrow] = [wide.clone(), wide.one_strip_at_a_time()].map(|plant| {
+                let mut rates = vec![0.0; state.len()];
+                plant.rates(&state, &controls, &mut rates, &mut plant.workspace());
+                rates.into_iter().map(f64::to_bits).collect::<Vec<_>>()
+            });
+            assert_eq!(wide, narrow, "{fidelity:?}, half {is_half}");
+        }
+    }
+}
+
+/// Everything blows: a gust, turbulence, and a wind that changes.
+fn stormy(fidelity: Fidelity) -> (Settings, Inputs, Inputs) {
+    let turbulence = TurbulenceSettings { spectrum: Spectrum::Dryden, ..TurbulenceSettings::default() };
+    let oblique = GustSettings { direction: 0.4, inclination: 0.2, start: 0.1, ..gust(20.0) };
+    let mut settings = flight(0.1, oblique, turbulence);
+    settings.plant.fidelity = fidelity;
+    let (mut inputs, mut rates) = (Inputs::zero(&jet()), Inputs::zero(&jet()));
+    (inputs.wind, inputs.wind_rate) = (Vector3::new(-3.0, 2.0, 1.0), Vector3::new(1.0, 0.5, -2.0));
+    rates.wind_rate = Vector3::new(0.3, -0.1, 0.2);
+    (settings, inputs, rates)
+}
+
+#[test]
+fn a_flight_through_everything_that_blows_has_the_same_bits_in_any_steps_and_from_any_snapshot() {
+    for fidelity in [Fidelity::Exact, Fidelity::GeometricallyExact, Fidelity::RuthlesslyLinearised] {
+        let (settings, inputs, rates) = stormy(fidelity);
+        let begin = || {
+            let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
+            flight.set_inputs(&inputs, &rates);
+            flight
+        };
+        let (mut whole, mut split, mut restored) = (begin(), begin(), begin());
+        whole.advance_to(0.5).unwrap();
+        (1..=500).for_each(|step| split.advance_to(f64::from(step) * 1e-3).unwrap());
+        assert_eq!(whole.outputs(), split.outputs(), "{fidelity:?}");
+        let mut bytes = Vec::new();
+        whole.snapshot(&mut bytes);
+        whole.advance_to(0.9).unwrap();
+        restored.restore(&bytes).unwrap();
+        restored.advance_to(0.9).unwrap();
+        assert_eq!(whole.outputs(), restored.outputs(), "{fidelity:?}");
+        // What is frozen in the air has gone with it.
+        let mut elsewhere = Simulation::new(jet(), &settings, 0.0).unwrap();
+        elsewhere.advance_to(0.9).unwrap();
+        assert!((whole.outputs().load_factor.z - elsewhere.outputs().load_factor.z).abs() > 1e-2);
+    }
+}
+
+#[test]
+fn half_the_aircraft_flies_through_a_gust_in_its_plane_as_the_whole_does() {
+    let mut record = Record::new(
+        "gust-half",
+        "A gust upwards and forwards and vertical turbulence, H = 20 m, one-tenth stiffness: largest difference of half and whole over 2 s",
+        "symmetry of the aircraft",
+    );
+    for fidelity in Fidelity::ALL {
+        let turbulence = TurbulenceSettings {
+            spectrum: Spectrum::Dryden,
+            components: TurbulenceComponents::Vertical,
+            ..TurbulenceSettings::default()
+        };
+        let forwards = GustSettings { inclination: 0.5, start: 0.2, ..gust(20.0) };
+        let mut settings = flight(0.1, forwards, turbulence);
+        settings.plant.fidelity = fidelity;
+        let fly = |side_wind: f64| {
+            let mut flight = Simulation::new(jet(), &settings, 0.0).unwrap();
+            let (mut inputs, rates) = (Inputs::zero(&jet()), Inputs::zero(&jet()));
+            inputs.wind.y = side_wind;
+            flight.set_inputs(&inputs, &rates);
+            let outputs = |step| {
+                flight.advance_to(0.01 * f64::from(step)).unwrap();
+                assert_eq!(flight.is_symmetric(), side_wind == 0.0);
+                flight.outputs().clone()
+            };
+            (1..=200).map(outputs).collect::<Vec<_>>()
+        };
+        let (half, whole) = (fly(0.0), fly(1e-12));
+        let apart = half.iter().zip(&whole).map(|(half, whole)| {
+            let tips = half.deflections.iter().zip(&whole.deflections);
+            let tips = tips.map(|(half, whole)| (half.displacement - whole.displacement).norm());
+            tips.fold((half.load_factor - whole.load_factor).norm(), f64::max)
+        });
+        let case = format!("{fidelity:?}: load factor, deflections (m)");
+        record.rounding(&case, 1e-11, apart.fold(0.0, f64::max));
     }
     record.finish();
 }
