@@ -1,6 +1,9 @@
 //! One aerofoil strip on an aircraft without mass or modes, whose motion a test prescribes: loads are the forces
 //! on ν = [v; ω; q̇] without the part that is proportional to accelerations.
 
+use std::sync::Arc;
+
+use flexible_aircraft::air::FrozenGust;
 use flexible_aircraft::aircraft::{Bounds, Control, Flap, Limits, Mirroring, Support};
 use flexible_aircraft::equations::{Configuration, Controls, EquationsOfMotion, Fidelity, Workspace};
 use flexible_aircraft::structure::{ModalIntegrals, ModeShapes, ReducedModel, ReducedStrip, StrainEnergy};
@@ -71,6 +74,17 @@ impl PrescribedStrip {
         let layout = *self.equations.layout();
         self.state[layout.velocity().end - 1] = upwash;
         self.state[layout.rate().start + 1] = pitch_rate;
+    }
+
+    /// Has the strip fly into this.
+    pub fn fly_into(&mut self, gust: FrozenGust) {
+        self.equations.take_gust(Arc::new(gust));
+    }
+
+    /// Puts the strip so far north, m.
+    pub fn stand_at(&mut self, north: f64) {
+        let place = self.equations.layout().position().start;
+        self.state[place] = north;
     }
 
     /// Where the inflow states stand.

@@ -30,6 +30,7 @@ mod point_loads;
 mod record;
 mod refusals;
 mod rigid_modes;
+mod sears;
 mod sensors;
 mod small_motions;
 mod spin_up;

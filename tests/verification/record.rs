@@ -44,6 +44,7 @@ const CLAIMS: &[Claim] = &[
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
     ("Energy balance in air", "energy_balance", &["energy-balance"]),
     ("Phugoid and short period", "rigid_modes", &["rigid-modes"]),
+    ("A held section in a gust", "sears", &["sears", "kussner"]),
     ("Gusts that penetrate", "gusts", &["gust", "gust-other", "gust-constant", "gust-half"]),
     ("Sensors on the structure", "sensors", &["sensors"]),
     ("Fidelity levels", "fidelity_levels", &["rigid-limit", "damping"]),
