@@ -18,8 +18,16 @@ pub struct Track {
     origin: Vector3<f64>,
     /// V cos γ, m/s.
     speed: f64,
-    /// By how much the foremost point of any strip is ahead of O, m.
-    nose: f64,
+    aircraft: Extent,
+}
+
+/// How far an aircraft reaches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// By how much the foremost point of any strip is ahead of O on the undeformed aircraft, m.
+    pub nose: f64,
+    /// No point of any chord is ever further from O, m.
+    pub reach: f64,
 }
 
 /// All that is frozen in the air along a track.
@@ -43,21 +51,21 @@ pub struct TrackSeen {
 }
 
 impl Track {
-    /// Of an aircraft at a position that moves through the air at a velocity, in the same axes with z down, whose foremost
-    /// point is so far ahead of O; forward where it does not move horizontally.
-    pub fn new(position: &Vector3<f64>, velocity: &Vector3<f64>, nose: f64) -> Self {
+    /// Of an aircraft of some extent at a position that moves through the air at a velocity, in the same axes with z down;
+    /// forward where it does not move horizontally.
+    pub fn new(position: &Vector3<f64>, velocity: &Vector3<f64>, aircraft: Extent) -> Self {
         let speed = libm::hypot(velocity.x, velocity.y);
         let along = if speed > 0.0 {
             Vector3::new(velocity.x / speed, velocity.y / speed, 0.0)
         } else {
             Vector3::x()
         };
-        Track { along, origin: *position, speed, nose }
+        Track { along, origin: *position, speed, aircraft }
     }
 
     /// s0: from O at the start to where that begins which the foremost point meets at a time, s.
     fn begin(&self, start: f64) -> f64 {
-        self.speed * start + self.nose
+        self.speed * start + self.aircraft.nose
     }
 }
 
@@ -94,6 +102,17 @@ impl FrozenGust {
     /// Of the single gust, m/s of true airspeed; 0 where there is none.
     pub fn peak_velocity(&self) -> f64 {
         self.peak_velocity
+    }
+
+    /// Whether nothing blows at an aircraft whose O is so far along the track from O at the start, m.
+    pub fn is_calm(&self, ahead: f64) -> bool {
+        let reach = self.track.aircraft.reach;
+        let before = |begin: f64| ahead + reach <= begin;
+        self.turbulence.as_ref().is_none_or(|(begin, _)| before(*begin))
+            && self
+                .single
+                .as_ref()
+                .is_none_or(|(begin, gust)| before(*begin) || ahead - reach >= begin + gust.length())
     }
 
     /// Whether it blows in the mirror plane of an aircraft that flies straight along the first axis.
@@ -141,7 +160,7 @@ mod tests {
             TurbulenceSettings::default(),
         );
         let (position, velocity) = (Vector3::new(5.0, 7.0, -300.0), Vector3::new(30.0, 40.0, -10.0));
-        let track = Track::new(&position, &velocity, 12.0);
+        let track = Track::new(&position, &velocity, Extent { nose: 12.0, reach: 20.0 });
         let gust = FrozenGust::new(track, (&single, &still), 0.0, 1.225).unwrap();
         // After two seconds the nose has gone 100 m along the track, and the air has carried both.
         let attitude = Attitude::from_quaternion(&quaternion_of_euler_angles(&Vector3::new(0.2, 0.1, 0.9)));
@@ -155,11 +174,15 @@ mod tests {
         let up = attitude.body_from_inertial.tr_mul(&seen.vector(peak));
         assert!((up + Vector3::z() * 10.0).norm() < 1e-12, "{up}");
         assert!(!gust.is_in_plane());
+        // The gust is 60 m long and begins 12 m ahead of what is 100 m down the track; the aircraft reaches 20 m.
+        let calm = [90.0, 92.0, 93.0, 191.0, 192.0].map(|ahead| gust.is_calm(ahead));
+        assert_eq!(calm, [true, true, false, false, true]);
     }
 
     #[test]
     fn what_is_switched_off_is_not_there_and_what_is_on_adds() {
-        let track = Track::new(&Vector3::zeros(), &Vector3::new(20.0, 0.0, 0.0), 1.0);
+        let track =
+            Track::new(&Vector3::zeros(), &Vector3::new(20.0, 0.0, 0.0), Extent { nose: 1.0, reach: 5.0 });
         let (off, calm) = (GustSettings::default(), TurbulenceSettings::default());
         assert!(FrozenGust::new(track, (&off, &calm), 0.0, 1.225).is_none());
         let single = GustSettings { shape: GustShape::OneMinusCosine, start: 6.0, ..off };

@@ -163,6 +163,11 @@ impl OneMinusCosine {
         })
     }
 
+    /// 2H, m.
+    pub fn length(&self) -> f64 {
+        2.0 * self.gradient
+    }
+
     /// Along the track, to the right, down, m/s.
     pub fn velocity(&self, s: f64) -> [f64; 3] {
         if s > 0.0 && s < 2.0 * self.gradient {

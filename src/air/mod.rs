@@ -10,7 +10,7 @@ mod turbulence;
 pub use atmosphere::{Air, STANDARD_GRAVITY};
 pub use flow::UniformFlow;
 pub(crate) use flow::{MetAir, MetAt, UniformlyMet};
-pub use frozen::{FrozenGust, Track, TrackSeen};
+pub use frozen::{Extent, FrozenGust, Track, TrackSeen};
 pub use gust::{CS25_GRADIENTS, GustCriterion, GustSettings, GustShape};
 pub use out_of_range::OutOfRange;
 pub use turbulence::{Spectrum, TurbulenceComponents, TurbulenceSettings};

@@ -53,7 +53,7 @@ impl EquationsOfMotion {
         self.gust.as_ref().map_or(0.0, |gust| gust.peak_velocity())
     }
 
-    /// The gust into which the aircraft flies, and its track as seen in a state.
+    /// The gust in which the aircraft flies, and its track as seen in a state; `None` where nothing blows.
     #[inline(always)]
     pub(super) fn gust_seen(
         &self,
@@ -63,7 +63,8 @@ impl EquationsOfMotion {
     ) -> Option<(&FrozenGust, TrackSeen)> {
         let gust = self.gust.as_deref()?;
         let position = Vector3::from_column_slice(&state[self.layout.position()]);
-        Some((gust, gust.seen_by(attitude, [&position, &controls.air_travel])))
+        let seen = gust.seen_by(attitude, [&position, &controls.air_travel]);
+        (!gust.is_calm(seen.origin)).then_some((gust, seen))
     }
 
     /// How the air moves: the wind, and the tunnel's flow.

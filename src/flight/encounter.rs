@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use crate::air::{FrozenGust, Track};
+use crate::air::{Extent, FrozenGust, Track};
 use crate::aircraft::Support;
 use crate::math::Attitude;
 use crate::plant::{Plant, Trim};
-use crate::structure::ReducedModel;
+use crate::structure::{ReducedModel, ReducedStrip};
 
 use super::settings::Settings;
 
@@ -29,7 +29,7 @@ pub(super) fn encounter(
         }
         Support::Clamped => -settings.plant.along_course().configuration(model.support).tunnel_flow,
     };
-    let track = Track::new(&position, &along_the_course(velocity), nose(model));
+    let track = Track::new(&position, &along_the_course(velocity), extent(model));
     let density = plant.air(&trim.state).density;
     FrozenGust::new(track, (&settings.gust, &settings.turbulence), settings.plant.altitude, density)
         .map(Arc::new)
@@ -41,12 +41,18 @@ fn along_the_course(velocity: Vector3<f64>) -> Vector3<f64> {
     Vector3::new(velocity.x, if is_rounding { 0.0 } else { velocity.y }, velocity.z)
 }
 
-/// By how much the foremost leading edge of any strip is ahead of O on the undeformed aircraft, m.
-fn nose(model: &ReducedModel) -> f64 {
+/// How far an aircraft reaches: no strip is ever twice as far from O as on the undeformed aircraft.
+fn extent(model: &ReducedModel) -> Extent {
     let edges = model.strips.iter().map(|strip| {
         (strip.position + strip.forward * (strip.elastic_axis_aft_of_midchord + strip.semichord)).x
     });
-    edges.reduce(f64::max).unwrap_or(0.0)
+    let reach = |strip: &ReducedStrip| {
+        2.0 * strip.position.norm() + strip.elastic_axis_aft_of_midchord.abs() + strip.semichord
+    };
+    Extent {
+        nose: edges.reduce(f64::max).unwrap_or(0.0),
+        reach: model.strips.iter().map(reach).fold(0.0, f64::max),
+    }
 }
 
 #[cfg(test)]
@@ -57,6 +63,7 @@ mod tests {
     #[test]
     fn the_jet_meets_a_gust_with_the_leading_edge_of_its_nose() {
         // From an independent computation: 10.4143 m before O.
-        assert!((nose(jet()) - 10.4143).abs() < 5e-5, "{}", nose(jet()));
+        let Extent { nose, reach } = extent(jet());
+        assert!((nose - 10.4143).abs() < 5e-5 && reach > nose, "{nose} {reach}");
     }
 }

@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use flexible_aircraft::air::{FrozenGust, GustSettings, GustShape, Spectrum, Track, TurbulenceSettings};
+use flexible_aircraft::air::{
+    Extent, FrozenGust, GustSettings, GustShape, Spectrum, Track, TurbulenceSettings,
+};
 use nalgebra::Vector3;
 
 /// A gust of 20 m/s in all directions at once, 30 m long, in turbulence of 5 m/s.
@@ -34,7 +36,12 @@ impl Encounter {
             intensity: 5.0,
             ..TurbulenceSettings::default()
         };
-        let gust = FrozenGust::new(Track::new(&start, &along, 0.0), (&single, &turbulence), 7620.0, 0.55);
+        let gust = FrozenGust::new(
+            Track::new(&start, &along, Extent { nose: 0.0, reach: 100.0 }),
+            (&single, &turbulence),
+            7620.0,
+            0.55,
+        );
         Encounter { gust: Arc::new(gust.unwrap()), along, start }
     }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use flexible_aircraft::air::{
-    FrozenGust, GustSettings, GustShape, Spectrum, Track, TurbulenceComponents, TurbulenceSettings,
+    Extent, FrozenGust, GustSettings, GustShape, Spectrum, Track, TurbulenceComponents, TurbulenceSettings,
 };
 use flexible_aircraft::equations::{Controls, Fidelity};
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
@@ -191,7 +191,7 @@ fn an_aircraft_that_moves_with_a_gust_that_is_the_same_everywhere_accelerates_as
                 let expected = inertial_rates(still, &state, &controls);
                 let layout = *still.layout();
                 let start = Vector3::from_column_slice(&state[layout.position()]) - Vector3::x() * GRADIENT;
-                let track = Track::new(&start, &Vector3::x(), 0.0);
+                let track = Track::new(&start, &Vector3::x(), Extent { nose: 0.0, reach: 100.0 });
                 let gust =
                     FrozenGust::new(track, (&single, &TurbulenceSettings::default()), 0.0, 1.0).unwrap();
                 let carried = Vector3::from(gust.velocity(GRADIENT));

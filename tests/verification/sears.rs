@@ -5,7 +5,7 @@
 
 use std::f64::consts::TAU;
 
-use flexible_aircraft::air::{FrozenGust, GustSettings, GustShape, Track, TurbulenceSettings};
+use flexible_aircraft::air::{Extent, FrozenGust, GustSettings, GustShape, Track, TurbulenceSettings};
 use nalgebra::{Complex, DVector, Vector3};
 
 use super::record::Record;
@@ -26,8 +26,9 @@ fn lift_in_gust(inflow_states: usize, gradient: f64, steps: usize) -> (FrozenGus
         start: 0.0,
         ..GustSettings::default()
     };
+    let aircraft = Extent { nose: SEMICHORD, reach: SEMICHORD };
     let gust = || {
-        let track = Track::new(&Vector3::zeros(), &(Vector3::x() * SPEED), SEMICHORD);
+        let track = Track::new(&Vector3::zeros(), &(Vector3::x() * SPEED), aircraft);
         FrozenGust::new(track, (&single, &TurbulenceSettings::default()), 0.0, DENSITY).unwrap()
     };
     let mut strip = PrescribedStrip::new(inflow_states, 0.0, 0.0, 0.8);
