@@ -9,6 +9,7 @@ mod command;
 mod engine_lag;
 mod noise;
 mod sampling;
+mod settings;
 mod swing;
 
 pub use actuator::{Actuator, Holding, Surface};
@@ -16,3 +17,4 @@ pub use command::{Command, LIMITLESS};
 pub use engine_lag::EngineLag;
 pub use noise::Noise;
 pub use sampling::{Samples, Sampling};
+pub use settings::{ActuatorSetting, EngineSetting};

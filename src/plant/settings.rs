@@ -70,7 +70,7 @@ pub struct PlantSettings {
 #[error("{setting}: found {found}, allowed is {allowed}")]
 pub struct SettingError {
     /// Name of the FMI parameter.
-    pub setting: &'static str,
+    pub setting: String,
     /// What was given.
     pub found: String,
     /// What is allowed.
@@ -181,8 +181,8 @@ impl PlantSettings {
     }
 }
 
-fn refuse<T>(setting: &'static str, found: impl Display, allowed: &str) -> Result<T, SettingError> {
-    Err(SettingError { setting, found: found.to_string(), allowed: allowed.to_owned() })
+fn refuse<T>(setting: &str, found: impl Display, allowed: &str) -> Result<T, SettingError> {
+    Err(SettingError { setting: setting.to_owned(), found: found.to_string(), allowed: allowed.to_owned() })
 }
 
 impl Plant {

@@ -1,6 +1,7 @@
 //! One row of the table: what FMI says of a variable, and where its value lives.
 
-use super::slot::{EnumerationType, Slot, Value};
+use super::enumeration::EnumerationType;
+use super::slot::{Slot, Value};
 use super::unit::Unit;
 
 /// The type of a variable.
@@ -21,7 +22,7 @@ pub enum Type {
 pub enum Variability {
     /// Constant after initialisation.
     Fixed,
-    /// Changes only when the flight is initialised anew.
+    /// Changes at events, or only when the flight is initialised anew.
     Discrete,
     /// Changes with time.
     Continuous,
