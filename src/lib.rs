@@ -47,6 +47,7 @@
 //! | [`plant`] | the equations | rates and outputs at any state under any inputs, the linear part; trims, linearised motion |
 //! | [`stability`] | `ReducedModel`, settings | flutter and divergence over a range of airspeeds |
 //! | [`symmetry`] | `ReducedModel` | its half, which flies for the whole while motion is symmetric; [`symmetry::Plants`], both |
+//! | [`devices`] | commands, settings, time | what acts, and what sampled sensors give |
 //! | [`flight`] | `ReducedModel`, settings | a flight in time |
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
 //! | [`Flight`] | `ReducedModel` | a flight by the names of variables |
@@ -63,6 +64,7 @@
 pub mod air;
 pub mod aircraft;
 mod by_name;
+pub mod devices;
 pub mod equations;
 pub mod flight;
 #[cfg(feature = "fmi")]

@@ -74,7 +74,7 @@ pub enum Error {
     Aircraft(#[from] AircraftFileError),
     #[error(transparent)]
     Structure(#[from] StructureError),
-    #[error("{}: found {}, allowed is {}", option(.0.setting), .0.found, .0.allowed)]
+    #[error("{}: found {}, allowed is {}", option(&.0.setting), .0.found, .0.allowed)]
     Setting(#[from] SettingError),
     #[error("{option}: found {}, allowed is {} to {} m/s", Plain(*found), allowed.start(), allowed.end())]
     Airspeed { option: &'static str, found: f64, allowed: RangeInclusive<f64> },

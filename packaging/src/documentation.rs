@@ -12,7 +12,7 @@ use crate::plan_view;
 const TEMPLATE: &str = include_str!("../../modelDescription/documentation.html");
 
 /// What the outputs that share the first part of their name are.
-const OUTPUT_GROUPS: [(&str, &str); 13] = [
+const OUTPUT_GROUPS: [(&str, &str); 15] = [
     ("position", "Position"),
     ("attitude", "Attitude"),
     ("velocity", "Velocity"),
@@ -26,6 +26,8 @@ const OUTPUT_GROUPS: [(&str, &str); 13] = [
     ("surface", "Acting surface angles"),
     ("engine", "Acting thrusts"),
     ("trim", "Trim"),
+    ("actuator", "What actuators do"),
+    ("sensor", "What sensors give"),
 ];
 
 /// Variables that stand in one table.

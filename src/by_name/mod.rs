@@ -151,19 +151,10 @@ impl Flight {
     /// # Errors
     /// When there is no such variable, or the flight cannot begin.
     pub fn get(&mut self, name: &str) -> Result<f64, FlightError> {
-        let number = |value| match value {
-            Value::Real(number) => number,
-            Value::Integer(number) => f64::from(number),
-            Value::Boolean(flag) => f64::from(u8::from(flag)),
-        };
         match self.variable(name)?.slot {
             Slot::Input(slot) => Ok(slot.get(&self.inputs)),
-            Slot::Parameter(slot) => Ok(number(slot.get(&self.settings))),
-            Slot::Output(slot) => {
-                let simulation = self.simulation()?;
-                let trim = *simulation.trim();
-                Ok(slot.get(simulation.outputs(), &trim))
-            }
+            Slot::Parameter(slot) => Ok(slot.get(&self.settings).number()),
+            Slot::Output(slot) => Ok(slot.number(self.simulation()?.instant())),
         }
     }
 

@@ -24,6 +24,22 @@ pub enum SimulationError {
     /// The aircraft cannot be trimmed.
     #[error(transparent)]
     Trim(#[from] Box<TrimError>),
+    /// The trim needs what an actuator or an engine cannot give.
+    #[error(
+        "the trim needs {part} at {needed} {unit}, and `{limit}` is {found} {unit}: no steady flight can be held within it"
+    )]
+    BeyondLimit {
+        /// The control or the engine.
+        part: String,
+        /// rad or N.
+        needed: f64,
+        /// Name of the parameter.
+        limit: String,
+        /// rad or N.
+        found: f64,
+        /// `rad` or `N`.
+        unit: &'static str,
+    },
     /// A lifting strip meets the air backwards.
     #[error(
         "at {time} s the air meets strip {strip} (on {component}) from behind: the strip theory is not valid there"

@@ -23,7 +23,7 @@ pub(super) fn refresh(
     if point.slope_is_fresh {
         return;
     }
-    steering.write_at(point.time, controls);
+    steering.write_at(point.time, &point.acting, controls);
     let wind = (controls.wind, controls.wind_rate);
     if *evaluated_in == Some(wind) {
         plant.steer(controls, &mut point.slope);

@@ -5,7 +5,7 @@
 
 /// Width of a grid cell, s: the usual communication step. In the standard flight of README.md one step over it keeps
 /// pitch, wing tip and load factor within 2e-6 of their peaks; the error control halves from there.
-const CELL: f64 = 10e-3;
+pub(super) const CELL: f64 = 10e-3;
 
 /// Communication points this close to a grid point, s, are on it.
 pub(super) const ON_GRID: f64 = 1e-6 * CELL;
@@ -61,6 +61,21 @@ impl Moment {
     /// Whether a cell begins there.
     pub fn is_on_grid(self) -> bool {
         self.part == 0.0
+    }
+
+    /// How many cells a time (s) is that is a multiple of theirs.
+    pub fn cells_in(period: f64) -> f64 {
+        libm::round(period / CELL)
+    }
+
+    /// Whether whole periods of so many cells have passed.
+    pub fn is_on_grid_of(self, period: f64) -> bool {
+        self.part == 0.0 && self.cells % period == 0.0
+    }
+
+    /// How many whole periods of so many cells have passed.
+    pub fn whole(self, period: f64) -> u64 {
+        libm::floor(self.cells / period) as u64
     }
 
     /// s after the start.

@@ -5,12 +5,15 @@
 use std::array::from_fn;
 use std::sync::Arc;
 
-use crate::plant::{Course, Outputs, Plant, Trim, TrimPoint, TrimTangents};
+use crate::plant::{Course, Plant, Trim, TrimTangents};
 use crate::structure::ReducedModel;
 use crate::symmetry::Plants;
 
+use super::actions::Acts;
 use super::inputs::Inputs;
+use super::instant::Instant;
 use super::moment::Moment;
+use super::sensors::Sensors;
 use super::settings::Settings;
 use super::simulation::Simulation;
 use super::steering::Steering;
@@ -40,32 +43,44 @@ impl Neighbours {
         self.settings == *settings
     }
 
-    /// The outputs and the trims at the beginning of four flights under inputs and their rates. Airspeed, altitude, heading and
+    /// What is read at the beginning of four flights under inputs and their rates. Airspeed, altitude, heading and
     /// stiffness of the flights lie along one change of the settings, by −1, −½, ½ and 1 of it; right to first order of
     /// the change. `None` where the trim has no tangent.
     pub fn outputs(
         &self,
         changed: &[Settings; 4],
         (inputs, rates): (&Inputs, &Inputs),
-    ) -> Option<[(Outputs, TrimPoint); 4]> {
+    ) -> Option<[Instant; 4]> {
         let around = changed.each_ref().map(|settings| {
             (self.varied(self.plants.simplest(), settings), settings.plant.along_course().trim_condition())
         });
         let trims = self.tangents.neighbours(&around)?;
         Some(from_fn(|place| {
             let (trim, settings) = (&trims[place], &changed[place]);
-            (self.outputs_at(trim, settings, inputs, rates), trim.point)
+            self.instant_at(trim, settings, inputs, rates)
         }))
     }
 
     /// At a trim under these settings.
-    fn outputs_at(&self, trim: &Trim, settings: &Settings, inputs: &Inputs, rates: &Inputs) -> Outputs {
+    fn instant_at(&self, trim: &Trim, settings: &Settings, inputs: &Inputs, rates: &Inputs) -> Instant {
         let plants = self.plants.map(|plant| self.varied(plant, settings));
         let mut steering = Steering::new(trim.point, settings, &self.model);
         steering.set(inputs, rates, Moment::START);
+        let course = Course::new(settings.plant.heading);
+        let sensors = Sensors::new(&self.model, &settings.sensors, || {
+            let plant = plants.simplest();
+            plant.outputs_along(course, &trim.state, &trim.controls, &mut plant.workspace())
+        });
+        let acting = steering.at_rest();
         let mut controls = plants.simplest().neutral_controls();
-        steering.write_at(Moment::START, &mut controls);
-        plants.outputs_at_trim(trim, &steering, &controls, Course::new(settings.plant.heading))
+        steering.write_at(Moment::START, acting, &mut controls);
+        let mut outputs = plants.outputs_at_trim(trim, &Acts::new(&steering, acting), &controls, course);
+        // The gust itself is still ahead.
+        let density = plants.simplest().air(&trim.state).density;
+        outputs.gust_peak_velocity = settings.gust.peak_velocity(settings.plant.altitude, density);
+        let mut instant = Instant::new(outputs, trim.point, sensors.count());
+        instant.write_devices(Moment::START, (&steering, acting), &sensors);
+        instant
     }
 
     /// A plant of the flight in the middle as it is under other settings.

@@ -2,6 +2,7 @@
 
 use std::mem::swap;
 
+use super::acting::Acting;
 use super::moment::Moment;
 
 /// A place on the flight path, with what the integrator needs to go on from it.
@@ -11,6 +12,8 @@ pub(super) struct Point {
     pub time: Moment,
     /// All states of the equations that fly, in the axes of the course.
     pub state: Vec<f64>,
+    /// What lags behind the inputs.
+    pub acting: Acting,
     /// Sub-steps to try in the next cell.
     pub substeps: u32,
     /// f at the time and state under the present inputs.
@@ -21,20 +24,22 @@ pub(super) struct Point {
 
 impl Point {
     /// With room for a state of some length.
-    pub fn new(time: Moment, state: &[f64], room: usize) -> Self {
+    pub fn new(time: Moment, state: &[f64], acting: &Acting, room: usize) -> Self {
         let with_room = |numbers: &[f64]| {
             let mut vector = Vec::with_capacity(room);
             vector.extend_from_slice(numbers);
             vector
         };
         let slope = with_room(&vec![0.0; state.len()]);
-        Point { time, state: with_room(state), substeps: 1, slope, slope_is_fresh: false }
+        let (state, acting) = (with_room(state), acting.clone());
+        Point { time, state, acting, substeps: 1, slope, slope_is_fresh: false }
     }
 
     /// Takes the place of another point, in the room that it has; the slope there is not known.
     fn stand_at(&mut self, other: &Point) {
         self.time = other.time;
         self.state.clone_from(&other.state);
+        self.acting.take_from(&other.acting);
         self.substeps = other.substeps;
         self.slope.resize(other.slope.len(), 0.0);
         self.slope_is_fresh = false;
@@ -70,9 +75,9 @@ pub(super) struct Path {
 
 impl Path {
     /// At its beginning, with room for states of some length.
-    pub fn new(time: Moment, state: &[f64], room: usize) -> Self {
-        let point = Point::new(time, state, room);
-        let again = || Point::new(time, state, room);
+    pub fn new(time: Moment, state: &[f64], acting: &Acting, room: usize) -> Self {
+        let point = Point::new(time, state, acting, room);
+        let again = || Point::new(time, state, acting, room);
         Path {
             present: point,
             origin: again(),
@@ -131,6 +136,12 @@ impl Path {
     /// Present and origin.
     pub fn points_mut(&mut self) -> [&mut Point; 2] {
         [&mut self.present, &mut self.origin]
+    }
+
+    /// What lags at present, and the states of present and origin.
+    pub fn acting_and_states(&mut self) -> (&Acting, [&mut Vec<f64>; 2]) {
+        let Path { present: Point { state, acting, .. }, origin, .. } = self;
+        (acting, [state, &mut origin.state])
     }
 
     /// Takes times and sub-steps of the next cell at anchor and present, whose states are set by

@@ -1,10 +1,13 @@
 //! What a user chooses before the flight.
 
 use crate::air::{GustSettings, TurbulenceSettings};
-use crate::aircraft::Support;
+use crate::devices::{Actuator, ActuatorSetting, EngineLag, EngineSetting};
 use crate::plant::{PlantSettings, SettingError};
 use crate::sealed::{self, Writer};
 use crate::structure::ReducedModel;
+
+use super::per_part::PerPart;
+use super::sensor_settings::SensorSettings;
 
 /// What the inputs of controls and thrusts mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -41,6 +44,12 @@ pub struct Settings {
     pub gust: GustSettings,
     /// Continuous turbulence that it flies into.
     pub turbulence: TurbulenceSettings,
+    /// Of the controls; usually there are none.
+    pub actuators: PerPart<Actuator>,
+    /// Usually engines do not lag.
+    pub engines: PerPart<EngineLag>,
+    /// Usually they give what they measure.
+    pub sensors: SensorSettings,
 }
 
 impl From<PlantSettings> for Settings {
@@ -52,6 +61,9 @@ impl From<PlantSettings> for Settings {
             input_reference: InputReference::Trim,
             gust: GustSettings::default(),
             turbulence: TurbulenceSettings::default(),
+            actuators: PerPart::default(),
+            engines: PerPart::default(),
+            sensors: SensorSettings::default(),
         }
     }
 }
@@ -64,7 +76,9 @@ impl Settings {
 
     /// Tells settings apart: a hash of their values.
     pub(super) fn hash(&self) -> u128 {
-        let Settings { plant, tolerance, input_reference, gust, turbulence } = *self;
+        let Settings { plant, tolerance, input_reference, gust, turbulence, actuators, engines, sensors } =
+            self;
+        let (actuators, engines) = (actuators.said(), engines.said());
         let PlantSettings {
             fidelity,
             airspeed,
@@ -76,32 +90,55 @@ impl Settings {
             mode_count,
             load_modes,
             inflow_states,
-        } = plant;
+        } = *plant;
+        let SensorSettings { enabled, period, time_constant, delay, noise, seed } = *sensors;
         let mut bytes = Vec::new();
         let mut writer = Writer::new(&mut bytes);
-        for choice in [fidelity as u8, mode_selection as u8, u8::from(load_modes), input_reference as u8] {
-            writer.byte(choice);
-        }
-        for count in [mode_count, inflow_states] {
+        let choices =
+            [fidelity as u8, mode_selection as u8, load_modes.into(), *input_reference as u8, enabled.into()];
+        choices.into_iter().for_each(|choice| writer.byte(choice));
+        for count in [mode_count, inflow_states, actuators.len(), engines.len(), delay] {
             writer.count(u32::try_from(count).unwrap_or(u32::MAX));
         }
-        writer.reals([airspeed, altitude, heading, stiffness_scale, structural_damping, tolerance]);
-        write_gust(&mut writer, &gust);
-        write_turbulence(&mut writer, &turbulence);
+        writer.count(seed);
+        writer.reals([airspeed, altitude, heading, stiffness_scale, structural_damping, *tolerance]);
+        for &Actuator { frequency, damping, rate_limit, minimum, maximum } in actuators {
+            writer.reals([frequency, damping, rate_limit, minimum, maximum]);
+        }
+        for &EngineLag { time_constant, minimum, maximum } in engines {
+            writer.reals([time_constant, minimum, maximum]);
+        }
+        writer.reals([period, time_constant].into_iter().chain(noise));
+        write_gust(&mut writer, gust);
+        write_turbulence(&mut writer, turbulence);
         sealed::hash(&bytes)
     }
 
     /// Checks every setting against its range.
-    pub(super) fn check(&self, support: Support) -> Result<(), SettingError> {
-        self.plant.check(support)?;
+    pub(super) fn check(&self, model: &ReducedModel) -> Result<(), SettingError> {
+        self.plant.check(model.support)?;
         self.gust.check()?;
         self.turbulence.check()?;
         let tolerance = self.tolerance;
-        if tolerance > 0.0 && tolerance < 1.0 {
-            return Ok(());
+        if !(tolerance > 0.0 && tolerance < 1.0) {
+            let (found, allowed) = (tolerance.to_string(), "a number between 0 and 1, exclusive".to_owned());
+            return Err(SettingError { setting: "tolerance".to_owned(), found, allowed });
         }
-        let allowed = "a number between 0 and 1, exclusive".to_owned();
-        Err(SettingError { setting: "tolerance", found: tolerance.to_string(), allowed })
+        for (control, mut actuator) in model.controls.iter().zip(self.actuators.said().iter().copied()) {
+            let part = format!("actuator.{}", control.name);
+            for setting in ActuatorSetting::ALL {
+                check_within(&part, setting.name(), *setting.of(&mut actuator), setting.range())?;
+            }
+            check_limits(&part, [actuator.minimum, actuator.maximum], "rad")?;
+        }
+        for (engine, mut lag) in model.engines.iter().zip(self.engines.said().iter().copied()) {
+            let part = format!("engine.{}", engine.name);
+            for setting in EngineSetting::ALL {
+                check_within(&part, setting.name(), *setting.of(&mut lag), setting.range())?;
+            }
+            check_limits(&part, [lag.minimum, lag.maximum], "N")?;
+        }
+        self.sensors.check()
     }
 }
 
@@ -129,6 +166,29 @@ fn write_turbulence(writer: &mut Writer, turbulence: &TurbulenceSettings) {
     writer.byte(spectrum as u8);
     writer.byte(components as u8);
     writer.reals([intensity, scale, f64::from(seed), start]);
+}
+
+/// That a number of an actuator or an engine is within its range.
+fn check_within(
+    part: &str,
+    name: &str,
+    found: f64,
+    ([least, most], unit): ([f64; 2], &str),
+) -> Result<(), SettingError> {
+    if (least..=most).contains(&found) {
+        return Ok(());
+    }
+    let allowed = format!("{least} to {most} ({unit})");
+    Err(SettingError { setting: format!("{part}.{name}"), found: found.to_string(), allowed })
+}
+
+/// That limits leave something between them.
+fn check_limits(part: &str, [minimum, maximum]: [f64; 2], unit: &str) -> Result<(), SettingError> {
+    if minimum <= maximum {
+        return Ok(());
+    }
+    let allowed = format!("`{part}.minimum`, which is {minimum} ({unit}), and above");
+    Err(SettingError { setting: format!("{part}.maximum"), found: maximum.to_string(), allowed })
 }
 
 #[cfg(test)]
@@ -176,14 +236,33 @@ mod tests {
             change(|s| s.turbulence.seed += 1),
             change(|s| s.turbulence.components = TurbulenceComponents::Lateral),
             change(|s| s.turbulence.start += 1.0),
+            change(|s| s.actuators.set(1, Actuator { frequency: 1.0, ..Actuator::default() })),
+            change(|s| s.actuators.set(1, Actuator { damping: 1.0, ..Actuator::default() })),
+            change(|s| s.actuators.set(1, Actuator { rate_limit: 1.0, ..Actuator::default() })),
+            change(|s| s.actuators.set(1, Actuator { minimum: -1.0, ..Actuator::default() })),
+            change(|s| s.actuators.set(1, Actuator { maximum: 1.0, ..Actuator::default() })),
+            change(|s| s.actuators.set(0, Actuator { maximum: 1.0, ..Actuator::default() })),
+            change(|s| s.engines.set(1, EngineLag { time_constant: 1.0, ..EngineLag::default() })),
+            change(|s| s.engines.set(1, EngineLag { minimum: -1.0, ..EngineLag::default() })),
+            change(|s| s.engines.set(1, EngineLag { maximum: 1.0, ..EngineLag::default() })),
+            change(|s| s.sensors.enabled = true),
+            change(|s| s.sensors.period = 0.02),
+            change(|s| s.sensors.time_constant = 0.02),
+            change(|s| s.sensors.delay = 1),
+            change(|s| s.sensors.noise[3] = 1.0),
+            change(|s| s.sensors.seed = 2),
         ];
         let count = hashes.len();
         hashes.sort_unstable();
         hashes.dedup();
         assert_eq!(hashes.len(), count);
         // Written out by hand: one byte for each choice, counts, then the real numbers.
-        let mut bytes = vec![0, 0, 0, 0, 12, 0, 0, 0, 5, 0, 0, 0];
-        for number in [127.0_f64, 7620.0, 0.0, 1.0, 0.0, 1e-5] {
+        let mut bytes = vec![0, 0, 0, 0, 0];
+        for count in [12_u32, 5, 0, 0, 0, 1] {
+            bytes.extend(count.to_le_bytes());
+        }
+        let condition = [127.0_f64, 7620.0, 0.0, 1.0, 0.0, 1e-5];
+        for number in condition.into_iter().chain([0.01, 0.0]).chain([0.0; 7]) {
             bytes.extend(number.to_le_bytes());
         }
         // The gust's shape and criterion and its numbers, then the same of the turbulence.
@@ -196,5 +275,34 @@ mod tests {
             bytes.extend(number.to_le_bytes());
         }
         assert_eq!(settings.hash(), sealed::hash(&bytes));
+    }
+
+    #[test]
+    fn devices_out_of_range_are_refused_by_name_with_what_is_allowed() {
+        let refusal = |change: fn(&mut Settings)| {
+            let mut changed = Settings::of(jet());
+            change(&mut changed);
+            changed.check(jet()).unwrap_err().to_string()
+        };
+        assert_eq!(
+            refusal(|s| s.actuators.set(0, Actuator { frequency: -1.0, ..Actuator::default() })),
+            "actuator.elevator.frequency: found -1, allowed is 0 to 1000 (rad/s)"
+        );
+        assert_eq!(
+            refusal(|s| s.actuators.set(0, Actuator { minimum: 0.2, maximum: 0.1, ..Actuator::default() })),
+            "actuator.elevator.maximum: found 0.1, allowed is `actuator.elevator.minimum`, which is 0.2 (rad), and above"
+        );
+        assert_eq!(
+            refusal(|s| s.engines.set(1, EngineLag { time_constant: f64::NAN, ..EngineLag::default() })),
+            "engine.right.time_constant: found NaN, allowed is 0 to 10000 (s)"
+        );
+        assert_eq!(
+            refusal(|s| s.sensors.period = 0.015),
+            "sensor.period: found 0.015, allowed is a multiple of 0.01 from 0.01 to 10 (s)"
+        );
+        assert!(refusal(|s| s.sensors.noise[0] = -1.0).starts_with("sensor.noise.attitude: found -1, "));
+        let mut usual = Settings::of(jet());
+        usual.actuators.set(3, Actuator::default());
+        assert_eq!((usual.check(jet()), &usual), (Ok(()), &Settings::of(jet())));
     }
 }

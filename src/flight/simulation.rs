@@ -3,17 +3,20 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::equations::Controls;
-use crate::plant::{Course, LimitExceeded, Outputs, PackagedStrip, Trim, TrimPoint};
+use crate::plant::{Course, LimitExceeded, PackagedStrip, Trim, TrimPoint};
 use crate::structure::ReducedModel;
 use crate::symmetry::{FlyingPlant, Plants};
 
+use super::actions::Acts;
 use super::encounter::encounter;
 use super::error::SimulationError;
 use super::evaluation::{Wind, refresh};
 use super::inputs::Inputs;
+use super::instant::Instant;
 use super::integrator::{CellEnd, ErrorScale, Integrator, MAX_SUBSTEPS};
 use super::moment::{LATEST, LONGEST_STEP, Moment, ON_GRID, resolution};
 use super::point::{Path, Point};
+use super::sensors::Sensors;
 use super::settings::Settings;
 use super::steering::Steering;
 
@@ -62,10 +65,11 @@ pub struct Simulation {
     /// Absolute controls at the last evaluation.
     pub(super) controls: Controls,
     /// The wind of the last evaluation, if that was at the present state.
-    evaluated_in: Option<Wind>,
-    outputs: Outputs,
-    /// Whether they are those of the present under the present inputs.
-    outputs_are_fresh: bool,
+    pub(super) evaluated_in: Option<Wind>,
+    pub(super) sensors: Sensors,
+    pub(super) instant: Instant,
+    /// Whether it is the present under the present inputs.
+    pub(super) instant_is_fresh: bool,
     /// Of the trim.
     limits_exceeded: Vec<LimitExceeded>,
 }
@@ -77,7 +81,7 @@ impl Simulation {
     /// When a setting or the time is out of range or no trim exists.
     pub fn new(model: Arc<ReducedModel>, settings: &Settings, start: f64) -> Result<Self, SimulationError> {
         check_time(start)?;
-        settings.check(model.support)?;
+        settings.check(&model)?;
         let along_course = settings.plant.along_course();
         let plants = Plants::under(&model, &along_course)?;
         let found = plants.trim(&along_course.trim_condition())?;
@@ -93,17 +97,27 @@ impl Simulation {
             let scale = ErrorScale { tolerance: settings.tolerance, floors: plant.magnitudes() };
             Integrator::new(plant.layout(), scale, plant.linear_part(trim))
         });
+        let (course, steering) = (
+            Course::new(settings.plant.heading),
+            Steering::new(trimmed.point, settings, &model).in_gust(gust_is_in_plane),
+        );
+        steering.check_trim(&model)?;
+        let plant = flying.plant();
+        let sensors = Sensors::new(&model, &settings.sensors, || {
+            plant.outputs_along(course, &trimmed.state, &trimmed.controls, &mut plant.workspace())
+        });
         Ok(Simulation {
             settings_hash: settings.hash(),
             identity: OnceLock::new(),
-            steering: Steering::new(trimmed.point, settings, &model).in_gust(gust_is_in_plane),
-            course: Course::new(settings.plant.heading),
+            course,
             start,
-            path: Path::new(Moment::START, &trimmed.state, room),
+            path: Path::new(Moment::START, &trimmed.state, steering.at_rest(), room),
+            steering,
             controls: flying.plant().neutral_controls(),
             evaluated_in: None,
-            outputs: flying.plant().room_for_outputs(),
-            outputs_are_fresh: false,
+            instant: Instant::new(flying.plant().room_for_outputs(), trimmed.point, sensors.count()),
+            instant_is_fresh: false,
+            sensors,
             limits_exceeded: LimitExceeded::find(&model.limits, flying.plant(), &trimmed),
             flying,
             trimmed,
@@ -153,7 +167,7 @@ impl Simulation {
     /// Has the present evaluated anew under the inputs that act now.
     fn take_inputs(&mut self) {
         self.path.present.slope_is_fresh = false;
-        self.outputs_are_fresh = false;
+        self.instant_is_fresh = false;
     }
 
     /// Flies to `end` (s, ≥ [`time`](Self::time)), without allocating.
@@ -194,13 +208,14 @@ impl Simulation {
         let reference_airspeed = self.flying.marcher().reference_airspeed();
         // What stands now stays until a second cell is flown.
         let turns_back = self.path.begins_here()
-            && self.flying.stays_under(&self.steering)
+            && self.flying.stays_under(&Acts::new(&self.steering, &self.path.present.acting))
             && end.since(self.path.present.time.cell_end()) < ON_GRID;
         if !turns_back {
             self.path.keep();
+            self.sensors.keep();
         }
         self.flying.keep();
-        self.outputs_are_fresh = false;
+        self.instant_is_fresh = false;
         self.take_actions(reference_airspeed);
         let flown = self.fly(end);
         if flown.is_err() {
@@ -208,6 +223,7 @@ impl Simulation {
                 self.path.turn_back();
             } else {
                 self.path.restore_kept();
+                self.sensors.restore_kept();
             }
             self.flying.restore_kept();
             self.forget_evaluation();
@@ -218,42 +234,11 @@ impl Simulation {
 
     /// Has that plant fly on that can under what acts now.
     fn take_actions(&mut self, reference_airspeed: f64) {
-        let states = self.path.points_mut().map(|point| &mut point.state);
-        if self.flying.take_actions(&self.steering, states) {
+        let (acting, states) = self.path.acting_and_states();
+        if self.flying.take_actions(&Acts::new(&self.steering, acting), states) {
             self.forget_evaluation();
             self.take_reference_airspeed(reference_airspeed);
         }
-    }
-
-    /// The outputs at the present time under the present inputs, without allocating.
-    pub fn outputs(&mut self) -> &Outputs {
-        if !self.outputs_are_fresh {
-            self.write_outputs();
-            self.outputs_are_fresh = true;
-        }
-        &self.outputs
-    }
-
-    /// The outputs as they would be at the present time and state under other inputs. Allocates.
-    ///
-    /// ```
-    /// # use std::sync::Arc;
-    /// # use flexible_aircraft::flight::{Inputs, Settings, Simulation};
-    /// # let jet = Arc::new(flexible_aircraft::Aircraft::read("aircraft/generic-business-jet.toml")?.reduce()?);
-    /// let flight = Simulation::new(Arc::clone(&jet), &Settings::of(&jet), 0.0)?;
-    /// let still = Inputs::zero(&jet);
-    /// let mut gust = still.clone();
-    /// gust.wind.z = -3.0; // m/s: the air rises
-    /// let [now, then] = [&still, &gust].map(|inputs| flight.outputs_under(inputs, &still));
-    /// assert!(then.load_factor.z > now.load_factor.z);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn outputs_under(&self, inputs: &Inputs, rates: &Inputs) -> Outputs {
-        let Simulation { flying, course, path, .. } = self;
-        let (mut steering, mut controls) = (self.steering.clone(), self.controls.clone());
-        steering.set(inputs, rates, path.present.time);
-        steering.write_at(path.present.time, &mut controls);
-        flying.outputs_under(&steering, &path.present.state, &controls, *course)
     }
 
     /// Whether the motion has been symmetric and is computed so.
@@ -270,22 +255,9 @@ impl Simulation {
     /// Has the equations evaluated anew when they are next asked.
     pub(super) fn forget_evaluation(&mut self) {
         self.evaluated_in = None;
-        self.outputs_are_fresh = false;
+        self.instant_is_fresh = false;
         for point in self.path.points_mut() {
             point.forget_slope();
-        }
-    }
-
-    /// Writes the outputs at the present under the present inputs.
-    fn write_outputs(&mut self) {
-        let Simulation { flying, path, steering, controls, evaluated_in, course, outputs, .. } = self;
-        if flying.stays_under(steering) {
-            let (mut plant, _) = flying.active();
-            refresh(&mut path.present, &mut plant, steering, controls, evaluated_in);
-            plant.write_outputs(&path.present.state, controls, *course, outputs);
-        } else {
-            steering.write_at(path.present.time, controls);
-            flying.write_outputs_under(steering, &path.present.state, controls, *course, outputs);
         }
     }
 
@@ -302,6 +274,7 @@ impl Simulation {
             self.fly_cell(begin, if is_full { boundary } else { end })?;
             if is_full {
                 self.path.begin_here();
+                self.take_samples();
             }
         }
         Ok(())
@@ -319,11 +292,12 @@ impl Simulation {
         let mut rates = |time: f64, state: &[f64], rates: &mut [f64]| {
             // At the end as whoever evaluates there again counts the time, to the bit.
             let elapsed = if time == width { set_before_end } else { set_before + time };
-            steering.write_after(elapsed, controls);
+            steering.write_after((time, set_before, elapsed), &anchor.acting, controls);
             plant.rates(state, controls, rates);
         };
         let (from, to) =
             ((&anchor.state[..], &anchor.slope[..]), (&mut present.state[..], &mut present.slope[..]));
+        steering.move_on((width, set_before), &anchor.acting, &mut present.acting);
         let cell_end = integrator.fly_cell(width, anchor.substeps, from, to, &mut rates);
         let reversed = plant.reversed_strip(&present.state, controls).cloned();
         match cell_end {
@@ -339,7 +313,7 @@ impl Simulation {
     /// Keeps the linear part near that of the flight.
     fn follow_airspeed(&mut self) {
         let anchor = self.path.anchor();
-        self.steering.write_at(anchor.time, &mut self.controls);
+        self.steering.write_at(anchor.time, &anchor.acting, &mut self.controls);
         let airspeed = self.flying.plant().airspeed(&anchor.state, &self.controls);
         let reference = self.flying.marcher().reference_airspeed();
         if (airspeed - reference).abs() > AIRSPEED_DRIFT * reference {

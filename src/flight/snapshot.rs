@@ -3,7 +3,8 @@
 //! Content of the [sealed] bytes: whether the aircraft flies in its form of symmetric motion and whether the cell of time begins at the present (a
 //! byte each), sub-steps of anchor and present (u32), then numbers (f64): when present and anchor are and when the inputs
 //! were set, each as cells of the grid and a part of one, start time, reference airspeed, how far the air had gone when the
-//! inputs were set, inputs, their rates, the present's state and, where the cell begins elsewhere, the anchor's.
+//! inputs were set, inputs, their rates, the present's state and what lags there, where the cell begins elsewhere the anchor's,
+//! and the samples of the sensors.
 
 use std::iter::from_fn;
 
@@ -14,6 +15,7 @@ use crate::sealed::{self, BrokenSeal, CHECKSUM, HEADER, Mark, Reader, Writer};
 use super::error::SimulationError;
 use super::integrator::MAX_SUBSTEPS;
 use super::moment::{LATEST, Moment};
+use super::point::Point;
 use super::simulation::Simulation;
 
 /// Names the format and its version.
@@ -32,7 +34,7 @@ impl Simulation {
     /// time than at its beginning.
     pub fn snapshot_size(&self) -> usize {
         let points = if self.path.begins_here() { 1 } else { 2 };
-        HEADER + self.content_size(points * self.path.present.state.len()) + CHECKSUM
+        HEADER + self.content_size(points, self.path.present.state.len()) + CHECKSUM
     }
 
     /// Goes back to a snapshot taken of a simulation of the same model with the same settings.
@@ -62,7 +64,7 @@ impl Simulation {
     /// Writes the complete state.
     pub(crate) fn write_state(&self, writer: &mut Writer) {
         // Room for the largest, the whole aircraft inside a cell, so that it never has to grow.
-        writer.reserve(self.content_size(2 * self.flying.plants().most_states()));
+        writer.reserve(self.content_size(2, self.flying.plants().most_states()));
         let (anchor, present) = (self.path.anchor(), &self.path.present);
         writer.flag(self.flying.is_symmetric());
         writer.flag(self.path.begins_here());
@@ -73,14 +75,18 @@ impl Simulation {
         writer.reals(times.chain([self.start, reference_airspeed]));
         writer.reals(self.steering.air_travel.iter().copied());
         writer.reals(self.steering.inputs.values().chain(self.steering.rates.values()));
-        writer.reals(present.state.iter().copied());
-        if !self.path.begins_here() {
-            writer.reals(anchor.state.iter().copied());
+        let here = [present, anchor].into_iter().take(if self.path.begins_here() { 1 } else { 2 });
+        for Point { state, acting, .. } in here {
+            writer.reals(state.iter().copied().chain(self.steering.lagging(acting)));
         }
+        writer.reals(self.sensors.numbers());
     }
 
-    fn content_size(&self, states: usize) -> usize {
-        let numbers = 11 + 2 * self.steering.inputs.values().count() + states;
+    /// Of the content, with so many points of so many states.
+    fn content_size(&self, points: usize, states: usize) -> usize {
+        let at_a_point = states + self.steering.lagging(&self.path.present.acting).count();
+        let inputs = self.steering.inputs.values().count();
+        let numbers = 11 + 2 * inputs + points * at_a_point + self.sensors.numbers().count();
         FLAGS_AND_COUNTS + size_of::<f64>() * numbers
     }
 
@@ -105,7 +111,7 @@ impl Simulation {
         let (Some(anchor_substeps), Some(substeps)) = (state.count(), state.count()) else {
             return refuse("it ends too early");
         };
-        let recorded = recorded.filter(|plant| length == self.content_size(points * plant.states()));
+        let recorded = recorded.filter(|plant| length == self.content_size(points, plant.states()));
         let Some(recorded) = recorded else {
             return refuse("its length is not that of this model and these settings");
         };
@@ -138,10 +144,12 @@ impl Simulation {
         for point in [&mut *present_point, &mut *anchor_point] {
             point.resize(recorded.states());
         }
-        present_point.state.fill_with(&mut next);
-        if !begins_here {
-            anchor_point.state.fill_with(&mut next);
+        let points = [present_point, anchor_point].into_iter().take(points);
+        for Point { state, acting, .. } in points {
+            state.fill_with(&mut next);
+            self.steering.take_lagging(acting, &mut next);
         }
+        self.sensors.numbers_mut().for_each(|number| *number = next());
         self.path.stand([(anchor, anchor_substeps), (present, substeps)]);
         self.forget_evaluation();
         self.flying.take_recorded(recorded);

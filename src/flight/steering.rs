@@ -1,14 +1,16 @@
-//! The inputs as functions of time: values and rates set at an instant, about the trim or absolute.
+//! The inputs as functions of time, values and rates set at an instant, about the trim or absolute, and what acts by them.
 //!
-//! [theory: integration.inputs, gusts.field]
+//! [theory: integration.inputs, gusts.field, actuators.command]
 
 use nalgebra::Vector3;
 
+use crate::devices::{Actuator, Command, EngineLag, Surface};
 use crate::equations::Controls;
 use crate::plant::{Course, TrimPoint};
 use crate::structure::ReducedModel;
-use crate::symmetry::Actions;
 
+use super::acting::{Acting, ActuatorReading};
+use super::error::SimulationError;
 use super::inputs::Inputs;
 use super::moment::Moment;
 use super::settings::{InputReference, Settings};
@@ -42,6 +44,12 @@ pub struct Steering {
     tunnel_flow: Vector3<f64>,
     /// Whether what is frozen in the air blows in the mirror plane.
     gust_is_in_plane: bool,
+    /// One per control.
+    pub(super) actuators: Vec<Actuator>,
+    /// One per engine.
+    pub(super) engines: Vec<EngineLag>,
+    /// At the trim.
+    at_rest: Acting,
 }
 
 impl Steering {
@@ -55,6 +63,7 @@ impl Steering {
         };
         let reference = Reference { angles: point.angles(&model.controls).collect(), thrust: point.thrust };
         let tunnel_flow = settings.plant.along_course().configuration(model.support).tunnel_flow;
+        let surfaces = trim.angles(&model.controls).map(|angle| Surface { angle, rate: 0.0 });
         Steering {
             trim,
             reference,
@@ -65,12 +74,41 @@ impl Steering {
             air_travel: Vector3::zeros(),
             tunnel_flow,
             gust_is_in_plane: true,
+            actuators: (0..model.controls.len()).map(|control| settings.actuators.get(control)).collect(),
+            engines: (0..model.engines.len()).map(|engine| settings.engines.get(engine)).collect(),
+            at_rest: Acting { surfaces: surfaces.collect(), thrusts: vec![trim.thrust; model.engines.len()] },
         }
     }
 
     /// The same in a gust that blows in the mirror plane, or not.
     pub(super) fn in_gust(self, gust_is_in_plane: bool) -> Self {
         Steering { gust_is_in_plane, ..self }
+    }
+
+    /// That the trim is within what actuators and engines can give.
+    ///
+    /// # Errors
+    /// Names the first limit that it is beyond.
+    pub(super) fn check_trim(&self, model: &ReducedModel) -> Result<(), SimulationError> {
+        let surfaces = self.at_rest.surfaces.iter().map(|surface| surface.angle);
+        let controls = model.controls.iter().map(|control| ("actuator", &control.name, "rad"));
+        let surfaces = controls.zip(surfaces).zip(self.actuators.iter().map(Actuator::stops));
+        let engines = model.engines.iter().map(|engine| ("engine", &engine.name, "N"));
+        let thrusts = self.at_rest.thrusts.iter().copied();
+        let engines = engines.zip(thrusts).zip(self.engines.iter().map(EngineLag::limits));
+        for (((kind, name, unit), needed), [minimum, maximum]) in surfaces.chain(engines) {
+            let (which, found) = if needed < minimum { ("minimum", minimum) } else { ("maximum", maximum) };
+            if !(minimum..=maximum).contains(&needed) {
+                let (part, limit) = (format!("{kind} {name}"), format!("{kind}.{name}.{which}"));
+                return Err(SimulationError::BeyondLimit { part, needed, limit, found, unit });
+            }
+        }
+        Ok(())
+    }
+
+    /// How actuators and engines stand at the trim.
+    pub(super) fn at_rest(&self) -> &Acting {
+        &self.at_rest
     }
 
     /// Sets inputs and rates at a time; returns whether that changes anything.
@@ -113,38 +151,22 @@ impl Steering {
         self.air_travel + mean * elapsed
     }
 
-    /// The absolute controls at a time.
-    pub(super) fn write_at(&self, time: Moment, controls: &mut Controls) {
-        self.write_after(time.since(self.since), controls);
-    }
-
-    /// The absolute controls a time (s) after the inputs were set.
-    pub fn write_after(&self, elapsed: f64, controls: &mut Controls) {
-        let Steering { inputs, rates, reference: Reference { angles, thrust }, .. } = self;
-        let set = angles.iter().zip(&inputs.controls).zip(&rates.controls);
-        for (acting, ((angle, input), rate)) in controls.angles.iter_mut().zip(set) {
-            *acting = angle + input + elapsed * rate;
-        }
-        for ((acting, input), rate) in controls.thrust.iter_mut().zip(&inputs.thrust).zip(&rates.thrust) {
-            *acting = thrust + input + elapsed * rate;
-        }
-        [controls.wind, controls.wind_rate] = self.winds_after(elapsed);
-        controls.air_travel = self.air_travel_after(elapsed);
-    }
-}
-
-impl Actions for Steering {
-    fn angle(&self, control: usize) -> [f64; 2] {
+    /// What is asked of a control a time (s) after the inputs were set.
+    pub(super) fn angle_asked(&self, control: usize, elapsed: f64) -> Command {
         let Steering { inputs, rates, reference, .. } = self;
-        [reference.angles[control] + inputs.controls[control], rates.controls[control]]
+        let rate = rates.controls[control];
+        Command { value: reference.angles[control] + inputs.controls[control] + elapsed * rate, rate }
     }
 
-    fn thrust(&self, engine: usize) -> [f64; 2] {
+    /// What is asked of an engine a time (s) after the inputs were set.
+    pub(super) fn thrust_asked(&self, engine: usize, elapsed: f64) -> Command {
         let Steering { inputs, rates, reference, .. } = self;
-        [reference.thrust + inputs.thrust[engine], rates.thrust[engine]]
+        let rate = rates.thrust[engine];
+        Command { value: reference.thrust + inputs.thrust[engine] + elapsed * rate, rate }
     }
 
-    fn winds(&self) -> [Vector3<f64>; 3] {
+    /// Along the course, m/s, m/s², m/s³.
+    pub(super) fn winds(&self) -> [Vector3<f64>; 3] {
         let Steering { inputs, rates, course, .. } = self;
         // Each by itself, for the rounding of a sum may be more than a part of the sum.
         let [wind, given, input, change] =
@@ -152,7 +174,108 @@ impl Actions for Steering {
         [wind, given + input, change]
     }
 
-    fn gust_is_in_plane(&self) -> bool {
+    /// Whether what is frozen in the air blows in the mirror plane.
+    pub(super) fn gust_is_in_plane(&self) -> bool {
         self.gust_is_in_plane
+    }
+
+    /// What acts at a time at which what lags is there.
+    pub(super) fn write_at(&self, time: Moment, acting: &Acting, controls: &mut Controls) {
+        let elapsed = time.since(self.since);
+        self.write(
+            elapsed,
+            controls,
+            |control| acting.surfaces[control].angle,
+            |engine| acting.thrusts[engine],
+        );
+    }
+
+    /// What acts a time (s) after a point, where what lags was there; both times (s) are counted from when the inputs were set,
+    /// too.
+    pub(super) fn write_after(
+        &self,
+        (time, set_before, elapsed): (f64, f64, f64),
+        from: &Acting,
+        controls: &mut Controls,
+    ) {
+        let surface = |control| self.surface_after(control, (time, set_before), from).angle;
+        let thrust = |engine| self.thrust_after(engine, (time, set_before), from);
+        self.write(elapsed, controls, surface, thrust);
+    }
+
+    /// What acts a time (s) after the inputs were set: what lags is where it is, the rest what is asked for.
+    fn write(
+        &self,
+        elapsed: f64,
+        controls: &mut Controls,
+        lagging_angle: impl Fn(usize) -> f64,
+        lagging_thrust: impl Fn(usize) -> f64,
+    ) {
+        for (control, (angle, actuator)) in controls.angles.iter_mut().zip(&self.actuators).enumerate() {
+            *angle = if actuator.lags() {
+                lagging_angle(control)
+            } else {
+                actuator.at_once(self.angle_asked(control, elapsed)).angle
+            };
+        }
+        for (engine, (thrust, lag)) in controls.thrust.iter_mut().zip(&self.engines).enumerate() {
+            *thrust = if lag.lags() {
+                lagging_thrust(engine)
+            } else {
+                lag.at_once(self.thrust_asked(engine, elapsed)).value
+            };
+        }
+        [controls.wind, controls.wind_rate] = self.winds_after(elapsed);
+        controls.air_travel = self.air_travel_after(elapsed);
+    }
+
+    /// Has what lags move on over a time (s) from a point, the inputs set so much (s) before it.
+    pub(super) fn move_on(&self, times: (f64, f64), from: &Acting, to: &mut Acting) {
+        for (control, surface) in
+            to.surfaces.iter_mut().enumerate().filter(|(c, _)| self.actuators[*c].lags())
+        {
+            *surface = self.surface_after(control, times, from);
+        }
+        for (engine, thrust) in to.thrusts.iter_mut().enumerate().filter(|(e, _)| self.engines[*e].lags()) {
+            *thrust = self.thrust_after(engine, times, from);
+        }
+    }
+
+    fn surface_after(&self, control: usize, (time, set_before): (f64, f64), from: &Acting) -> Surface {
+        let asked = self.angle_asked(control, set_before);
+        self.actuators[control].after(from.surfaces[control], asked, time)
+    }
+
+    fn thrust_after(&self, engine: usize, (time, set_before): (f64, f64), from: &Acting) -> f64 {
+        self.engines[engine].after(from.thrusts[engine], self.thrust_asked(engine, set_before), time)
+    }
+
+    /// Writes what the actuators do at a time.
+    pub(super) fn write_actuators(&self, time: Moment, acting: &Acting, readings: &mut [ActuatorReading]) {
+        let elapsed = time.since(self.since);
+        for (control, (reading, actuator)) in readings.iter_mut().zip(&self.actuators).enumerate() {
+            let (asked, surface) = (self.angle_asked(control, elapsed), acting.surfaces[control]);
+            let rate = if actuator.lags() { surface.rate } else { actuator.at_once(asked).rate };
+            *reading = ActuatorReading { rate, holding: actuator.holding(surface, asked) };
+        }
+    }
+
+    /// The numbers of what lags, for a snapshot.
+    pub(super) fn lagging<'a>(&'a self, acting: &'a Acting) -> impl Iterator<Item = f64> + 'a {
+        let surfaces = acting.surfaces.iter().zip(&self.actuators).filter(|(_, actuator)| actuator.lags());
+        let thrusts = acting.thrusts.iter().zip(&self.engines).filter(|(_, engine)| engine.lags());
+        let surfaces = surfaces.flat_map(|(surface, _)| [surface.angle, surface.rate]);
+        surfaces.chain(thrusts.map(|(thrust, _)| *thrust))
+    }
+
+    /// Takes numbers that [`lagging`](Self::lagging) has given.
+    pub(super) fn take_lagging(&self, acting: &mut Acting, mut next: impl FnMut() -> f64) {
+        let surfaces = acting.surfaces.iter_mut().zip(&self.actuators);
+        for (surface, _) in surfaces.filter(|(_, actuator)| actuator.lags()) {
+            *surface = Surface { angle: next(), rate: next() };
+        }
+        for (thrust, _) in acting.thrusts.iter_mut().zip(&self.engines).filter(|(_, engine)| engine.lags()) {
+            *thrust = next();
+        }
     }
 }

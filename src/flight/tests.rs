@@ -134,7 +134,8 @@ fn a_plant_asked_at_the_state_of_a_flight_gives_its_outputs_bit_for_bit() {
         let mut elsewhere = state.clone();
         elsewhere[plant.layout().velocity()][0] *= 0.5;
         assert_ne!(plant.outputs_at(&elsewhere, &controls, &mut workspace), expected);
-        flight.steering.write_at(flight.path.present.time, &mut controls);
+        let present = &flight.path.present;
+        flight.steering.write_at(present.time, &present.acting, &mut controls);
         assert_eq!(plant.outputs_at(state, &controls, &mut workspace), expected);
         let (mut slope, mut outputs) = (vec![0.0; state.len()], plant.room_for_outputs());
         plant.rates_and_outputs(state, &controls, &mut slope, &mut outputs, &mut workspace);

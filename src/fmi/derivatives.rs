@@ -8,10 +8,11 @@
 
 use std::f64::consts::TAU;
 
-use crate::flight::Neighbours;
+use crate::devices::{ActuatorSetting, EngineSetting};
+use crate::flight::{Instant, Neighbours};
 use crate::math::{WIDTHS, slope};
-use crate::plant::{Outputs, PlantSettings, TrimPoint};
-use crate::variables::{InputSlot, OutputSlot, ParameterSlot, Slot, Value};
+use crate::plant::PlantSettings;
+use crate::variables::{GustSetting, InputSlot, OutputSlot, ParameterSlot, SensorSetting, Slot, Value};
 
 use super::instance::{Instance, Refusal};
 use super::life_cycle::State;
@@ -25,6 +26,10 @@ const WIND_RATE_CHANGE: f64 = 1.0;
 const ALTITUDE_CHANGE: f64 = 1.0;
 const HEADING_CHANGE: f64 = 1e-3;
 const SHARE_CHANGED: f64 = 1e-3;
+/// What is added is linear in its rms.
+const NOISE_CHANGE: f64 = 1.0;
+const GUST_CHANGE: f64 = 0.1;
+const ALLEVIATION_CHANGE: f64 = 1e-3;
 
 /// The values of some outputs at [`WIDTHS`] of a change.
 type Sample = [Vec<f64>; 4];
@@ -82,7 +87,7 @@ impl Instance {
             for (slot, component) in components {
                 *slot.of(&mut changed) += width * scale * component;
             }
-            values(outputs, &flight.outputs_under(&changed, &rates), flight.trim())
+            values(outputs, &flight.instant_under(&changed, &rates))
         }))
     }
 
@@ -115,7 +120,7 @@ impl Instance {
             }
         };
         let around = self.neighbours.insert(neighbours).outputs(&changed, (&self.inputs, &self.rates));
-        let sample = around.map(|around| around.map(|(present, trim)| values(outputs, &present, &trim)));
+        let sample = around.map(|around| around.map(|instant| values(outputs, &instant)));
         sample.ok_or_else(|| Refusal::error("the trim does not depend smoothly on these parameters"))
     }
 
@@ -154,6 +159,16 @@ impl Instance {
             ParameterSlot::Altitude => ALTITUDE_CHANGE,
             ParameterSlot::Heading => HEADING_CHANGE,
             ParameterSlot::StiffnessScale => SHARE_CHANGED * stiffness_scale,
+            ParameterSlot::Actuator {
+                setting: ActuatorSetting::Minimum | ActuatorSetting::Maximum, ..
+            } => CONTROL_CHANGE,
+            ParameterSlot::Engine { setting: EngineSetting::Minimum | EngineSetting::Maximum, .. } => {
+                THRUST_CHANGE
+            }
+            ParameterSlot::Sensor(SensorSetting::Noise(_)) => NOISE_CHANGE,
+            ParameterSlot::Gust(GustSetting::Peak | GustSetting::Gradient) => GUST_CHANGE,
+            ParameterSlot::Gust(GustSetting::Alleviation) => ALLEVIATION_CHANGE,
+            ParameterSlot::Gust(GustSetting::MaximumOperatingAltitude) => ALTITUDE_CHANGE,
             ParameterSlot::StructuralDamping
             | ParameterSlot::Tolerance
             | ParameterSlot::InputReference
@@ -161,6 +176,12 @@ impl Instance {
             | ParameterSlot::ModeFamily
             | ParameterSlot::ModeCount
             | ParameterSlot::LoadModes
+            | ParameterSlot::Actuator { .. }
+            | ParameterSlot::Engine { .. }
+            | ParameterSlot::Sensor(_)
+            // Gust and turbulence are still ahead.
+            | ParameterSlot::Gust(_)
+            | ParameterSlot::Turbulence(_)
             | ParameterSlot::InflowStates => f64::INFINITY,
         }
     }
@@ -177,8 +198,8 @@ fn usual_change(input: InputSlot) -> f64 {
 }
 
 /// The values of some outputs.
-fn values(outputs: &[OutputSlot], present: &Outputs, trim: &TrimPoint) -> Vec<f64> {
-    outputs.iter().map(|slot| slot.get(present, trim)).collect()
+fn values(outputs: &[OutputSlot], instant: &Instant) -> Vec<f64> {
+    outputs.iter().map(|slot| slot.number(instant)).collect()
 }
 
 fn longest(lengths: impl Iterator<Item = f64>) -> f64 {

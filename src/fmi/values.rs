@@ -2,7 +2,7 @@
 //!
 //! Everything about a call is checked before anything is changed.
 
-use crate::flight::Settings;
+use crate::flight::{Settings, Simulation};
 use crate::variables::{InputSlot, ParameterSlot, Slot, Type, Value, Variable};
 
 use super::instance::{Instance, Refusal};
@@ -58,10 +58,7 @@ impl Instance {
         let in_use = matches!(self.state, State::StepComplete | State::Terminated)
             .then(|| self.experiment.tolerance_in_use(&self.settings));
         let Instance { table, inputs, settings, flight, time, .. } = self;
-        let present = flight.as_mut().filter(|_| any_output).map(|flight| {
-            let trim = *flight.trim();
-            (trim, flight.outputs())
-        });
+        let present = flight.as_mut().filter(|_| any_output).map(Simulation::instant);
         let values = references.iter().filter_map(|reference| table.get(*reference)).map(|variable| {
             let value = match (variable.slot, &present) {
                 (Slot::Input(slot), _) => Value::Real(slot.get(inputs)),
@@ -69,7 +66,7 @@ impl Instance {
                     Value::Real(in_use.unwrap_or(settings.tolerance))
                 }
                 (Slot::Parameter(slot), _) => slot.get(settings),
-                (Slot::Output(slot), Some((trim, outputs))) => Value::Real(slot.get(outputs, trim)),
+                (Slot::Output(slot), Some(instant)) => slot.get(instant),
                 (Slot::Output(_), None) => Value::Real(f64::NAN),
             };
             (variable, value)
@@ -91,16 +88,17 @@ impl Instance {
         references: &[ValueReference],
         values: impl Iterator<Item = Value> + Clone,
     ) -> Result<(), Refusal> {
-        // As it was set, and as it reads in flight, where the experiment's tolerance may be tighter.
-        let tolerance = self.experiment.tolerance_in_use(&self.settings);
-        let held = [self.settings.clone(), Settings { tolerance, ..self.settings.clone() }];
+        // As it reads in flight, where the experiment's tolerance may be tighter.
+        let in_use = self.experiment.tolerance_in_use(&self.settings);
         for (reference, value) in references.iter().zip(values.clone()) {
             let variable = self.variable(*reference, numbers)?;
-            if let Some(objection) = objection_to_setting(variable, value, self.state, &held) {
+            if let Some(objection) =
+                objection_to_setting(variable, value, self.state, (&self.settings, in_use))
+            {
                 return Err(Refusal::error(objection));
             }
         }
-        let mut settings = self.settings.clone();
+        let mut changed = None;
         for (reference, value) in references.iter().zip(values) {
             match (self.variable(*reference, numbers)?.slot, value) {
                 (Slot::Input(slot), Value::Real(x)) => {
@@ -111,12 +109,12 @@ impl Instance {
                 }
                 // In flight it is a value that the parameter has.
                 (Slot::Parameter(slot), value) if self.state != State::StepComplete => {
-                    slot.set(&mut settings, value);
+                    slot.set(changed.get_or_insert_with(|| self.settings.clone()), value);
                 }
                 _ => {}
             }
         }
-        if settings != self.settings {
+        if let Some(settings) = changed.filter(|settings| *settings != self.settings) {
             self.settings = settings;
             self.flight = None;
         }
@@ -213,13 +211,15 @@ fn objection_to_setting(
     variable: &Variable,
     value: Value,
     state: State,
-    held: &[Settings; 2],
+    (settings, tolerance_in_use): (&Settings, f64),
 ) -> Option<String> {
     let name = &variable.name;
     match variable.slot {
         Slot::Output(_) => return Some(format!("`{name}` is an output and cannot be set")),
         Slot::Parameter(slot)
-            if state == State::StepComplete && held.iter().all(|settings| slot.get(settings) != value) =>
+            if state == State::StepComplete
+                && slot.get(settings) != value
+                && (slot, value) != (ParameterSlot::Tolerance, Value::Real(tolerance_in_use)) =>
         {
             return Some(format!(
                 "`{name}` is a fixed parameter: it can be set only until initialisation ends"

@@ -30,6 +30,7 @@ mod tests {
             numbers,
             [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]
         );
+        assert_eq!(mix(0), 0xe220_a839_7b1d_cdaf);
         assert!((0..1000).map(unit_number).all(|number| (0.0..1.0).contains(&number)));
     }
 }

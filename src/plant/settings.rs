@@ -71,7 +71,7 @@ pub struct PlantSettings {
 #[error("{setting}: found {found}, allowed is {allowed}")]
 pub struct SettingError {
     /// Name of the FMI parameter.
-    pub setting: &'static str,
+    pub setting: String,
     /// What was given.
     pub found: String,
     /// What is allowed.
@@ -80,7 +80,7 @@ pub struct SettingError {
 
 impl From<OutOfRange> for SettingError {
     fn from(OutOfRange { setting, found, allowed }: OutOfRange) -> Self {
-        SettingError { setting, found: found.to_string(), allowed: allowed.to_owned() }
+        SettingError { setting: setting.to_owned(), found: found.to_string(), allowed: allowed.to_owned() }
     }
 }
 
@@ -188,8 +188,8 @@ impl PlantSettings {
     }
 }
 
-fn refuse<T>(setting: &'static str, found: impl Display, allowed: &str) -> Result<T, SettingError> {
-    Err(SettingError { setting, found: found.to_string(), allowed: allowed.to_owned() })
+fn refuse<T>(setting: &str, found: impl Display, allowed: &str) -> Result<T, SettingError> {
+    Err(SettingError { setting: setting.to_owned(), found: found.to_string(), allowed: allowed.to_owned() })
 }
 
 impl Plant {

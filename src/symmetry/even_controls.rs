@@ -49,6 +49,11 @@ impl EvenControls {
         self.conditions.iter().all(|Condition(terms)| terms.iter().all(|(other, _)| *other != control))
     }
 
+    /// The terms of each condition: controls and their factors.
+    pub fn terms(&self) -> impl Iterator<Item = &[(usize, f64)]> {
+        self.conditions.iter().map(|Condition(terms)| &terms[..])
+    }
+
     /// For each condition the sum of its terms, and that of their magnitudes, at given angles.
     pub fn sums(&self, angle: impl Fn(usize) -> f64) -> impl Iterator<Item = [f64; 2]> {
         self.conditions.iter().map(move |Condition(terms)| {

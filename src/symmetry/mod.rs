@@ -12,7 +12,7 @@ pub use even_controls::EvenControls;
 pub(crate) use flying::{ActivePlant, FlyingPlant};
 pub use forms::{Form, Forms};
 pub use half::{Counterpart, SymmetricHalf};
-pub use plants::{Actions, Plants, Trimmed};
+pub use plants::{Actions, Motion, Plants, Trimmed};
 
 #[cfg(test)]
 mod tests;

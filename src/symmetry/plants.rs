@@ -62,12 +62,25 @@ pub struct Trimmed {
     pub trims: Forms<Trim>,
 }
 
-/// What acts on an aircraft from an instant on: values at the instant and their rates.
+/// What decides how a control or an engine acts from an instant on, where its actuator and its limits are known.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Motion {
+    /// What acts, what is asked for, and the rate of what acts, times the time in which that changes; rad or N.
+    pub values: [f64; 3],
+    /// Of what is asked for, per second.
+    pub rate: f64,
+}
+
+/// What acts on an aircraft from an instant on.
 pub trait Actions {
-    /// The angle of a control, rad, and its rate, rad/s.
-    fn angle(&self, control: usize) -> [f64; 2];
-    /// The thrust of an engine, N, and its rate, N/s.
-    fn thrust(&self, engine: usize) -> [f64; 2];
+    /// Of a control, rad.
+    fn angle(&self, control: usize) -> Motion;
+    /// Of an engine, N.
+    fn thrust(&self, engine: usize) -> Motion;
+    /// Whether actuators keep controls to Σ factor · angle = 0 as long as their [`Motion`]s keep to it.
+    fn controls_move_alike(&self, terms: &[(usize, f64)]) -> bool;
+    /// Whether two engines give the same while their [`Motion`]s are the same.
+    fn engines_move_alike(&self, engine: usize, image: usize) -> bool;
     /// Along the course: the wind, m/s, its rate, m/s², and the rate of that, m/s³.
     fn winds(&self) -> [Vector3<f64>; 3];
     /// Whether what is frozen in the air blows in the mirror plane.
@@ -227,17 +240,21 @@ impl Halving {
     /// Whether everything acts alike on both sides, but for rounding, and will [theory: symmetry.unfolding].
     fn are_symmetric(&self, actions: &impl Actions) -> bool {
         let mut engines = self.engines.iter().enumerate();
-        let angles = self.controls.sums(|control| actions.angle(control)[0]);
-        let rates = self.controls.sums(|control| actions.angle(control)[1]);
+        let angles_of =
+            |place: usize| self.controls.sums(move |control| actions.angle(control).values[place]);
+        let mut rates = self.controls.sums(|control| actions.angle(control).rate);
         // A radian is much, whatever the angles: of rates nothing is.
         let cancel = |[sum, size]: [f64; 2], much: f64| sum.abs() <= ROUNDING * size.max(much);
-        angles.into_iter().all(|sum| cancel(sum, 1.0))
-            && rates.into_iter().all(|sum| cancel(sum, 0.0))
+        [0, 1, 2].into_iter().all(|place| angles_of(place).all(|sum| cancel(sum, 1.0)))
+            && rates.all(|sum| cancel(sum, 0.0))
+            && self.controls.terms().all(|terms| actions.controls_move_alike(terms))
             && actions.gust_is_in_plane()
             && actions.winds().into_iter().all(|wind| wind.y == 0.0)
             && engines.all(|(engine, &image)| {
-                let pairs = actions.thrust(engine).into_iter().zip(actions.thrust(image));
-                pairs.into_iter().all(|(thrust, other)| are_alike(thrust, other, ROUNDING))
+                let (one, other) = (actions.thrust(engine), actions.thrust(image));
+                let mut pairs = one.values.into_iter().zip(other.values).chain([(one.rate, other.rate)]);
+                pairs.all(|(thrust, other)| are_alike(thrust, other, ROUNDING))
+                    && actions.engines_move_alike(engine, image)
             })
     }
 }
@@ -249,18 +266,25 @@ mod tests {
     /// What acts on two controls that are to move together and two engines.
     #[derive(Clone, Default)]
     struct Acting {
-        angles: [[f64; 2]; 2],
-        thrusts: [[f64; 2]; 2],
+        angles: [Motion; 2],
+        thrusts: [Motion; 2],
+        part: bool,
         winds: [Vector3<f64>; 3],
         gusts_aside: bool,
     }
 
     impl Actions for Acting {
-        fn angle(&self, control: usize) -> [f64; 2] {
+        fn angle(&self, control: usize) -> Motion {
             self.angles[control]
         }
-        fn thrust(&self, engine: usize) -> [f64; 2] {
+        fn thrust(&self, engine: usize) -> Motion {
             self.thrusts[engine]
+        }
+        fn controls_move_alike(&self, _: &[(usize, f64)]) -> bool {
+            !self.part
+        }
+        fn engines_move_alike(&self, _: usize, _: usize) -> bool {
+            true
         }
         fn winds(&self) -> [Vector3<f64>; 3] {
             self.winds
@@ -290,17 +314,29 @@ mod tests {
     fn what_differs_by_sixteen_roundings_is_alike_and_by_more_is_not() {
         assert_eq!(ROUNDING, 16.0 * f64::EPSILON);
         // Angles count as shares of a radian where they are small, of their magnitudes where they are large; rates only so.
-        let angles = |apart: f64| Acting { angles: [[0.25 + apart, 0.0], [0.25, 0.0]], ..Acting::default() };
-        assert!(is_the_limit(ROUNDING, angles));
-        let large = |apart: f64| Acting { angles: [[8.0 + apart, 0.0], [8.0, 0.0]], ..Acting::default() };
-        assert!(is_the_limit(16.0 * ROUNDING, large));
-        let rates = |apart: f64| Acting { angles: [[0.0, 0.25 + apart], [0.0, 0.25]], ..Acting::default() };
+        for place in 0..3 {
+            let pair = |angle: f64, apart: f64| {
+                let mut acting = Acting::default();
+                acting.angles.iter_mut().for_each(|motion| motion.values[place] = angle);
+                acting.angles[0].values[place] += apart;
+                acting
+            };
+            assert!(is_the_limit(ROUNDING, |apart| pair(0.25, apart)));
+            assert!(is_the_limit(16.0 * ROUNDING, |apart| pair(8.0, apart)));
+        }
+        let rates = |apart: f64| {
+            let mut acting = Acting::default();
+            (acting.angles[0].rate, acting.angles[1].rate) = (0.25 + apart, 0.25);
+            acting
+        };
         assert!(is_the_limit(0.5 * ROUNDING, rates));
         // Thrusts and their rates count as shares of the larger one.
-        for place in [0, 1] {
+        for place in 0..4 {
             let thrusts = |apart: f64| {
                 let mut acting = Acting::default();
-                (acting.thrusts[0][place], acting.thrusts[1][place]) = (4096.0 + apart, 4096.0);
+                for (motion, thrust) in acting.thrusts.iter_mut().zip([4096.0 + apart, 4096.0]) {
+                    *motion.values.get_mut(place).unwrap_or(&mut motion.rate) = thrust;
+                }
                 acting
             };
             assert!(is_the_limit(4096.0 * ROUNDING, thrusts));
@@ -311,6 +347,13 @@ mod tests {
     fn a_gust_from_the_side_is_not_alike() {
         assert!(are_symmetric(&Acting::default()));
         assert!(!are_symmetric(&Acting { gusts_aside: true, ..Acting::default() }));
+    }
+
+    #[test]
+    fn what_devices_will_part_is_not_alike() {
+        assert!(
+            are_symmetric(&Acting::default()) && !are_symmetric(&Acting { part: true, ..Acting::default() })
+        );
     }
 
     #[test]

@@ -2,8 +2,9 @@
 //! order calls and look for algebraic loops by it.
 
 use crate::aircraft::TrimRole;
+use crate::devices::{ActuatorSetting, EngineSetting};
 
-use super::{AirQuantity, Axis, InputSlot, OutputSlot, ParameterSlot};
+use super::slot::{AirQuantity, Axis, InputSlot, OutputSlot, ParameterSlot, SensorSetting};
 
 /// Whether an input acts on an output at the same instant: accelerations feel every force, by the apparent mass also
 /// the rate of the wind; the flow feels the wind alone; positions, velocities and deformations are states and follow only by integration.
@@ -12,7 +13,12 @@ pub(super) fn direct(output: OutputSlot, input: InputSlot) -> bool {
         OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) | OutputSlot::SpecificForce { .. } => true,
         OutputSlot::Air(AirQuantity::Density) => false,
         OutputSlot::Air(_) => matches!(input, InputSlot::Wind(_)),
-        OutputSlot::Control(control) => input == InputSlot::Control(control),
+        OutputSlot::Wind(Axis::Z) => input == InputSlot::Wind(Axis::Z),
+        OutputSlot::Wind(_) => matches!(input, InputSlot::Wind(Axis::X | Axis::Y)),
+        OutputSlot::Control(control)
+        | OutputSlot::ActuatorRate(control)
+        | OutputSlot::RateLimited(control)
+        | OutputSlot::PositionLimited(control) => input == InputSlot::Control(control),
         OutputSlot::Thrust(engine) => input == InputSlot::Thrust(engine),
         _ => false,
     }
@@ -21,21 +27,33 @@ pub(super) fn direct(output: OutputSlot, input: InputSlot) -> bool {
 /// Whether a parameter acts on the value of an output at initialisation, in trimmed level flight; `roles` has that of each
 /// control.
 pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Option<TrimRole>]) -> bool {
-    use ParameterSlot::{Altitude, Heading, InputReference, StructuralDamping, Tolerance};
+    use ParameterSlot::{Airspeed, Altitude, Heading, InputReference, StructuralDamping, Tolerance};
     match output {
         OutputSlot::Position(Axis::Z) => parameter == Altitude,
         OutputSlot::Attitude(Axis::Z) => parameter == Heading,
+        OutputSlot::Wind(_) => matches!(parameter, Heading | Airspeed),
+        OutputSlot::GustPeakVelocity => matches!(parameter, Altitude | ParameterSlot::Gust(_)),
         OutputSlot::Position(_)
         | OutputSlot::Rate(_)
         | OutputSlot::StationRate { .. }
         | OutputSlot::ModalRate(_) => false,
         OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) | OutputSlot::SpecificForce { .. } => {
-            !matches!(parameter, StructuralDamping | Tolerance)
+            !matches!(parameter, StructuralDamping | Tolerance | ParameterSlot::Sensor(_))
         }
         OutputSlot::Air(AirQuantity::Density) => parameter == Altitude,
         OutputSlot::Air(_) => parameter == Heading || trims(parameter),
-        OutputSlot::Control(control) if roles[control].is_none() => false,
-        OutputSlot::Control(_) | OutputSlot::Thrust(_) => parameter == InputReference || trims(parameter),
+        OutputSlot::ActuatorRate(control)
+        | OutputSlot::RateLimited(control)
+        | OutputSlot::PositionLimited(control) => {
+            limits_control(parameter, control) || parameter == InputReference || trims(parameter)
+        }
+        OutputSlot::Control(control) if roles[control].is_none() => limits_control(parameter, control),
+        OutputSlot::Control(control) => {
+            limits_control(parameter, control) || parameter == InputReference || trims(parameter)
+        }
+        OutputSlot::Thrust(engine) => {
+            limits_engine(parameter, engine) || parameter == InputReference || trims(parameter)
+        }
         OutputSlot::Attitude(_)
         | OutputSlot::Velocity(_)
         | OutputSlot::Deflection { .. }
@@ -46,7 +64,29 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Opt
         | OutputSlot::TrimClimbAngle
         | OutputSlot::TrimRoll
         | OutputSlot::TrimSideslip => trims(parameter),
+        // Through what it mirrors.
+        OutputSlot::Sensor(_) => false,
     }
+}
+
+/// Whether a parameter of the sensors acts on the value of an output at initialisation.
+pub(super) fn sampled(output: OutputSlot, setting: SensorSetting) -> bool {
+    let acts = matches!(setting, SensorSetting::Enabled | SensorSetting::Noise(_) | SensorSetting::Seed);
+    matches!(output, OutputSlot::Sensor(_)) && acts
+}
+
+/// Whether a parameter decides what a control does with its input at once.
+fn limits_control(parameter: ParameterSlot, control: usize) -> bool {
+    use ActuatorSetting::{Frequency, Maximum, Minimum};
+    let acts = |setting| matches!(setting, Frequency | Minimum | Maximum);
+    matches!(parameter, ParameterSlot::Actuator { control: of, setting } if of == control && acts(setting))
+}
+
+/// Whether a parameter decides what an engine does with its input at once.
+fn limits_engine(parameter: ParameterSlot, engine: usize) -> bool {
+    use EngineSetting::{Maximum, Minimum, TimeConstant};
+    let acts = |setting| matches!(setting, TimeConstant | Minimum | Maximum);
+    matches!(parameter, ParameterSlot::Engine { engine: of, setting } if of == engine && acts(setting))
 }
 
 /// The parameters that the trim depends on; inflow and damping vanish in steady flight.

@@ -5,20 +5,29 @@
 //! all types, so that a reference used with the wrong type is noticed.
 
 mod dependence;
+mod devices;
+mod enumeration;
+mod gust_slot;
+mod gusts;
 mod nearest;
+mod parameters;
+mod row;
 mod slot;
 mod surface_angle;
 mod table;
 mod unit;
+mod value;
 mod variable;
 
+pub use enumeration::EnumerationType;
+pub use gust_slot::{GustSetting, TurbulenceSetting};
 pub use nearest::{nearest, probably_meant};
 pub use slot::{
-    AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot,
-    Value,
+    AirQuantity, Axis, DeflectionComponent, InputSlot, OutputSlot, ParameterSlot, SensorSetting, Slot,
 };
 pub use surface_angle::instead_of_degrees;
 pub use unit::{BaseUnit, DisplayUnit, Unit};
+pub use value::Value;
 pub use variable::{Type, Variability, Variable};
 
 use crate::aircraft::TrimRole;
@@ -73,16 +82,32 @@ impl VariableTable {
     /// The variables on whose values an output depends at an instant of the flight: inputs that act on it
     /// without integration in between.
     pub fn dependencies(&self, output: OutputSlot) -> Vec<u32> {
+        let output = self.mirrored(output);
         self.knowns(|known| matches!(known, Slot::Input(input) if dependence::direct(output, input)))
     }
 
     /// The variables on whose values an output depends at initialisation.
     pub fn initial_dependencies(&self, output: OutputSlot) -> Vec<u32> {
+        let source = self.mirrored(output);
         self.knowns(|known| match known {
-            Slot::Input(input) => dependence::direct(output, input),
-            Slot::Parameter(parameter) => dependence::initial(output, parameter, &self.roles),
+            Slot::Input(input) => dependence::direct(source, input),
+            Slot::Parameter(ParameterSlot::Sensor(setting)) => dependence::sampled(output, setting),
+            Slot::Parameter(parameter) => dependence::initial(source, parameter, &self.roles),
             Slot::Output(_) => false,
         })
+    }
+
+    /// The output that a channel of a sensor mirrors; any other is itself.
+    fn mirrored(&self, output: OutputSlot) -> OutputSlot {
+        let slot_of = |name: &str| self.named(name).map(|variable| variable.slot);
+        let row = match output {
+            OutputSlot::Sensor(_) => self.rows.iter().find(|row| row.slot == Slot::Output(output)),
+            _ => None,
+        };
+        match row.and_then(|row| slot_of(row.name.strip_prefix("sensor.")?)) {
+            Some(Slot::Output(mirrored)) => mirrored,
+            _ => output,
+        }
     }
 
     fn knowns(&self, wanted: impl Fn(Slot) -> bool) -> Vec<u32> {

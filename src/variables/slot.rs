@@ -1,80 +1,13 @@
 //! Where the value of a variable lives: a typed place in the inputs, the settings or the outputs.
 
 use crate::aircraft::TrimRole;
+use crate::devices::{ActuatorSetting, EngineSetting, Holding};
 use crate::equations::Fidelity;
-use crate::flight::{InputReference, Inputs, Settings};
-use crate::plant::{ModeSelection, Outputs, TrimPoint};
+use crate::flight::{InputReference, Inputs, Instant, NoiseKind, SensorSettings, Settings};
+use crate::plant::ModeSelection;
 
-/// The value of a variable.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Value {
-    /// Of a Real.
-    Real(f64),
-    /// Of an Integer, or of an Enumeration (from 1).
-    Integer(i32),
-    /// Of a Boolean.
-    Boolean(bool),
-}
-
-/// The enumerations of the parameters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum EnumerationType {
-    /// [`Fidelity`].
-    Model,
-    /// [`InputReference`].
-    InputReference,
-    /// [`ModeSelection`].
-    ModeFamily,
-}
-
-impl EnumerationType {
-    /// All enumerations, in the order of the model description.
-    pub const ALL: [EnumerationType; 3] =
-        [EnumerationType::Model, EnumerationType::InputReference, EnumerationType::ModeFamily];
-
-    /// Name of the type.
-    pub fn name(self) -> &'static str {
-        match self {
-            EnumerationType::Model => "Model",
-            EnumerationType::InputReference => "InputReference",
-            EnumerationType::ModeFamily => "ModeFamily",
-        }
-    }
-
-    /// What the type is for.
-    pub fn description(self) -> &'static str {
-        match self {
-            EnumerationType::Model => "Fidelity level of the equations of motion",
-            EnumerationType::InputReference => "Meaning of the inputs of controls and thrusts",
-            EnumerationType::ModeFamily => "Families of natural modes",
-        }
-    }
-
-    /// Names and descriptions of the items; the value of the first is 1.
-    pub fn items(self) -> &'static [(&'static str, &'static str)] {
-        match self {
-            EnumerationType::Model => &LEVELS,
-            EnumerationType::InputReference => {
-                &[("trim", "Inputs add to the trim values"), ("absolute", "Inputs replace the trim values")]
-            }
-            EnumerationType::ModeFamily => {
-                &[("all", "Symmetric and antisymmetric modes"), ("symmetric", "Symmetric modes only")]
-            }
-        }
-    }
-}
-
-/// Names and descriptions of the levels of fidelity.
-const LEVELS: [(&str, &str); Fidelity::ALL.len()] = {
-    let mut items = [("", ""); Fidelity::ALL.len()];
-    let mut item = 0;
-    while item < items.len() {
-        items[item] = (Fidelity::ALL[item].name(), Fidelity::ALL[item].description());
-        item += 1;
-    }
-    items
-};
+use super::gust_slot::{GustSetting, TurbulenceSetting};
+use super::value::Value;
 
 /// A coordinate: x, y, z; north, east, down; or roll, pitch, yaw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -151,6 +84,31 @@ pub enum ParameterSlot {
     LoadModes,
     InflowStates,
     Tolerance,
+    Actuator {
+        /// Index of its control.
+        control: usize,
+        setting: ActuatorSetting,
+    },
+    Engine {
+        /// Its index.
+        engine: usize,
+        setting: EngineSetting,
+    },
+    Sensor(SensorSetting),
+    Gust(GustSetting),
+    Turbulence(TurbulenceSetting),
+}
+
+/// A parameter of the sensors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the quantities are documented in SensorSettings")]
+pub enum SensorSetting {
+    Enabled,
+    Period,
+    TimeConstant,
+    Delay,
+    Noise(NoiseKind),
+    Seed,
 }
 
 /// An output.
@@ -165,6 +123,8 @@ pub enum OutputSlot {
     Acceleration(Axis),
     LoadFactor(Axis),
     Air(AirQuantity),
+    Wind(Axis),
+    GustPeakVelocity,
     Deflection {
         /// Index of the station.
         station: usize,
@@ -195,6 +155,14 @@ pub enum OutputSlot {
     TrimClimbAngle,
     TrimRoll,
     TrimSideslip,
+    /// Of the surface of the control with this index.
+    ActuatorRate(usize),
+    /// Whether the actuator of the control with this index moves as fast as it can.
+    RateLimited(usize),
+    /// Whether a stop holds the surface of the control with this index.
+    PositionLimited(usize),
+    /// What the channel with this index gives.
+    Sensor(usize),
 }
 
 /// Where the value of a variable lives. It implies the FMI causality.
@@ -244,6 +212,15 @@ impl ParameterSlot {
             ParameterSlot::LoadModes => Value::Boolean(settings.plant.load_modes),
             ParameterSlot::InflowStates => Value::Integer(saturating(settings.plant.inflow_states)),
             ParameterSlot::Tolerance => Value::Real(settings.tolerance),
+            ParameterSlot::Actuator { control, setting } => {
+                Value::Real(*setting.of(&mut settings.actuators.get(control)))
+            }
+            ParameterSlot::Engine { engine, setting } => {
+                Value::Real(*setting.of(&mut settings.engines.get(engine)))
+            }
+            ParameterSlot::Sensor(setting) => setting.get(&settings.sensors),
+            ParameterSlot::Gust(setting) => setting.get(&settings.gust),
+            ParameterSlot::Turbulence(setting) => setting.get(&settings.turbulence),
         }
     }
 
@@ -279,6 +256,48 @@ impl ParameterSlot {
             (ParameterSlot::StiffnessScale, Value::Real(x)) => settings.plant.stiffness_scale = x,
             (ParameterSlot::StructuralDamping, Value::Real(x)) => settings.plant.structural_damping = x,
             (ParameterSlot::Tolerance, Value::Real(x)) => settings.tolerance = x,
+            (ParameterSlot::Actuator { control, setting }, Value::Real(x)) => {
+                let mut actuator = settings.actuators.get(control);
+                *setting.of(&mut actuator) = x;
+                settings.actuators.set(control, actuator);
+            }
+            (ParameterSlot::Engine { engine, setting }, Value::Real(x)) => {
+                let mut lag = settings.engines.get(engine);
+                *setting.of(&mut lag) = x;
+                settings.engines.set(engine, lag);
+            }
+            (ParameterSlot::Sensor(setting), value) => setting.set(&mut settings.sensors, value),
+            (ParameterSlot::Gust(setting), value) => setting.set(&mut settings.gust, value),
+            (ParameterSlot::Turbulence(setting), value) => setting.set(&mut settings.turbulence, value),
+            _ => {}
+        }
+    }
+}
+
+impl SensorSetting {
+    fn get(self, sensors: &SensorSettings) -> Value {
+        match self {
+            SensorSetting::Enabled => Value::Boolean(sensors.enabled),
+            SensorSetting::Period => Value::Real(sensors.period),
+            SensorSetting::TimeConstant => Value::Real(sensors.time_constant),
+            SensorSetting::Delay => Value::Integer(saturating(sensors.delay)),
+            SensorSetting::Noise(kind) => Value::Real(sensors.noise[kind as usize]),
+            SensorSetting::Seed => Value::Integer(i32::try_from(sensors.seed).unwrap_or(i32::MAX)),
+        }
+    }
+
+    fn set(self, sensors: &mut SensorSettings, value: Value) {
+        match (self, value) {
+            (SensorSetting::Enabled, Value::Boolean(flag)) => sensors.enabled = flag,
+            (SensorSetting::Period, Value::Real(x)) => sensors.period = x,
+            (SensorSetting::TimeConstant, Value::Real(x)) => sensors.time_constant = x,
+            (SensorSetting::Delay, Value::Integer(i)) => {
+                sensors.delay = usize::try_from(i).unwrap_or(sensors.delay);
+            }
+            (SensorSetting::Noise(kind), Value::Real(x)) => sensors.noise[kind as usize] = x,
+            (SensorSetting::Seed, Value::Integer(i)) => {
+                sensors.seed = u32::try_from(i).unwrap_or(sensors.seed)
+            }
             _ => {}
         }
     }
@@ -289,8 +308,22 @@ fn saturating(count: usize) -> i32 {
 }
 
 impl OutputSlot {
-    /// The value in the outputs of the model that the slot was made for.
-    pub fn get(self, outputs: &Outputs, trim: &TrimPoint) -> f64 {
+    /// The value at an instant of a flight of the model that the slot was made for.
+    pub fn get(self, instant: &Instant) -> Value {
+        match self {
+            OutputSlot::RateLimited(control) => {
+                Value::Boolean(instant.actuators[control].holding == Holding::Rate)
+            }
+            OutputSlot::PositionLimited(control) => {
+                Value::Boolean(instant.actuators[control].holding == Holding::Stop)
+            }
+            real => Value::Real(real.number(instant)),
+        }
+    }
+
+    /// The value as a number; of a Boolean 1 or 0.
+    pub fn number(self, instant: &Instant) -> f64 {
+        let Instant { outputs, trim, .. } = instant;
         match self {
             OutputSlot::Position(axis) => outputs.position[axis.index()],
             OutputSlot::Attitude(axis) => outputs.attitude[axis.index()],
@@ -298,6 +331,8 @@ impl OutputSlot {
             OutputSlot::Rate(axis) => outputs.rate[axis.index()],
             OutputSlot::Acceleration(axis) => outputs.acceleration[axis.index()],
             OutputSlot::LoadFactor(axis) => outputs.load_factor[axis.index()],
+            OutputSlot::Wind(axis) => outputs.wind[axis.index()],
+            OutputSlot::GustPeakVelocity => outputs.gust_peak_velocity,
             OutputSlot::Air(AirQuantity::Speed) => outputs.air.speed,
             OutputSlot::Air(AirQuantity::AngleOfAttack) => outputs.air.angle_of_attack,
             OutputSlot::Air(AirQuantity::Sideslip) => outputs.air.sideslip,
@@ -326,6 +361,9 @@ impl OutputSlot {
             OutputSlot::TrimClimbAngle => trim.climb_angle,
             OutputSlot::TrimRoll => trim.roll,
             OutputSlot::TrimSideslip => trim.sideslip,
+            OutputSlot::ActuatorRate(control) => instant.actuators[control].rate,
+            OutputSlot::Sensor(channel) => instant.sensors[channel],
+            OutputSlot::RateLimited(_) | OutputSlot::PositionLimited(_) => self.get(instant).number(),
         }
     }
 }

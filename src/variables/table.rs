@@ -1,14 +1,15 @@
 //! The rows of the table.
 
-use crate::aircraft::{ALTITUDES, Control, Support, TrimRole};
-use crate::flight::Settings;
-use crate::plant::PlantSettings;
+use crate::aircraft::{Control, Support, TrimRole};
 use crate::structure::{Mode, ModeFamily, ReducedModel};
 
-use super::{
-    AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot,
-    Type, Unit, Value, Variability, Variable,
-};
+use super::devices::{actuators, sensor_channels};
+use super::gusts;
+use super::parameters::parameters;
+use super::row::{input, output};
+use super::slot::{AirQuantity, Axis, DeflectionComponent, InputSlot, OutputSlot};
+use super::unit::Unit;
+use super::variable::{Variability, Variable};
 
 /// All rows for an aircraft, inputs first.
 pub(super) fn rows(model: &ReducedModel) -> Vec<Variable> {
@@ -16,10 +17,13 @@ pub(super) fn rows(model: &ReducedModel) -> Vec<Variable> {
     rows.extend(parameters(model));
     rows.extend(motion());
     rows.extend(flow());
+    rows.extend(gusts::outputs());
     rows.extend(deflections(model));
     rows.extend(sensors(model));
     rows.extend(modal_coordinates(model));
     rows.extend(controls_and_trim(model));
+    rows.extend(actuators(model));
+    rows.extend(sensor_channels(model, &rows));
     rows
 }
 
@@ -47,74 +51,6 @@ fn inputs(model: &ReducedModel) -> Vec<Variable> {
         rows.push(input(&name, Unit::MetrePerSecondSquared, InputSlot::WindRate(axis), &text));
     }
     rows
-}
-
-fn parameters(model: &ReducedModel) -> Vec<Variable> {
-    use ParameterSlot as P;
-    let start = Settings::of(model);
-    let airspeeds = model.support.airspeeds();
-    let choice = |name, slot, kind: EnumerationType, text| {
-        Variable { kind: Type::Enumeration(kind), ..parameter(name, slot, &start, text) }
-            .between(1.0, kind.items().len() as f64)
-    };
-    let count = |name, slot, max: usize, text| {
-        Variable { kind: Type::Integer, ..parameter(name, slot, &start, text) }.between(0.0, max as f64)
-    };
-    let real = |name, slot, unit, text| Variable { unit: Some(unit), ..parameter(name, slot, &start, text) };
-    let rows = vec![
-        choice(
-            "input_reference",
-            P::InputReference,
-            EnumerationType::InputReference,
-            "Whether the inputs of controls and thrusts add to the trim values or replace them",
-        ),
-        choice("model", P::Model, EnumerationType::Model, "Fidelity level"),
-        real(
-            "airspeed",
-            P::Airspeed,
-            Unit::MetrePerSecond,
-            "True airspeed of the trimmed flight at the start",
-        )
-        .between(*airspeeds.start(), *airspeeds.end()),
-        real("altitude", P::Altitude, Unit::Metre, "Altitude of the trimmed flight at the start")
-            .between(*ALTITUDES.start(), *ALTITUDES.end())
-            .nominal(10_000.0),
-        real("heading", P::Heading, Unit::Radian, "Initial yaw angle"),
-        real("stiffness_scale", P::StiffnessScale, Unit::One, "Factor on all elastic properties")
-            .at_least(1e-6),
-        real("structural_damping", P::StructuralDamping, Unit::One, "Modal damping ratio of every mode")
-            .at_least(0.0),
-        choice("mode_family", P::ModeFamily, EnumerationType::ModeFamily, "Families of modes that take part"),
-        count(
-            "mode_count",
-            P::ModeCount,
-            model.natural_modes(),
-            "Number of natural modes that take part, lowest first; of mirrored pairs both do",
-        ),
-        Variable {
-            kind: Type::Boolean,
-            ..parameter(
-                "load_modes",
-                P::LoadModes,
-                &start,
-                "Whether the load modes that belong to those natural modes take part too",
-            )
-        },
-        count(
-            "inflow_states",
-            P::InflowStates,
-            PlantSettings::MOST_INFLOW_STATES,
-            "Peters inflow states per strip; 0 is steady aerodynamics",
-        ),
-        real("tolerance", P::Tolerance, Unit::One, "Relative tolerance of the internal integrator")
-            .between(1e-12, 0.1),
-    ];
-    let is_there = |row: &Variable| match row.slot {
-        Slot::Parameter(P::Altitude) => model.tunnel_air.is_none(),
-        Slot::Parameter(P::LoadModes) => model.has_load_modes(),
-        _ => true,
-    };
-    rows.into_iter().filter(is_there).collect()
 }
 
 fn motion() -> Vec<Variable> {
@@ -309,52 +245,3 @@ fn within_a_sentence(description: &str) -> String {
 }
 
 const NORTH_EAST_DOWN: [&str; 3] = ["north", "east", "down"];
-
-fn input(name: &str, unit: Unit, slot: InputSlot, description: &str) -> Variable {
-    Variable {
-        start: Some(Value::Real(0.0)),
-        ..real(name.to_owned(), Some(unit), Slot::Input(slot), description.to_owned())
-    }
-}
-
-/// A parameter; type and unit are for the caller to add.
-fn parameter(name: &str, slot: ParameterSlot, start: &Settings, description: &str) -> Variable {
-    Variable {
-        variability: Variability::Fixed,
-        start: Some(slot.get(start)),
-        ..real(name.to_owned(), None, Slot::Parameter(slot), description.to_owned())
-    }
-}
-
-fn output(name: String, unit: impl Into<Option<Unit>>, slot: OutputSlot, description: String) -> Variable {
-    real(name, unit.into(), Slot::Output(slot), description)
-}
-
-fn real(name: String, unit: Option<Unit>, slot: Slot, description: String) -> Variable {
-    Variable {
-        name,
-        description,
-        kind: Type::Real,
-        variability: Variability::Continuous,
-        unit,
-        start: None,
-        min: None,
-        max: None,
-        nominal: None,
-        slot,
-    }
-}
-
-impl Variable {
-    fn at_least(self, min: f64) -> Self {
-        Variable { min: Some(min), ..self }
-    }
-
-    fn between(self, min: f64, max: f64) -> Self {
-        Variable { min: Some(min), max: Some(max), ..self }
-    }
-
-    fn nominal(self, nominal: f64) -> Self {
-        Variable { nominal: Some(nominal), ..self }
-    }
-}

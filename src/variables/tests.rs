@@ -48,6 +48,25 @@ fn the_jet_has_exactly_the_variables_of_the_contract() {
     for mode in 1..=ReducedModel::USUAL_MODES {
         expected.extend([format!("modal.q[{mode}]"), format!("modal.q_dot[{mode}]")]);
     }
+    for control in ["elevator", "aileron", "aileron_symmetric", "rudder"] {
+        let suffixes = ["frequency", "damping", "rate_limit", "minimum", "maximum"].into_iter();
+        let suffixes = suffixes.chain(["rate", "rate_limited", "position_limited"]);
+        expected.extend(suffixes.map(|suffix| format!("actuator.{control}.{suffix}")));
+    }
+    for engine in ["left", "right"] {
+        expected.extend(["time_constant", "minimum", "maximum"].map(|c| format!("engine.{engine}.{c}")));
+    }
+    let kinds = ["attitude", "rate", "load_factor", "specific_force", "air_angle", "air_speed", "position"];
+    expected.extend(kinds.map(|kind| format!("sensor.noise.{kind}")));
+    expected.extend(["enabled", "period", "time_constant", "delay", "seed"].map(|c| format!("sensor.{c}")));
+    let is_measured = |name: &str| {
+        let of_station = name.contains(".specific_force.") || name.contains(".rate.");
+        let air = ["air.speed", "air.alpha", "air.beta", "position.down"].contains(&name);
+        let group = ["attitude.", "rate.", "load_factor."].iter().any(|group| name.starts_with(group));
+        group || air || (of_station && name.starts_with("station."))
+    };
+    let measured: Vec<String> = expected.iter().filter(|name| is_measured(name)).cloned().collect();
+    expected.extend(measured.into_iter().map(|name| format!("sensor.{name}")));
     let mut found: Vec<String> = table().iter().map(|(_, variable)| variable.name.clone()).collect();
     expected.sort();
     found.sort();
@@ -111,7 +130,8 @@ fn controls_bring_variables_by_their_names_and_only_those_with_roles_stand_in_th
         let known = table.initial_dependencies(OutputSlot::Control(control));
         known.iter().filter(|known| matches!(table.get(**known).unwrap().slot, Slot::Parameter(_))).count()
     };
-    assert_eq!([0, 1, 2, 3].map(parameters), [0, 7, 0, 0]);
+    // Frequency and limits of its own actuator, and what the trim depends on.
+    assert_eq!([0, 1, 2, 3].map(parameters), [3, 10, 3, 3]);
 }
 
 #[test]
@@ -195,7 +215,7 @@ fn every_parameter_reads_back_what_was_set() {
             Type::Real => Value::Real(0.03),
             Type::Integer => Value::Integer(3),
             Type::Enumeration(enumeration) => Value::Integer(enumeration.items().len() as i32),
-            Type::Boolean => Value::Boolean(false),
+            Type::Boolean => Value::Boolean(variable.start != Some(Value::Boolean(true))),
         };
         assert_ne!(
             slot.get(&settings),
@@ -298,4 +318,30 @@ fn the_trim_depends_at_initialisation_on_what_defines_steady_flight() {
     let dependencies = table.initial_dependencies(OutputSlot::TrimPitch);
     let names: Vec<_> = dependencies.iter().map(|r| table.get(*r).unwrap().name.as_str()).collect();
     assert_eq!(names, ["model", "airspeed", "altitude", "stiffness_scale", "mode_family", "mode_count"]);
+}
+
+#[test]
+fn a_sensors_channel_has_unit_and_dependencies_of_the_output_that_it_mirrors() {
+    let table = table();
+    let slot = |name: &str| match row(name).slot {
+        Slot::Output(slot) => slot,
+        _ => panic!("{name} is no output"),
+    };
+    for (channel, mirrored) in [
+        ("sensor.air.alpha", "air.alpha"),
+        ("sensor.station.wing_tip_left.specific_force.z", "station.wing_tip_left.specific_force.z"),
+        ("sensor.position.down", "position.down"),
+    ] {
+        assert_eq!(row(channel).unit, row(mirrored).unit);
+        assert_eq!(table.dependencies(slot(channel)), table.dependencies(slot(mirrored)), "{channel}");
+        let (own, others) =
+            (table.initial_dependencies(slot(channel)), table.initial_dependencies(slot(mirrored)));
+        let extra = own.iter().filter(|known| !others.contains(known));
+        // Enabled, seed and seven kinds of noise.
+        assert!(extra.count() == 9 && others.iter().all(|known| own.contains(known)), "{channel}");
+    }
+    let flag = row("actuator.elevator.rate_limited");
+    assert_eq!((flag.kind, flag.variability, flag.unit), (Type::Boolean, Variability::Discrete, None));
+    assert_eq!(row("engine.left.time_constant").allowed(), "0 to 10000 s");
+    assert_eq!(row("actuator.rudder.frequency").allowed(), "0 to 1000 rad/s");
 }

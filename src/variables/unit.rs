@@ -23,6 +23,8 @@ pub enum Unit {
     Pascal,
     /// kg/m³
     KilogramPerCubicMetre,
+    /// s
+    Second,
 }
 
 /// Integer exponents of the SI base units in a unit.
@@ -51,7 +53,7 @@ const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
 
 impl Unit {
     /// All units, in the order of the model description.
-    pub const ALL: [Unit; 9] = [
+    pub const ALL: [Unit; 10] = [
         Unit::One,
         Unit::Metre,
         Unit::MetrePerSecond,
@@ -61,6 +63,7 @@ impl Unit {
         Unit::Newton,
         Unit::Pascal,
         Unit::KilogramPerCubicMetre,
+        Unit::Second,
     ];
 
     /// As written in the model description.
@@ -75,6 +78,7 @@ impl Unit {
             Unit::Newton => "N",
             Unit::Pascal => "Pa",
             Unit::KilogramPerCubicMetre => "kg/m3",
+            Unit::Second => "s",
         }
     }
 
@@ -91,6 +95,7 @@ impl Unit {
             Unit::Newton => BaseUnit { kilogram: 1, metre: 1, second: -2, ..one },
             Unit::Pascal => BaseUnit { kilogram: 1, metre: -1, second: -2, ..one },
             Unit::KilogramPerCubicMetre => BaseUnit { kilogram: 1, metre: -3, ..one },
+            Unit::Second => BaseUnit { second: 1, ..one },
         }
     }
 

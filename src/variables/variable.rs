@@ -1,7 +1,9 @@
 //! One row of the table: what FMI says of a variable, and where its value lives.
 
-use super::slot::{EnumerationType, Slot, Value};
+use super::enumeration::EnumerationType;
+use super::slot::Slot;
 use super::unit::Unit;
+use super::value::Value;
 
 /// The type of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +23,7 @@ pub enum Type {
 pub enum Variability {
     /// Constant after initialisation.
     Fixed,
-    /// Changes only when the flight is initialised anew.
+    /// Changes at events, or only when the flight is initialised anew.
     Discrete,
     /// Changes with time.
     Continuous,

@@ -179,8 +179,7 @@ fn the_outputs_name_the_lateral_trim_and_inputs_add_to_it() {
     let read = |flight: &mut Simulation, name: &str| {
         let variable = variables.get(variables.reference(name).unwrap()).unwrap();
         let Slot::Output(slot) = variable.slot else { panic!("{name} is no output") };
-        let trim = *flight.trim();
-        slot.get(flight.outputs(), &trim)
+        slot.number(flight.instant())
     };
     let mut flight = Simulation::new(Arc::clone(&model), &Settings::of(&model), 0.0).unwrap();
     let point = *flight.trim();

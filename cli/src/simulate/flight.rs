@@ -76,9 +76,8 @@ impl<'s> Flight<'s> {
     ) -> Result<(), Interruption> {
         for Point { time, row } in self.schedule.points(step) {
             self.simulation.advance_to(time)?;
-            let trim = *self.simulation.trim();
-            let outputs = self.simulation.outputs();
-            let values = self.slots.iter().map(|slot| slot.get(outputs, &trim));
+            let instant = self.simulation.instant();
+            let values = self.slots.iter().map(|slot| slot.number(instant));
             table.row(std::iter::once(time).chain(values))?;
             if let Some(row) = row {
                 // Where a row sets the rate of the wind alone, the wind goes on from what it is.

@@ -75,6 +75,48 @@ fn setting_stepping_and_getting_allocate_nothing() {
     assert!(Fmu::new().component.is_aligned() && ALLOCATIONS.get() > before, "the count does not count");
 }
 
+/// Under actuators at their limits, engines that lag and noisy sensors, saved at every point.
+#[test]
+fn devices_allocate_nothing_while_they_are_set_stepped_and_saved() {
+    let fmu = Fmu::initialising();
+    let parameters = [
+        ("actuator.elevator.frequency", 40.0),
+        ("actuator.elevator.rate_limit", 0.5),
+        ("actuator.rudder.frequency", 30.0),
+        ("engine.left.time_constant", 0.5),
+        ("engine.right.maximum", 3e4),
+        ("sensor.time_constant", 0.02),
+        ("sensor.noise.rate", 1e-3),
+    ];
+    assert_eq!(fmu.set(&parameters), Status::Ok);
+    assert_eq!([fmu.set_boolean("sensor.enabled", 1), fmu.set_integer("sensor.delay", 3)], [Status::Ok; 2]);
+    assert_eq!(fmu.exit(), Status::Ok, "{:?}", fmu.log);
+    let inputs = ["elevator", "rudder", "thrust_left"].map(reference);
+    let outputs = ["surface.elevator", "actuator.elevator.rate", "sensor.rate.y"].map(reference);
+    let (mut values, mut state) = ([0.0; 3], null_mut());
+    // SAFETY: the component is alive, the handle is NULL and later that of a state.
+    let mut save = || assert_eq!(unsafe { fmi2GetFMUstate(fmu.component, &raw mut state) }, Status::Ok);
+    save();
+    let before = ALLOCATIONS.get();
+    for i in 0..50 {
+        let i = f64::from(i);
+        let set = fmu.set_references(&inputs, &[1e-2 * i, if i < 25.0 { 0.0 } else { 0.1 }, 100.0 * i]);
+        // SAFETY: the component is alive, the arrays are as long as said.
+        let (stepped, got) = unsafe {
+            (
+                fmi2DoStep(fmu.component, 0.013 * i, 0.013, 1),
+                fmi2GetReal(fmu.component, outputs.as_ptr(), 3, values.as_mut_ptr()),
+            )
+        };
+        assert_eq!([set, stepped, got], [Status::Ok; 3]);
+        save();
+    }
+    let allocated = ALLOCATIONS.get() - before;
+    // SAFETY: the component is alive, the handle is that of a state.
+    assert_eq!(unsafe { fmi2FreeFMUstate(fmu.component, &raw mut state) }, Status::Ok);
+    assert_eq!(allocated, 0);
+}
+
 /// What a master does that may have to take a step back.
 #[test]
 fn saving_into_a_state_that_is_there_allocates_nothing() {

@@ -1,7 +1,7 @@
 //! What importers really do, without surprise.
 
 use super::*;
-use crate::variables::{Slot, Type, Value};
+use crate::variables::Value;
 
 /// The jet where `uri` says, under a name.
 fn request(name: &str, uri: &str, logger: Option<CallbackLogger>) -> Fmu {
@@ -101,7 +101,11 @@ fn set_all_starts(fmu: &Fmu, at_once: bool) {
                 integers.0.push(reference);
                 integers.1.push(i);
             }
-            Some(Value::Boolean(_)) => panic!("the jet has no Boolean"),
+            Some(Value::Boolean(flag)) => {
+                // SAFETY: the component is alive, the arrays have one element.
+                let set = unsafe { fmi2SetBoolean(fmu.component, &reference, 1, &c_int::from(flag)) };
+                assert_eq!(set, Status::Ok);
+            }
             None => {}
         }
     }
@@ -187,8 +191,13 @@ fn every_variable_can_be_read_twice_before_initialisation_ends_and_one_by_one() 
     let first = one_by_one(&fmu);
     assert_eq!(one_by_one(&fmu), first);
     assert_eq!(fmu.get_references(&reals).unwrap(), first);
-    for (reference, _, start, _) in &integers {
+    for (reference, kind, start, is_output) in &integers {
         for _ in 0..2 {
+            if *kind == Type::Boolean {
+                let flag = fmu.get_booleans(&[*reference]).unwrap()[0];
+                assert!(flag == 0 && (*is_output || *start == Some(Value::Boolean(false))));
+                continue;
+            }
             let mut value = 0;
             // SAFETY: the component is alive, the arrays have one element.
             assert_eq!(unsafe { fmi2GetInteger(fmu.component, reference, 1, &mut value) }, Status::Ok);

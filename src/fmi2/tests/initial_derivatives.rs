@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::endurance::{typical_section, wing};
 use super::*;
 use crate::structure::ReducedModel;
-use crate::variables::{OutputSlot, ParameterSlot, Slot, Type, Unit};
+use crate::variables::{OutputSlot, ParameterSlot, Unit};
 
 /// An aircraft in initialisation mode, and how to make another one.
 struct Initialisation {
@@ -51,7 +51,7 @@ impl Initialisation {
             .table
             .iter()
             .filter_map(|(reference, variable)| match variable.slot {
-                Slot::Output(slot) => Some((reference, slot, variable.unit)),
+                Slot::Output(slot) if variable.kind == Type::Real => Some((reference, slot, variable.unit)),
                 _ => None,
             })
             .collect();
@@ -66,6 +66,10 @@ impl Initialisation {
             let step = match slot {
                 ParameterSlot::Altitude => 20.0,
                 ParameterSlot::Heading => 0.02,
+                // Switched off.
+                ParameterSlot::Actuator { .. } | ParameterSlot::Engine { .. } | ParameterSlot::Sensor(_) => {
+                    0.0
+                }
                 _ => 5e-3 * at,
             };
             let trimmed = |steps: f64| {

@@ -1,10 +1,9 @@
-//! The one Boolean: whether load modes take part.
+//! A Boolean parameter: whether load modes take part.
 
 use super::state::Saved;
 use super::*;
 use crate::aircraft::Aircraft;
 use crate::structure::ReducedModel;
-use crate::variables::{Slot, Type};
 
 /// A cantilever wing of three natural modes, with load modes or without.
 fn goland(load_modes: bool) -> ReducedModel {
@@ -58,9 +57,8 @@ impl Wing {
     fn outputs(&self) -> Vec<u64> {
         let is_common =
             |name: &str| !name.starts_with("modal.") || ["1]", "2]", "3]"].iter().any(|n| name.ends_with(n));
-        let outputs =
-            self.table.iter().filter(|(_, v)| matches!(v.slot, Slot::Output(_)) && is_common(&v.name));
-        let references: Vec<u32> = outputs.map(|(reference, _)| reference).collect();
+        let mut references = outputs_of(&self.table, Type::Real);
+        references.retain(|reference| is_common(&self.table.get(*reference).unwrap().name));
         self.fmu.get_references(&references).unwrap().into_iter().map(f64::to_bits).collect()
     }
 }

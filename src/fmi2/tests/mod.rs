@@ -2,6 +2,7 @@
 
 mod allocation;
 mod derivatives;
+mod devices;
 mod endurance;
 mod flight;
 mod importers;
@@ -29,7 +30,7 @@ use super::types::{CallbackFunctions, CallbackLogger, Component, FmuState, Statu
 use crate::fmi::RESOURCE_FILE;
 use crate::fmi::description::guid;
 use crate::structure::test_jet::jet;
-use crate::variables::VariableTable;
+use crate::variables::{Slot, Type, Variable, VariableTable};
 
 /// Those of an importer that gives none.
 fn no_callbacks() -> CallbackFunctions {
@@ -264,15 +265,30 @@ impl Fmu {
         if status == Status::Ok { Ok(value) } else { Err(status) }
     }
 
+    fn set_boolean(&self, name: &str, value: c_int) -> Status {
+        // SAFETY: the component is alive, the arrays have one element.
+        unsafe { fmi2SetBoolean(self.component, &reference(name), 1, &value) }
+    }
+
+    fn get_booleans(&self, references: &[u32]) -> Result<Vec<c_int>, Status> {
+        let mut values = vec![-1; references.len()];
+        // SAFETY: the component is alive, the arrays are equally long.
+        let status = unsafe {
+            fmi2GetBoolean(self.component, references.as_ptr(), references.len(), values.as_mut_ptr())
+        };
+        if status == Status::Ok { Ok(values) } else { Err(status) }
+    }
+
+    fn get_boolean(&self, name: &str) -> c_int {
+        self.get_booleans(&[reference(name)]).unwrap()[0]
+    }
+
     /// All outputs, bit for bit.
     fn outputs(&self) -> Vec<u64> {
         let table = VariableTable::new(jet());
-        let outputs: Vec<u32> = table
-            .iter()
-            .filter(|(_, v)| matches!(v.slot, crate::variables::Slot::Output(_)))
-            .map(|(r, _)| r)
-            .collect();
-        self.get_references(&outputs).unwrap().into_iter().map(f64::to_bits).collect()
+        let reals = self.get_references(&outputs_of(&table, Type::Real)).unwrap();
+        let flags = self.get_booleans(&outputs_of(&table, Type::Boolean)).unwrap();
+        reals.into_iter().map(f64::to_bits).chain(flags.into_iter().map(|flag| flag as u64)).collect()
     }
 
     fn last_message(&self) -> Message {
@@ -298,6 +314,12 @@ impl Drop for Fmu {
 
 fn reference(name: &str) -> u32 {
     VariableTable::new(jet()).reference(name).unwrap_or_else(|| panic!("no variable `{name}`"))
+}
+
+/// The outputs of a type.
+fn outputs_of(table: &VariableTable, kind: Type) -> Vec<u32> {
+    let is_wanted = |v: &Variable| v.kind == kind && matches!(v.slot, Slot::Output(_));
+    table.iter().filter(|(_, v)| is_wanted(v)).map(|(reference, _)| reference).collect()
 }
 
 /// The state of an instance.

@@ -1,0 +1,40 @@
+//! All that is read of a flight at an instant: outputs of the plant, and of what stands between it and a computer.
+
+use crate::plant::{Outputs, TrimPoint};
+
+use super::acting::{Acting, ActuatorReading};
+use super::moment::Moment;
+use super::sensors::Sensors;
+use super::steering::Steering;
+
+/// What is read of a flight at an instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Instant {
+    /// Of the aircraft.
+    pub outputs: Outputs,
+    /// With which the flight began.
+    pub trim: TrimPoint,
+    /// One per control.
+    pub actuators: Vec<ActuatorReading>,
+    /// One per [`Channel`](super::Channel), in its unit.
+    pub sensors: Vec<f64>,
+}
+
+impl Instant {
+    /// Of these outputs, everything else at rest, with so many channels of sensors.
+    pub(super) fn new(outputs: Outputs, trim: TrimPoint, channels: usize) -> Self {
+        let actuators = vec![ActuatorReading::AT_REST; outputs.controls.len()];
+        Instant { outputs, trim, actuators, sensors: vec![0.0; channels] }
+    }
+
+    /// Writes what actuators and sensors do at a time, beside the outputs at that time.
+    pub(super) fn write_devices(
+        &mut self,
+        time: Moment,
+        (steering, acting): (&Steering, &Acting),
+        sensors: &Sensors,
+    ) {
+        steering.write_actuators(time, acting, &mut self.actuators);
+        sensors.write(time, &self.outputs, &mut self.sensors);
+    }
+}
