@@ -12,7 +12,7 @@ use crate::plan_view;
 const TEMPLATE: &str = include_str!("../../modelDescription/documentation.html");
 
 /// What the outputs that share the first part of their name are.
-const OUTPUT_GROUPS: [(&str, &str); 15] = [
+const OUTPUT_GROUPS: [(&str, &str); 17] = [
     ("position", "Position"),
     ("attitude", "Attitude"),
     ("velocity", "Velocity"),
@@ -20,6 +20,8 @@ const OUTPUT_GROUPS: [(&str, &str); 15] = [
     ("acceleration", "Rate of change of the velocity components"),
     ("load_factor", "Load factor"),
     ("air", "Flow at O"),
+    ("wind", "Velocity of the air at O"),
+    ("gust", "The single gust"),
     ("deflection", "Deflections of the stations"),
     ("station", "Accelerometers and rate gyros at the stations"),
     ("modal", "Modal coordinates"),
