@@ -8,6 +8,7 @@ use std::process::ExitCode;
 use clap::{Arg, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use flexible_aircraft_packaging::{Platform, remove_temporary_files};
 
+mod analysis;
 mod bench;
 mod chart;
 mod check;
