@@ -51,8 +51,8 @@ pub struct ConvergeOptions {
     #[command(flatten)]
     condition: ConditionOptions,
 
-    /// Numbers of natural modes to compare, lowest frequencies first [default: 4,6,8,12,16,24,32,40 as far as the structure
-    /// has so many]
+    /// Numbers of natural modes to compare, lowest frequencies first; load modes, which belong to each number, are not
+    /// counted [default: 4,6,8,12,16,24,32,40 as far as the structure has so many]
     #[arg(long, value_name = "N,N,…", value_delimiter = ',', value_parser = crate::count)]
     modes: Vec<usize>,
 

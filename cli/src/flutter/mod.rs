@@ -39,7 +39,8 @@ pub struct FlutterOptions {
     #[arg(long, value_name = "N", default_value_t = 41)]
     points: usize,
 
-    /// Number of natural modes, lowest frequencies first [default: 12, or all where there are fewer]
+    /// How many natural modes take part, lowest frequencies first; load modes are not counted [default: 12, or all where
+    /// there are fewer]
     #[arg(long, value_name = "N")]
     modes: Option<usize>,
 
