@@ -95,7 +95,7 @@ impl Report<'_> {
         let strips = self.model.strips.len();
         format!(
             "## The right-hand side\n\n\
-             Multiplications of numbers in registers are counted by running the same formulas with an arithmetic that counts (`src/arithmetic.rs`);\n\
+             Multiplications of numbers in registers are counted by running the same formulas with an arithmetic that counts (`src/math/arithmetic.rs`);\n\
              there are about as many additions.\n\
              This machine does at most {:.1} a nanosecond, each with an addition. One strip at a time gives the same bits.\n\n\
              | of | µs | one strip at a time, µs | multiplications | a nanosecond | of what is possible |\n\

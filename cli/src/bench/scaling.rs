@@ -77,7 +77,12 @@ impl Scaling {
         });
         let fidelity = Fidelity::ALL.map(|fidelity| {
             let settings = Settings::from(PlantSettings { fidelity, ..standard.plant });
-            point(model, &settings, format!("{fidelity:?}"), fidelity as usize)
+            point(
+                model,
+                &settings,
+                format!("{}, {}", fidelity.symbol(), fidelity.in_words()),
+                fidelity as usize,
+            )
         });
         Ok(Scaling {
             modes: modes.collect::<Result<_, _>>()?,
