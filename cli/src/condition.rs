@@ -9,7 +9,9 @@ use flexible_aircraft::aircraft::{Aircraft, AircraftFileError, Support};
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::plant::{ModeSelection, PlantSettings, SettingError};
 use flexible_aircraft::structure::{ModeCount, ModeFamily, ModeKind, ReducedModel, StructureError};
+use flexible_aircraft_packaging::FileError;
 
+use crate::files::Overwriting;
 use crate::numbers::Plain;
 use crate::{diagnostics, workspace};
 
@@ -67,7 +69,7 @@ fn level() -> impl TypedValueParser<Value = Fidelity> {
         .map(|name| Fidelity::named(&name.to_ascii_lowercase()).expect("a name of a level"))
 }
 
-/// Why the aircraft cannot be analysed so.
+/// Why an analysis did not succeed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     #[error(transparent)]
@@ -89,8 +91,21 @@ pub enum Error {
         Plain(*to)
     )]
     Range { from: f64, to: f64, points: usize },
-    #[error("{option}: nothing would move, for the aircraft is clamped; allowed is {allowed}")]
-    Motionless { option: &'static str, allowed: &'static str },
+    #[error(
+        "around {} m/s flutter would be looked for from {} to {} m/s, which is no range: give --from and --to (m/s)",
+        Plain(*around),
+        Plain(*from),
+        Plain(*to)
+    )]
+    NoUsualRange { around: f64, from: f64, to: f64 },
+    #[error("{found}: nothing would move, for the aircraft is clamped; allowed is {allowed}")]
+    Motionless { found: String, allowed: &'static str },
+    #[error("{found}: it has no modes whose number could matter; allowed is a flexible model")]
+    Modeless { found: String },
+    #[error(transparent)]
+    File(#[from] FileError),
+    #[error(transparent)]
+    Overwriting(#[from] Overwriting),
 }
 
 impl Error {
@@ -138,6 +153,40 @@ impl ConditionOptions {
         self.model.unwrap_or(aircraft.fidelity)
     }
 
+    /// The level at which an aircraft is analysed, as it was given: by the option or by the file.
+    fn given_level(&self, aircraft: &Aircraft) -> String {
+        match self.model {
+            Some(level) => format!("--model {}", level.name()),
+            None => format!("model = \"{}\" of {}", aircraft.fidelity.name(), self.aircraft.display()),
+        }
+    }
+
+    /// Whether there are modes whose number can matter.
+    pub fn check_flexible(&self, aircraft: &Aircraft) -> Result<(), Error> {
+        match self.fidelity(aircraft) {
+            Fidelity::Rigid => Err(Error::Modeless { found: self.given_level(aircraft) }),
+            _ => Ok(()),
+        }
+    }
+
+    /// A clamped aircraft moves in its modes alone: `least` is the smallest number of them that is asked for, if any is.
+    pub fn check_mobility(
+        &self,
+        aircraft: &Aircraft,
+        model: &ReducedModel,
+        least: Option<usize>,
+    ) -> Result<(), Error> {
+        match (aircraft.support, self.fidelity(aircraft), least) {
+            (Support::Clamped, Fidelity::Rigid, _) => {
+                Err(Error::Motionless { found: self.given_level(aircraft), allowed: "a flexible model" })
+            }
+            (Support::Clamped, _, Some(0)) if !model.has_load_modes() => {
+                Err(Error::Motionless { found: "--modes 0".to_owned(), allowed: "at least 1 mode" })
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// The settings of a model of an aircraft with so many natural modes.
     pub fn settings(&self, aircraft: &Aircraft, model: &ReducedModel, mode_count: usize) -> PlantSettings {
         PlantSettings {
@@ -153,29 +202,39 @@ impl ConditionOptions {
     }
 }
 
-/// A clamped aircraft moves in its modes alone: `least` is the smallest number of them that is asked for, if any is.
-pub fn check_mobility(model: &ReducedModel, level: Fidelity, least: Option<usize>) -> Result<(), Error> {
-    match (model.support, level, least) {
-        (Support::Clamped, Fidelity::Rigid, _) => {
-            Err(Error::Motionless { option: "--model rigid", allowed: "a flexible model" })
-        }
-        (Support::Clamped, _, Some(0)) if !model.has_load_modes() => {
-            Err(Error::Motionless { option: "--modes 0", allowed: "at least 1 mode" })
-        }
-        _ => Ok(()),
-    }
+/// Airspeeds of a range, evenly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Airspeeds {
+    /// The lowest and the highest, m/s.
+    pub from: f64,
+    pub to: f64,
+    /// How many there are.
+    pub points: usize,
 }
 
-/// So many airspeeds of a range, evenly.
-pub fn airspeeds([from, to]: [f64; 2], points: usize, support: Support) -> Result<Vec<f64>, Error> {
-    if !(0.0 < from && from < to && to.is_finite() && (2..=MOST_POINTS).contains(&points)) {
-        return Err(Error::Range { from, to, points });
+impl Airspeeds {
+    /// So many, at which an aircraft of such a support can be asked to fly.
+    pub fn new([from, to]: [f64; 2], points: usize, support: Support) -> Result<Self, Error> {
+        if !(0.0 < from && from < to && to.is_finite() && (2..=MOST_POINTS).contains(&points)) {
+            return Err(Error::Range { from, to, points });
+        }
+        for (option, found) in [("--from", from), ("--to", to)] {
+            check_airspeed(option, found, support)?;
+        }
+        Ok(Airspeeds { from, to, points })
     }
-    for (option, found) in [("--from", from), ("--to", to)] {
-        check_airspeed(option, found, support)?;
+
+    /// One alone, m/s.
+    pub fn one(airspeed: f64) -> Self {
+        Airspeeds { from: airspeed, to: airspeed, points: 1 }
     }
-    let step = (to - from) / (points - 1) as f64;
-    Ok((0..points).map(|point| from + step * point as f64).collect())
+
+    /// All of them, ascending, m/s.
+    pub fn all(self) -> Vec<f64> {
+        let Airspeeds { from, to, points } = self;
+        let step = (to - from) / points.saturating_sub(1).max(1) as f64;
+        (0..points).map(|point| from + step * point as f64).collect()
+    }
 }
 
 /// Whether an aircraft can be asked for an airspeed.

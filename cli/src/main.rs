@@ -8,6 +8,7 @@ use std::process::ExitCode;
 use clap::{Arg, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use flexible_aircraft_packaging::{Platform, remove_temporary_files};
 
+mod analysis;
 mod bench;
 mod chart;
 mod check;
@@ -76,8 +77,8 @@ struct PackageOptions {
     #[arg(long, value_name = "FILE", default_value_os_t = workspace::fmu())]
     output: PathBuf,
 
-    /// How many natural modes to put into the FMU, lowest frequencies first; its parameter `mode_count`
-    /// chooses among them [default: 26, or all where there are fewer]
+    /// How many natural modes to put into the FMU, lowest frequencies first; load modes are not counted. Of these fly as
+    /// many as its parameter `mode_count` says, 12 unless it is set [default: 26, or all where there are fewer]
     #[arg(long, value_name = "N")]
     modes: Option<usize>,
 

@@ -1,4 +1,5 @@
-//! Tables of numbers as comma-separated values (RFC 4180): a line of names, then lines of numbers.
+//! Numbers as text: for people, and tables of them as comma-separated values (RFC 4180), a line of names, then lines of
+//! numbers.
 
 use std::fmt::{self, Display, Write as _};
 use std::io::{self, Write};
@@ -16,6 +17,13 @@ impl Display for Plain {
             write!(f, "{number:e}")
         }
     }
+}
+
+/// A number with so many places; what they do not show is 0, without a sign.
+pub fn fixed(number: f64, places: usize) -> String {
+    let text = format!("{number:.places$}");
+    let is_zero = text.bytes().all(|letter| matches!(letter, b'-' | b'0' | b'.'));
+    if is_zero { text.trim_start_matches('-').to_owned() } else { text.replace('-', "−") }
 }
 
 /// A table on its way to where it is written.
@@ -89,6 +97,11 @@ mod tests {
             assert_eq!(written, expected);
             assert_eq!(written.parse::<f64>().unwrap().to_bits(), number.to_bits());
         }
+    }
+
+    #[test]
+    fn what_the_places_do_not_show_has_no_sign() {
+        assert_eq!([fixed(-1e-9, 4), fixed(-0.25, 4), fixed(12.0, 0)], ["0.0000", "−0.2500", "12"]);
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! right-hand side and how it grows, is measured in the library. All times are of the processor, on one core.
 
 mod equations;
+mod larger;
 mod report;
 mod scaling;
 mod standard_flight;
@@ -136,7 +137,7 @@ pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
     let mut names = model.stations.iter().map(|station| station.name.as_str());
     let first = names.clone().next();
     let station = names.find(|name| *name == WING_TIP).or(first).unwrap_or(WING_TIP);
-    let flown = Flown { fmu: &fmu, control: &control.name, station };
+    let flown = Flown { fmu: &fmu, level: model.fidelity, control: &control.name, station };
     if let Some(missing) = flown.missing_variable() {
         return Err(BenchError::NoStandardFlight { fmu: options.fmu.clone(), missing });
     }

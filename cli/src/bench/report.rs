@@ -20,13 +20,18 @@ pub struct Report<'a> {
 impl Report<'_> {
     /// A few lines for the terminal.
     pub fn summary(&self) -> String {
-        let rows = self.flight.accuracies.iter().map(|accuracy| {
+        let row = |level: &str, accuracy: &Accuracy| {
             let Accuracy { tolerance, time_per_second, errors: [pitch, tip, load] } = accuracy;
             let times = 1.0 / time_per_second;
-            format!("tolerance {tolerance:.0e}: {times:.0} times real time; errors of pitch {pitch:.1e}, wing tip {tip:.1e}, load factor {load:.1e}\n")
-        });
+            format!(
+                "{level}tolerance {tolerance:.0e}: {times:.0} times real time; errors of pitch {pitch:.1e}, wing tip {tip:.1e}, load factor {load:.1e}\n"
+            )
+        };
+        let rows = self.flight.accuracies.iter().map(|accuracy| row("", accuracy));
+        let bending = row("geometrically exact, ", &self.flight.geometrically_exact);
         let EquationCosts { half, whole, plain_time_per_second, .. } = &self.equations;
         rows.collect::<String>()
+            + &bending
             + &format!(
                 "right-hand side {:.2} µs, of the whole aircraft {:.2} µs; plain method {:.1} times real time",
                 1e6 * half.time,
@@ -37,8 +42,9 @@ impl Report<'_> {
 
     /// `PERFORMANCE.md`.
     pub fn markdown(&self) -> String {
-        let StandardFlight { accuracies, latencies, instantiation, trim, same_bits } = &self.flight;
-        let accuracies: String = accuracies.iter().map(accuracy_row).collect();
+        let StandardFlight { accuracies, geometrically_exact, latencies, instantiation, trim, same_bits } =
+            &self.flight;
+        let accuracies: String = accuracies.iter().map(|accuracy| accuracy_row("", accuracy)).collect();
         let latencies: String = latencies.iter().map(latency_row).collect();
         let same = if *same_bits { "the same bits" } else { "**different bits**" };
         let memory = self
@@ -49,13 +55,15 @@ impl Report<'_> {
             "# How fast it flies\n\n\
              Written by `flexair bench`; processor times of one core of {machine}, the least of several runs.\n\n\
              ## The standard flight\n\n\
-             {name}, nominal stiffness, exact model, 12 modes of both families, 5 inflow states a strip, 127 m/s, {control} 2-3-1-1, 15 s,\n\
+             {name}, nominal stiffness, {level} model, 12 modes of both families, 5 inflow states a strip, 127 m/s, {control} 2-3-1-1, 15 s,\n\
              communication step 10 ms, through the C interface of the packaged FMU, from the end of the initialisation on. Errors are the\n\
              largest of the flight in parts of the quantity's peak, against a flight with the relative tolerance 1e-12, whose steps are\n\
              hundreds of times shorter. The flight is symmetric: half the aircraft flies for the whole. Everything that acts on one side\n\
-             alone costs what the last table's columns for the whole aircraft say.\n\n\
+             alone costs what the columns for the whole aircraft of the last tables say. The row *geometrically exact* is the same flight at that\n\
+             level, against one of its own.\n\n\
              | tolerance | CPU s per s | times real time | error of pitch | of wing tip | of load factor |\n\
              | --- | --- | --- | --- | --- | --- |\n{accuracies}\
+             {bending}\
              | plain method | {plain:.4} | {plain_times:.1} | | | |\n\n\
              The *plain method* is the classical Runge–Kutta method in steps of 1 ms, all strips one at a time, kept in the benchmark so that\n\
              gains stay visible. One step of 10 ms and ten of 1 ms give {same}.\n\n\
@@ -69,6 +77,8 @@ impl Report<'_> {
              ![Cost of the right-hand side over modes, strips and inflow states](docs/performance.svg)\n\n{scaling}",
             machine = machine(),
             name = self.model.name,
+            level = self.model.fidelity.in_words(),
+            bending = accuracy_row("geometrically exact, ", geometrically_exact),
             control = self.control,
             plain = self.equations.plain_time_per_second,
             plain_times = 1.0 / self.equations.plain_time_per_second,
@@ -95,7 +105,7 @@ impl Report<'_> {
         let strips = self.model.strips.len();
         format!(
             "## The right-hand side\n\n\
-             Multiplications of numbers in registers are counted by running the same formulas with an arithmetic that counts (`src/arithmetic.rs`);\n\
+             Multiplications of numbers in registers are counted by running the same formulas with an arithmetic that counts (`src/math/arithmetic.rs`);\n\
              there are about as many additions.\n\
              This machine does at most {:.1} a nanosecond, each with an addition. One strip at a time gives the same bits.\n\n\
              | of | µs | one strip at a time, µs | multiplications | a nanosecond | of what is possible |\n\
@@ -110,12 +120,19 @@ impl Report<'_> {
     }
 
     fn scaling_tables(&self) -> String {
-        let Scaling { modes, strips, inflow_states, fidelity, .. } = &self.scaling;
-        let groups: [(&str, &[Point]); 4] = [
+        let Scaling { modes, strips, inflow_states, fidelity, geometrically_exact: bending, .. } =
+            &self.scaling;
+        let groups: [(&str, &[Point]); 7] = [
             ("modes (the rest standard)", modes),
             ("strips (each cut into parts)", strips),
             ("inflow states", inflow_states),
             ("fidelity level", fidelity),
+            ("geometrically exact: modes", &bending.modes),
+            ("geometrically exact: strips (each cut into parts)", &bending.strips),
+            (
+                "geometrically exact: sections (the same strips, bays of masses cut into parts)",
+                &bending.sections,
+            ),
         ];
         let table = |(title, points): (&str, &[Point])| {
             let rows: String = points.iter().map(scaling_row).collect();
@@ -156,11 +173,11 @@ impl Report<'_> {
     }
 }
 
-fn accuracy_row(accuracy: &Accuracy) -> String {
+fn accuracy_row(level: &str, accuracy: &Accuracy) -> String {
     let Accuracy { tolerance, time_per_second, errors: [pitch, tip, load] } = accuracy;
     let times = 1.0 / time_per_second;
     format!(
-        "| {tolerance:.0e} | {time_per_second:.5} | {times:.0} | {pitch:.1e} | {tip:.1e} | {load:.1e} |\n"
+        "| {level}{tolerance:.0e} | {time_per_second:.5} | {times:.0} | {pitch:.1e} | {tip:.1e} | {load:.1e} |\n"
     )
 }
 

@@ -1,4 +1,4 @@
-//! How the right-hand side and the flight grow with modes, strips, inflow states and fidelity.
+//! How the right-hand side and the flight grow with modes, strips, inflow states, sections and fidelity.
 
 use std::sync::Arc;
 
@@ -6,18 +6,19 @@ use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::plant::PlantSettings;
-use flexible_aircraft::structure::{ModeCount, ReducedModel, ReducedStrip};
+use flexible_aircraft::structure::{ModeCount, ReducedModel};
 use flexible_aircraft::symmetry::Plants;
 
 use crate::progress::Progress;
 
 use super::equations::{pitch_control, time_of};
+use super::larger::{with_bays_in_parts, with_strips_in_parts};
 use super::{BenchError, least_time};
 
 /// Seconds flown for each point.
 const SECONDS: f64 = 2.0;
 
-/// Numbers of modes, parts that strips are cut into, and inflow states.
+/// Numbers of modes, parts that strips or the bays of masses are cut into, and inflow states.
 const MODES: [usize; 7] = [0, 4, 8, 12, 20, 30, 40];
 const PARTS: [usize; 3] = [1, 2, 4];
 const INFLOW_STATES: [usize; 9] = [0, 1, 2, 3, 4, 5, 6, 7, 8];
@@ -46,46 +47,112 @@ pub struct Scaling {
     pub strips: Vec<Point>,
     pub inflow_states: Vec<Point>,
     pub fidelity: Vec<Point>,
+    pub geometrically_exact: GeometricallyExact,
     /// Of one simulation, bytes.
     pub memory: Option<usize>,
+}
+
+/// Aircraft that fly geometrically exact.
+pub struct GeometricallyExact {
+    pub modes: Vec<Point>,
+    pub strips: Vec<Point>,
+    /// With the same strips.
+    pub sections: Vec<Point>,
 }
 
 impl Scaling {
     /// Measures about the trim of the standard flight.
     pub fn measure(aircraft: &Aircraft, model: &Arc<ReducedModel>) -> Result<Self, BenchError> {
         let most = Arc::new(ReducedModel::new(aircraft, ModeCount::Usual(40))?);
-        let standard = Settings::of(model);
         let counts: Vec<usize> = MODES.into_iter().filter(|&count| count <= most.natural_modes()).collect();
-        let points = counts.len() + PARTS.len() + INFLOW_STATES.len() + Fidelity::ALL.len();
-        let progress = Progress::new(points, "aircraft");
-        let point = |model: &Arc<ReducedModel>, settings: &Settings, label: String, size: usize| {
-            let measured = point(model, settings, label, size);
-            progress.advance();
-            measured
-        };
-        let modes = counts.into_iter().map(|mode_count| {
-            let settings = Settings::from(PlantSettings { mode_count, ..standard.plant });
-            point(&most, &settings, format!("{mode_count} modes"), mode_count)
-        });
-        let strips = PARTS.map(|parts| {
-            let model = Arc::new(with_strips_in_parts(model, parts));
-            point(&model, &standard, format!("{} strips", model.strips.len()), model.strips.len())
-        });
-        let inflow_states = INFLOW_STATES.map(|inflow_states| {
-            let settings = Settings::from(PlantSettings { inflow_states, ..standard.plant });
-            point(model, &settings, format!("{inflow_states} inflow states"), inflow_states)
-        });
-        let fidelity = Fidelity::ALL.map(|fidelity| {
-            let settings = Settings::from(PlantSettings { fidelity, ..standard.plant });
-            point(model, &settings, format!("{fidelity:?}"), fidelity as usize)
-        });
+        let at_both_levels = counts.len() + PARTS.len();
+        let points = 2 * at_both_levels + PARTS.len() + INFLOW_STATES.len() + Fidelity::ALL.len();
+        let standard = Settings::of(model).plant;
+        let bending = PlantSettings { fidelity: Fidelity::GeometricallyExact, ..standard };
+        let family =
+            Family { aircraft, model, most: &most, counts, progress: Progress::new(points, "aircraft") };
         Ok(Scaling {
-            modes: modes.collect::<Result<_, _>>()?,
-            strips: strips.into_iter().collect::<Result<_, _>>()?,
-            inflow_states: inflow_states.into_iter().collect::<Result<_, _>>()?,
-            fidelity: fidelity.into_iter().collect::<Result<_, _>>()?,
+            modes: family.modes(standard)?,
+            strips: family.strips(standard)?,
+            inflow_states: family.inflow_states(standard)?,
+            fidelity: family.levels(standard)?,
+            geometrically_exact: GeometricallyExact {
+                modes: family.modes(bending)?,
+                strips: family.strips(bending)?,
+                sections: family.sections(bending)?,
+            },
             memory: memory(model)?,
         })
+    }
+}
+
+/// The aircraft of a benchmark, of which others are made.
+struct Family<'a> {
+    aircraft: &'a Aircraft,
+    model: &'a Arc<ReducedModel>,
+    /// With the most modes that fly.
+    most: &'a Arc<ReducedModel>,
+    /// Numbers of modes that fly.
+    counts: Vec<usize>,
+    progress: Progress,
+}
+
+impl Family<'_> {
+    fn modes(&self, settings: PlantSettings) -> Result<Vec<Point>, BenchError> {
+        let points = self.counts.iter().map(|&mode_count| {
+            let settings = PlantSettings { mode_count, ..settings };
+            self.point(self.most, settings, format!("{mode_count} modes"), mode_count)
+        });
+        points.collect()
+    }
+
+    fn strips(&self, settings: PlantSettings) -> Result<Vec<Point>, BenchError> {
+        let points = PARTS.into_iter().map(|parts| {
+            let model = Arc::new(with_strips_in_parts(self.model, parts));
+            let size = model.strips.len();
+            self.point(&model, settings, format!("{size} strips"), size)
+        });
+        points.collect()
+    }
+
+    fn sections(&self, settings: PlantSettings) -> Result<Vec<Point>, BenchError> {
+        let points = PARTS.into_iter().map(|parts| {
+            let aircraft = with_bays_in_parts(self.aircraft, parts);
+            let count = ModeCount::Usual(ReducedModel::USUAL_MODES);
+            let model = Arc::new(ReducedModel::new(&aircraft, count)?);
+            let size = model.sections.len();
+            self.point(&model, settings, format!("{size} sections"), size)
+        });
+        points.collect()
+    }
+
+    fn inflow_states(&self, settings: PlantSettings) -> Result<Vec<Point>, BenchError> {
+        let points = INFLOW_STATES.into_iter().map(|inflow_states| {
+            let settings = PlantSettings { inflow_states, ..settings };
+            self.point(self.model, settings, format!("{inflow_states} inflow states"), inflow_states)
+        });
+        points.collect()
+    }
+
+    fn levels(&self, settings: PlantSettings) -> Result<Vec<Point>, BenchError> {
+        let points = Fidelity::ALL.into_iter().map(|fidelity| {
+            let settings = PlantSettings { fidelity, ..settings };
+            let label = format!("{}, {}", fidelity.symbol(), fidelity.in_words());
+            self.point(self.model, settings, label, fidelity as usize)
+        });
+        points.collect()
+    }
+
+    fn point(
+        &self,
+        model: &Arc<ReducedModel>,
+        settings: PlantSettings,
+        label: String,
+        size: usize,
+    ) -> Result<Point, BenchError> {
+        let measured = point(model, &Settings::from(settings), label, size);
+        self.progress.advance();
+        measured
     }
 }
 
@@ -133,13 +200,6 @@ fn flight_time(trimmed: &Simulation, model: &ReducedModel, side_wind: f64) -> Re
         Ok(())
     })?;
     Ok(time / SECONDS)
-}
-
-/// The same aircraft with every strip cut into strips of a share of its width, at the same place.
-fn with_strips_in_parts(model: &ReducedModel, parts: usize) -> ReducedModel {
-    let cut = |strip: &ReducedStrip| ReducedStrip { width: strip.width / parts as f64, ..strip.clone() };
-    let strips = model.strips.iter().flat_map(|strip| std::iter::repeat_n(cut(strip), parts)).collect();
-    ReducedModel { strips, ..model.clone() }
 }
 
 /// What a simulation takes, bytes: the growth of the process over many; `None` where the system does not tell.

@@ -1,10 +1,11 @@
 //! The standard flight through the C interface: generic business jet, nominal stiffness, exact model, 12 modes of both
 //! families, 5 inflow states, 127 m/s, elevator 2-3-1-1 of [theory: thesis-runs.inputs] by whichever control it has for pitch,
-//! 15 s, communication step of 10 ms.
+//! 15 s, communication step of 10 ms; and the same geometrically exact.
 
 use std::time::Instant;
 
 use cpu_time::ThreadTime;
+use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft_packaging::FmuError;
 use flexible_aircraft_packaging::c_abi::Fmu;
 
@@ -28,6 +29,8 @@ const USUAL_TOLERANCE: f64 = 1e-5;
 #[derive(Clone, Copy)]
 pub struct Flown<'f> {
     pub fmu: &'f Fmu,
+    /// At which it flies.
+    pub level: Fidelity,
     /// The control that moves.
     pub control: &'f str,
     /// The station whose deflection is watched: a wing tip.
@@ -54,6 +57,16 @@ pub struct Accuracy {
     pub time_per_second: f64,
     /// Largest errors of pitch, wing tip and load factor in parts of their peaks.
     pub errors: [f64; 3],
+}
+
+impl Accuracy {
+    /// Against an exact flight.
+    fn measure(flown: Flown, tolerance: f64, exact: &Flight) -> Result<Self, BenchError> {
+        let flights = (0..5).map(|_| fly(flown, tolerance, 1, |_| {})).collect::<Result<Vec<_>, _>>()?;
+        let time = flights.iter().fold(f64::INFINITY, |least, flight| least.min(flight.time));
+        let errors = errors(&flights[0].history, &exact.history);
+        Ok(Accuracy { tolerance, time_per_second: time / DURATION, errors })
+    }
 }
 
 /// How long single steps take, s.
@@ -92,6 +105,8 @@ impl Latency {
 /// What the flights showed.
 pub struct StandardFlight {
     pub accuracies: Vec<Accuracy>,
+    /// Of the geometrically exact level at the FMU's own tolerance, against an exact flight at that level.
+    pub geometrically_exact: Accuracy,
     pub latencies: Vec<Latency>,
     /// `fmi2Instantiate`, s.
     pub instantiation: f64,
@@ -104,18 +119,20 @@ pub struct StandardFlight {
 impl StandardFlight {
     /// Flies.
     pub fn measure(flown: Flown) -> Result<Self, BenchError> {
-        // The reference, two latencies and the bits.
-        let progress = Progress::new(TOLERANCES.len() + 4, "measurements");
+        // Two references, the other level, two latencies and the bits.
+        let progress = Progress::new(TOLERANCES.len() + 6, "measurements");
         let exact = fly(flown, REFERENCE_TOLERANCE, 1, |_| {})?;
         progress.advance();
-        let mut accuracies = Vec::new();
-        for tolerance in TOLERANCES {
-            let flights = (0..5).map(|_| fly(flown, tolerance, 1, |_| {})).collect::<Result<Vec<_>, _>>()?;
-            let time = flights.iter().fold(f64::INFINITY, |least, flight| least.min(flight.time));
-            let errors = errors(&flights[0].history, &exact.history);
-            accuracies.push(Accuracy { tolerance, time_per_second: time / DURATION, errors });
+        let accuracy = |tolerance| {
             progress.advance();
-        }
+            Accuracy::measure(flown, tolerance, &exact)
+        };
+        let accuracies = TOLERANCES.map(accuracy).into_iter().collect::<Result<_, _>>()?;
+        let bending = Flown { level: Fidelity::GeometricallyExact, ..flown };
+        let exact = fly(bending, REFERENCE_TOLERANCE, 1, |_| {})?;
+        progress.advance();
+        let geometrically_exact = Accuracy::measure(bending, USUAL_TOLERANCE, &exact)?;
+        progress.advance();
         let latency = |parts| {
             progress.advance();
             Latency::measure(flown, parts)
@@ -131,7 +148,7 @@ impl StandardFlight {
             aircraft.reset()?;
             Ok(aircraft.initialise(0.0, None)?)
         })?;
-        Ok(StandardFlight { accuracies, latencies, instantiation, trim, same_bits })
+        Ok(StandardFlight { accuracies, geometrically_exact, latencies, instantiation, trim, same_bits })
     }
 }
 
@@ -146,10 +163,12 @@ pub struct Flight {
 /// Flies with so many communication steps in 10 ms, at the beginning of which the control moves, and tells `timed` how
 /// long each step took, s.
 pub fn fly(flown: Flown, tolerance: f64, parts: u32, mut timed: impl FnMut(f64)) -> Result<Flight, FmuError> {
-    let Flown { fmu, control, .. } = flown;
+    let Flown { fmu, level, control, .. } = flown;
     let (control, watched) = ([fmu.variable(control)?], fmu.variables(&flown.watched())?);
     let manoeuvre = Manoeuvre::two_three_one_one(-0.05, 0.7, 1.0, 0.05);
     let mut aircraft = fmu.instantiate("bench")?;
+    // Items of an enumeration are counted from 1.
+    aircraft.set_integer(&[fmu.variable("model")?], &[level as i32 + 1])?;
     aircraft.initialise(0.0, Some(tolerance))?;
     let mut history = Vec::new();
     let begin_of_flight = ThreadTime::now();

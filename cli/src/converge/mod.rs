@@ -4,15 +4,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::aircraft::{Aircraft, Support};
 use flexible_aircraft::plant::{PlantSettings, SettingError};
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
-use flexible_aircraft_packaging::FileError;
 use rayon::prelude::*;
 
-use crate::condition::{self, ConditionOptions, check_airspeed};
-use crate::files::{Drafts, Overwriting, refuse_overwriting};
+use crate::condition::{Airspeeds, ConditionOptions, Error, check_airspeed};
+use crate::files::{Drafts, refuse_overwriting};
 use crate::progress::Progress;
 use crate::{diagnostics, terminal};
 
@@ -53,8 +51,8 @@ pub struct ConvergeOptions {
     #[command(flatten)]
     condition: ConditionOptions,
 
-    /// Numbers of natural modes to compare, lowest frequencies first [default: 4,6,8,12,16,24,32,40 as far as the structure
-    /// has so many]
+    /// Numbers of natural modes to compare, lowest frequencies first; load modes, which belong to each number, are not
+    /// counted [default: 4,6,8,12,16,24,32,40 as far as the structure has so many]
     #[arg(long, value_name = "N,N,…", value_delimiter = ',', value_parser = crate::count)]
     modes: Vec<usize>,
 
@@ -62,7 +60,8 @@ pub struct ConvergeOptions {
     #[arg(long, value_name = "M/S")]
     airspeed: Option<f64>,
 
-    /// Lowest airspeed at which flutter and divergence are looked for, m/s [default: half that of the trims]
+    /// Lowest airspeed at which flutter and divergence are looked for, m/s [default: half that of the trims, but
+    /// no less than the aircraft may fly]
     #[arg(long, value_name = "M/S")]
     from: Option<f64>,
 
@@ -77,29 +76,6 @@ pub struct ConvergeOptions {
     /// Folder for the plot and the table
     #[arg(long, value_name = "DIR", default_value = "target/converge")]
     output: PathBuf,
-}
-
-/// Why `flexair converge` did not succeed.
-#[derive(Debug, thiserror::Error)]
-pub enum Error {
-    #[error(transparent)]
-    Condition(#[from] condition::Error),
-    #[error("--model rigid: it has no modes whose number could matter; allowed is a flexible model")]
-    Rigid,
-    #[error(transparent)]
-    File(#[from] FileError),
-    #[error(transparent)]
-    Overwriting(#[from] Overwriting),
-}
-
-impl Error {
-    /// For people, on a terminal.
-    pub fn report(&self) -> String {
-        match self {
-            Error::Condition(error) => error.report(),
-            other => format!("error: {other}"),
-        }
-    }
 }
 
 /// Analyses with each number of modes, prints, draws, and writes the numbers.
@@ -126,23 +102,18 @@ fn study(options: &ConvergeOptions) -> Result<Study, Error> {
     let aircraft = condition.read()?;
     let airspeed = options.airspeed.unwrap_or(aircraft.airspeed);
     check_airspeed("--airspeed", airspeed, aircraft.support)?;
-    let most = *aircraft.support.airspeeds().end();
-    let [from, to] = SEARCH.map(|multiple| (multiple * airspeed).min(most));
-    let range = [options.from.unwrap_or(from), options.to.unwrap_or(to)];
-    let airspeeds = condition::airspeeds(range, options.points, aircraft.support)?;
-    if condition.fidelity(&aircraft) == Fidelity::Rigid {
-        return Err(Error::Rigid);
-    }
+    let airspeeds = options.search(airspeed, aircraft.support)?;
+    condition.check_flexible(&aircraft)?;
     let (model, counts) = reduce(&aircraft, options)?;
-    condition::check_mobility(&model, condition.fidelity(&aircraft), counts.first().copied())?;
+    condition.check_mobility(&aircraft, &model, counts.first().copied())?;
     // The trims' own airspeed is one more, of which the roots are listed.
-    let progress = Progress::new(counts.len() * (airspeeds.len() + 1), "airspeeds");
+    let progress = Progress::new(counts.len() * (airspeeds.points + 1), "airspeeds");
     let row = |count: usize| {
         let settings = PlantSettings { airspeed, ..condition.settings(&aircraft, &model, count) };
-        Row::new(&model, settings, range, &airspeeds, &progress)
+        Row::new(&model, settings, airspeeds, &progress)
     };
     let rows: Result<Vec<Row>, SettingError> = counts.into_par_iter().with_max_len(1).map(row).collect();
-    let mut rows = rows.map_err(condition::Error::from)?;
+    let mut rows = rows?;
     // The other one of a pair comes with the last: two numbers may be one.
     rows.dedup_by_key(|row| row.natural);
     drop(progress);
@@ -150,11 +121,22 @@ fn study(options: &ConvergeOptions) -> Result<Study, Error> {
     Ok(Study::new(rows, airspeed, || has_no_more(&aircraft, condition, last)))
 }
 
+impl ConvergeOptions {
+    /// The airspeeds at which flutter and divergence are looked for, around that of the trims, m/s.
+    fn search(&self, airspeed: f64, support: Support) -> Result<Airspeeds, Error> {
+        let allowed = support.airspeeds();
+        let usual = SEARCH.map(|multiple| (multiple * airspeed).clamp(*allowed.start(), *allowed.end()));
+        let [from, to] = [self.from.unwrap_or(usual[0]), self.to.unwrap_or(usual[1])];
+        let is_usual = self.from.is_none() || self.to.is_none();
+        if is_usual && !(0.0 < from && from < to) {
+            return Err(Error::NoUsualRange { around: airspeed, from, to });
+        }
+        Airspeeds::new([from, to], self.points, support)
+    }
+}
+
 /// The model with the most modes that are compared, and the numbers of them, ascending.
-fn reduce(
-    aircraft: &Aircraft,
-    options: &ConvergeOptions,
-) -> Result<(ReducedModel, Vec<usize>), condition::Error> {
+fn reduce(aircraft: &Aircraft, options: &ConvergeOptions) -> Result<(ReducedModel, Vec<usize>), Error> {
     let mut counts = options.modes.clone();
     counts.sort_unstable();
     counts.dedup();
@@ -178,7 +160,7 @@ fn usual_counts(most: usize) -> Vec<usize> {
 /// Whether a structure has no more modes than so many.
 fn has_no_more(aircraft: &Aircraft, condition: &ConditionOptions, count: usize) -> bool {
     let more = condition.reduce(aircraft, ModeCount::Asked(count + 1));
-    matches!(more, Err(condition::Error::Structure(StructureError::TooFewModes { .. })))
+    matches!(more, Err(Error::Structure(StructureError::TooFewModes { .. })))
 }
 
 #[cfg(test)]

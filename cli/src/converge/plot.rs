@@ -12,6 +12,9 @@ const CONVERGED: Window = Window::new(-1.0, 1.0);
 const LEAST: Window = Window::new(-2.0, 2.0);
 const MOST: Window = Window::new(-60.0, 60.0);
 
+/// Steps from one grid line to the next along the axis of the modes, at most.
+const MOST_TICKS: f64 = 10.0;
+
 /// Departures over the number of modes.
 pub fn departures(study: &Study) -> Chart {
     let counts: Vec<f64> = study.rows.iter().map(|row| (row.natural + row.loads) as f64).collect();
@@ -29,17 +32,23 @@ pub fn departures(study: &Study) -> Chart {
     let high = values().fold(LEAST.max, f64::max).min(MOST.max);
     let (name, last) =
         study.last().map_or_else(Default::default, |row| (row.analysis.model.name.clone(), row.label()));
-    let with_loads = study.last().is_some_and(|row| row.loads > 0);
-    let modes = if with_loads { "number of modes, natural and load" } else { "number of modes" };
+    let modes = if study.has_load_modes() { "number of modes, natural and load" } else { "number of modes" };
     let [first, most] = [counts.first(), counts.last()].map(|count| count.copied().unwrap_or(0.0));
+    let shown = Window::new(first, most.max(first + 1.0));
     Chart {
         title: format!("{name}: convergence in modes"),
-        x: Axis::new(modes, Window::new(first, most.max(first + 1.0))),
+        x: Axis { tick: Some(whole_tick(shown)), ..Axis::new(modes, shown) },
         y: Axis::new(format!("departure from {last} modes (%)"), Window::new(low, high)),
         curves,
         marks: enough(study, &counts).into_iter().collect(),
         frame: Some(CONVERGED),
     }
+}
+
+/// A whole number between grid lines of whole numbers, of which there are few: 1, 2 or 5 times a power of ten.
+pub fn whole_tick(shown: Window) -> f64 {
+    let steps = (0..).flat_map(|power| [1.0, 2.0, 5.0].map(|digit| digit * 10.0_f64.powi(power)));
+    steps.take(30).find(|step| shown.width() <= MOST_TICKS * step).unwrap_or(shown.width())
 }
 
 /// The number of modes that are enough.

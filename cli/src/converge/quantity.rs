@@ -2,6 +2,8 @@
 
 use flexible_aircraft::stability::Complex;
 
+use crate::numbers::fixed;
+
 /// What a quantity is, for the verdict.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -66,6 +68,11 @@ impl Value {
 }
 
 impl Quantity {
+    /// Whether its values are eigenvalues.
+    pub fn is_root(&self) -> bool {
+        self.values.iter().any(|value| matches!(value, Value::Root(_)))
+    }
+
     /// By how much it moves from one number of modes to another, as a share of its scale: without bound where only one of them has
     /// a value, or nothing is known.
     pub fn change(&self, from: usize, to: usize) -> f64 {
@@ -101,11 +108,4 @@ impl Quantity {
 
 fn share(change: f64, scale: f64) -> f64 {
     if change == 0.0 { 0.0 } else { change / scale }
-}
-
-/// A number with so many places; what they do not show is 0, without a sign.
-pub fn fixed(number: f64, places: usize) -> String {
-    let text = format!("{number:.places$}");
-    let is_zero = text.bytes().all(|letter| matches!(letter, b'-' | b'0' | b'.'));
-    if is_zero { text.trim_start_matches('-').to_owned() } else { text.replace('-', "−") }
 }

@@ -2,48 +2,40 @@
 
 use std::fmt::Write;
 
-use flexible_aircraft::aircraft::Support;
 use flexible_aircraft::plant::ModeSelection;
 
 use super::quantity::{Quantity, Value};
 use super::study::Study;
 use super::verdict::percent;
-use crate::numbers::Plain;
+use crate::condition::Airspeeds;
+use crate::numbers::{Plain, fixed};
 
 /// The whole report.
 pub fn text(study: &Study) -> String {
     let mut text = heading(study);
     text += &table(study);
     text += &remarks(study);
-    let with_loads = study.last().is_some_and(|row| row.loads > 0);
-    text + "\n" + &study.verdict.text(&study.quantities, &study.labels(), with_loads) + "\n"
+    let verdict = study.verdict.text(&study.quantities, &study.labels(), study.has_load_modes());
+    text + "\n" + &verdict + "\n"
 }
 
 fn heading(study: &Study) -> String {
     let Some(row) = study.last() else { return String::new() };
-    let (analysis, model) = (&row.analysis, &row.analysis.model);
-    let settings = &analysis.settings;
-    let support = match model.support {
-        Support::Free => "free, trimmed",
-        Support::Clamped => "clamped in a wind tunnel",
-    };
-    let altitude =
-        if model.tunnel_air.is_some() { String::new() } else { format!("{} m, ", Plain(settings.altitude)) };
-    let family = match settings.mode_selection {
+    let analysis = &row.analysis;
+    let family = match analysis.settings.mode_selection {
         ModeSelection::All => "modes of all families",
         ModeSelection::Symmetric => "symmetric modes",
     };
-    let [from, to] = analysis.range.map(Plain);
-    let loads = if row.loads > 0 { ", with load modes (natural + load)" } else { "" };
+    let loads = if study.has_load_modes() { " with load modes (natural + load)" } else { "" };
+    let Airspeeds { from, to, .. } = analysis.airspeeds;
     format!(
-        "{}, {support} at {} m/s\n{} model, stiffness × {}, {} inflow states, {altitude}{:.4} kg/m³\n\
-         {family}{loads}; flutter and divergence from {from} to {to} m/s\n\n",
-        model.name,
+        "{}, {} at {} m/s\n{}flutter and divergence from {} to {} m/s\n\n",
+        analysis.model.name,
+        analysis.support(),
         Plain(study.airspeed),
-        analysis.level,
-        Plain(settings.stiffness_scale),
-        settings.inflow_states,
-        analysis.density(),
+        analysis.condition(&format!("{family}{loads}")),
+        Plain(from),
+        Plain(to),
     )
 }
 
@@ -87,15 +79,14 @@ fn lines(quantity: &Quantity) -> Vec<Line> {
         _ => String::new(),
     };
     let Quantity { name, unit, places, .. } = quantity;
-    let is_root = quantity.values.iter().any(|value| matches!(value, Value::Root(_)));
-    if !is_root {
+    if !quantity.is_root() {
         let cells = (0..=last).map(|row| quantity.text(row)).collect();
         return vec![Line { name: format!("{name} ({unit})"), cells, last_step }];
     }
     let parts = [("grows", 0, last_step), ("swings", 1, String::new())];
     let part = |(what, part, last_step): (&str, usize, String)| {
         let cell = |value: &Value| match value {
-            Value::Root(root) => super::quantity::fixed([root.re, root.im][part], *places),
+            Value::Root(root) => fixed([root.re, root.im][part], *places),
             _ => "–".to_owned(),
         };
         let unit = ["1/s", "rad/s"][part];

@@ -1,13 +1,13 @@
 //! What comes out with one number of modes.
 
-use flexible_aircraft::aircraft::{Support, TrimRole};
 use flexible_aircraft::plant::{LimitExceeded, Outputs, Plant, PlantSettings, SettingError, TrimPoint};
 use flexible_aircraft::stability::{Complex, Crossing, CrossingKind, Onset, UnstableRange};
 use flexible_aircraft::structure::ReducedModel;
 
 use super::quantity::Value;
-use crate::flutter::Analysis;
-use crate::flutter::motion::{is_of_flight, oscillates, oscillates_at};
+use crate::analysis::Analysis;
+use crate::analysis::motion::{is_of_flight, oscillates, oscillates_at};
+use crate::condition::Airspeeds;
 use crate::numbers::Plain;
 use crate::progress::Progress;
 
@@ -25,7 +25,7 @@ pub struct Row {
     pub divergence: Critical,
     /// What the search for flutter has to say, for people.
     pub remarks: Vec<String>,
-    /// Over the range of airspeeds.
+    /// Over the airspeeds of the search.
     pub analysis: Analysis,
 }
 
@@ -50,19 +50,18 @@ pub struct Critical {
 }
 
 impl Row {
-    /// With the modes of these settings: their trim, and flutter and divergence over the airspeeds of a range.
+    /// With the modes of these settings: their trim, and flutter and divergence over some airspeeds.
     ///
     /// # Errors
     /// When a setting is out of range.
     pub fn new(
         model: &ReducedModel,
         settings: PlantSettings,
-        range: [f64; 2],
-        airspeeds: &[f64],
+        airspeeds: Airspeeds,
         progress: &Progress,
     ) -> Result<Self, SettingError> {
-        let at = Analysis::new(model, settings, [settings.airspeed; 2], &[settings.airspeed], progress)?;
-        let analysis = Analysis::new(model, settings, range, airspeeds, progress)?;
+        let at = Analysis::new(model, settings, Airspeeds::one(settings.airspeed), progress)?;
+        let analysis = Analysis::new(model, settings, airspeeds, progress)?;
         let natural = at.model.natural_modes();
         let trim = Trimmed::new(&at.model, &settings);
         Ok(Row {
@@ -100,29 +99,6 @@ impl Trimmed {
     }
 }
 
-/// An angle of a trim, rad.
-pub type Angle = Box<dyn Fn(&TrimPoint) -> f64>;
-
-/// The angles that a trim of an aircraft has, by their names; nothing holds one in a tunnel.
-pub fn angles(model: &ReducedModel) -> Vec<(String, Angle)> {
-    if model.support == Support::Clamped {
-        return Vec::new();
-    }
-    let mut angles: Vec<(String, Angle)> = vec![("pitch".to_owned(), Box::new(|point| point.pitch))];
-    for role in [TrimRole::Pitch, TrimRole::Roll, TrimRole::Yaw] {
-        if let Some(control) = model.control_for(role) {
-            let name = model.controls[control].name.clone();
-            angles.push((name, Box::new(move |point| point.control(role))));
-        }
-    }
-    angles.push(("bank angle".to_owned(), Box::new(|point| point.roll)));
-    angles.push(("sideslip".to_owned(), Box::new(|point| point.sideslip)));
-    if model.engines.is_empty() {
-        angles.push(("climb angle".to_owned(), Box::new(|point| point.climb_angle)));
-    }
-    angles
-}
-
 /// The roots of an analysis of one airspeed that oscillate, slowest first, 1/s: no faster than by 1 rad while the air passes the
 /// greatest chord, beyond which strip theory says less and less of them.
 fn oscillations(analysis: &Analysis) -> Vec<Complex<f64>> {
@@ -144,7 +120,7 @@ impl Critical {
         };
         let crossing = sweep.crossings.iter().find(is_wanted);
         let range = sweep.unstable.iter().find(|range| is_seen(range, kind, analysis));
-        let [from, _] = analysis.range;
+        let from = analysis.airspeeds.from;
         match (crossing, range) {
             (_, Some(range)) if crossing.is_none_or(|crossing| range.first < crossing.airspeed) => {
                 let is_first = range.onset == Onset::FirstAnalysed;

@@ -3,13 +3,13 @@
 //! Changes are shares of a scale, for an angle near zero has no share of its own: angles of the greatest trim angle, deflections of
 //! the greatest one, both with the most modes; thrust, airspeeds and roots of themselves.
 
-use flexible_aircraft::aircraft::Support;
-use flexible_aircraft::plant::Deflection;
+use flexible_aircraft::aircraft::{Support, TrimRole};
+use flexible_aircraft::plant::{Deflection, TrimPoint};
 use flexible_aircraft::stability::Complex;
 use flexible_aircraft::structure::{ReducedModel, ReducedStation};
 
 use super::quantity::{Kind, Quantity, Value};
-use super::row::{Angle, Row, Trimmed, angles};
+use super::row::{Row, Trimmed};
 use super::verdict::{Verdict, moved};
 
 /// Angles are measured by this at least, rad.
@@ -56,6 +56,11 @@ impl Study {
     /// The row with the most modes.
     pub fn last(&self) -> Option<&Row> {
         self.rows.last()
+    }
+
+    /// Whether load modes stand beside the natural ones.
+    pub fn has_load_modes(&self) -> bool {
+        self.last().is_some_and(|row| row.loads > 0)
     }
 
     /// The quantities without those that are the mirror image of another one.
@@ -157,6 +162,26 @@ fn trims(rows: &[Row], model: &ReducedModel) -> Vec<Quantity> {
     quantities
 }
 
+/// An angle of a trim, rad.
+type Angle = Box<dyn Fn(&TrimPoint) -> f64>;
+
+/// The angles that a trim of a free aircraft has, by their names.
+fn angles(model: &ReducedModel) -> Vec<(String, Angle)> {
+    let mut angles: Vec<(String, Angle)> = vec![("pitch".to_owned(), Box::new(|point| point.pitch))];
+    for role in [TrimRole::Pitch, TrimRole::Roll, TrimRole::Yaw] {
+        if let Some(control) = model.control_for(role) {
+            let name = model.controls[control].name.clone();
+            angles.push((name, Box::new(move |point| point.control(role))));
+        }
+    }
+    angles.push(("bank angle".to_owned(), Box::new(|point| point.roll)));
+    angles.push(("sideslip".to_owned(), Box::new(|point| point.sideslip)));
+    if model.engines.is_empty() {
+        angles.push(("climb angle".to_owned(), Box::new(|point| point.climb_angle)));
+    }
+    angles
+}
+
 /// Up and inboard of every station; where there is none, of the strip that moves most.
 fn deflections(rows: &[Row], model: &ReducedModel) -> Vec<Quantity> {
     let places = model.stations.iter().map(|station| station.position.norm());
@@ -207,7 +232,7 @@ fn critical_speeds(rows: &[Row]) -> Vec<Quantity> {
     let divergence = rows.iter().map(|row| row.divergence.airspeed.clone()).collect();
     vec![
         quantity(speed, "flutter", "m/s", flutter),
-        quantity(None, "its frequency", "rad/s", rows.iter().map(frequency).collect()),
+        quantity(None, "flutter frequency", "rad/s", rows.iter().map(frequency).collect()),
         quantity(speed, "divergence", "m/s", divergence),
     ]
 }

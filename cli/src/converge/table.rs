@@ -21,7 +21,7 @@ pub fn table(study: &Study) -> String {
 fn names_of(quantity: &Quantity) -> Vec<String> {
     let name = quantity.name.replace(' ', "_");
     let unit = quantity.unit.replace('/', "_");
-    if is_root(quantity) {
+    if quantity.is_root() {
         vec![format!("{name}_real_1_s"), format!("{name}_imaginary_rad_s")]
     } else {
         vec![format!("{name}_{unit}")]
@@ -32,11 +32,7 @@ fn cells_of(quantity: &Quantity, row: usize) -> Vec<String> {
     match &quantity.values[row] {
         Value::Number(number) => vec![Plain(*number).to_string()],
         Value::Root(root) => [root.re, root.im].map(|part| Plain(part).to_string()).to_vec(),
-        _ if is_root(quantity) => vec![String::new(); 2],
+        _ if quantity.is_root() => vec![String::new(); 2],
         _ => vec![String::new()],
     }
-}
-
-fn is_root(quantity: &Quantity) -> bool {
-    quantity.values.iter().any(|value| matches!(value, Value::Root(_)))
 }

@@ -59,8 +59,11 @@ impl Verdict {
                 "Nothing was found that could move with the number of modes.".to_owned()
             }
             Verdict::Enough { row, moves } => {
-                let moves =
-                    moves.iter().map(|(kind, share)| format!("{} by {}", kind.plural(), at_most(*share)));
+                let verbs = std::iter::once(" move").chain(std::iter::repeat(""));
+                let moves = moves
+                    .iter()
+                    .zip(verbs)
+                    .map(|((kind, share), verb)| format!("{}{verb} by {}", kind.plural(), at_most(*share)));
                 let more = if row + 1 == last { String::new() } else { " up to".to_owned() };
                 let are = if label(*row) == "1" { "mode is" } else { "modes are" };
                 format!(

@@ -3,18 +3,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use flexible_aircraft::air::Air;
-use flexible_aircraft::plant::{PlantSettings, SettingError};
-use flexible_aircraft::stability::Sweep;
-use flexible_aircraft::structure::{ModeCount, ReducedModel};
-use flexible_aircraft_packaging::FileError;
+use flexible_aircraft::structure::ModeCount;
 
-use crate::condition::{self, ConditionOptions};
-use crate::files::{Drafts, Overwriting, refuse_overwriting};
+use crate::analysis::Analysis;
+use crate::condition::{Airspeeds, ConditionOptions, Error};
+use crate::files::{Drafts, refuse_overwriting};
 use crate::progress::Progress;
 use crate::{diagnostics, terminal};
 
-pub mod motion;
 mod plots;
 mod report;
 mod roots;
@@ -43,46 +39,14 @@ pub struct FlutterOptions {
     #[arg(long, value_name = "N", default_value_t = 41)]
     points: usize,
 
-    /// Number of natural modes, lowest frequencies first [default: 12, or all where there are fewer]
+    /// How many natural modes take part, lowest frequencies first; load modes are not counted [default: 12, or all where
+    /// there are fewer]
     #[arg(long, value_name = "N")]
     modes: Option<usize>,
 
     /// Folder for the plots and the table of roots
     #[arg(long, value_name = "DIR", default_value = "target/flutter")]
     output: PathBuf,
-}
-
-/// Why `flexair flutter` did not succeed.
-#[derive(Debug, thiserror::Error)]
-pub enum Error {
-    #[error(transparent)]
-    Condition(#[from] condition::Error),
-    #[error(transparent)]
-    File(#[from] FileError),
-    #[error(transparent)]
-    Overwriting(#[from] Overwriting),
-}
-
-impl Error {
-    /// For people, on a terminal.
-    pub fn report(&self) -> String {
-        match self {
-            Error::Condition(error) => error.report(),
-            other => format!("error: {other}"),
-        }
-    }
-}
-
-/// What was analysed, and what came out.
-pub struct Analysis {
-    /// With the modes that take part.
-    pub model: ReducedModel,
-    /// Fidelity level for people.
-    pub level: String,
-    pub settings: PlantSettings,
-    /// Lowest and highest airspeed asked for, m/s.
-    pub range: [f64; 2],
-    pub sweep: Sweep,
 }
 
 /// Analyses, prints, draws, and writes the roots.
@@ -112,37 +76,15 @@ pub fn run(options: &FlutterOptions) -> Result<(), Error> {
     Ok(())
 }
 
-fn analyse(options: &FlutterOptions) -> Result<Analysis, condition::Error> {
+fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
     let FlutterOptions { condition, from, to, points, modes, .. } = options;
     let aircraft = condition.read()?;
-    let airspeeds = condition::airspeeds([*from, *to], *points, aircraft.support)?;
+    let airspeeds = Airspeeds::new([*from, *to], *points, aircraft.support)?;
     let (model, count) = condition.reduce(&aircraft, ModeCount::asked_or_usual(*modes, USUAL_MODES))?;
-    condition::check_mobility(&model, condition.fidelity(&aircraft), *modes)?;
+    condition.check_mobility(&aircraft, &model, *modes)?;
     let settings = condition.settings(&aircraft, &model, count);
-    let progress = Progress::new(airspeeds.len(), "airspeeds");
-    Ok(Analysis::new(&model, settings, [*from, *to], &airspeeds, &progress)?)
-}
-
-impl Analysis {
-    /// Of a model under some settings over the ascending airspeeds of a range, m/s.
-    pub fn new(
-        model: &ReducedModel,
-        settings: PlantSettings,
-        range: [f64; 2],
-        airspeeds: &[f64],
-        progress: &Progress,
-    ) -> Result<Self, SettingError> {
-        let sweep = Sweep::watched(model, &settings, airspeeds, &|| progress.advance())?;
-        let model = model.in_use(&settings.choose_modes(model)?);
-        let level = settings.fidelity.name().replace('_', " ");
-        Ok(Analysis { model, level, settings, range, sweep })
-    }
-
-    /// kg/m³.
-    pub fn density(&self) -> f64 {
-        let tunnel = self.model.tunnel_air.as_ref().map(Air::of_tunnel);
-        tunnel.unwrap_or_else(|| Air::at(self.settings.altitude)).density
-    }
+    let progress = Progress::new(airspeeds.points, "airspeeds");
+    Ok(Analysis::new(&model, settings, airspeeds, &progress)?)
 }
 
 #[cfg(test)]

@@ -5,9 +5,10 @@
 
 use flexible_aircraft::stability::{Branch, CrossingKind, LossKind, Onset, Root};
 
-use super::Analysis;
-use super::motion::{damping, frequency, name, oscillates};
+use crate::analysis::Analysis;
+use crate::analysis::motion::{damping, frequency, name, oscillates};
 use crate::chart::{Axis, Chart, Curve, Mark, Window};
+use crate::condition::Airspeeds;
 
 /// The most that the V–g plot shows: what matters is near zero.
 const DAMPING: Window = Window::new(-0.6, 0.4);
@@ -68,7 +69,7 @@ fn frequency_window(analysis: &Analysis) -> Window {
 }
 
 fn chart(analysis: &Analysis, what: &str, y: Axis, curves: Vec<Curve>, limit: Option<Mark>) -> Chart {
-    let [from, to] = analysis.range;
+    let Airspeeds { from, to, .. } = analysis.airspeeds;
     let mut marks = marks(analysis);
     marks.extend(limit);
     let title = format!("{}: {what}", analysis.model.name);

@@ -6,10 +6,10 @@ use flexible_aircraft::aircraft::{Bound, Support};
 use flexible_aircraft::plant::{LimitExceeded, LimitedQuantity};
 use flexible_aircraft::stability::{Crossing, CrossingKind, EquilibriumLoss, LossKind, Onset, UnstableRange};
 
+use crate::analysis::Analysis;
+use crate::analysis::motion::{composition, frequency, name, oscillates_at};
+use crate::condition::Airspeeds;
 use crate::numbers::Plain;
-
-use super::Analysis;
-use super::motion::{composition, frequency, name, oscillates_at};
 
 /// Airspeeds that were not analysed are named up to this number.
 const MOST_NAMED: usize = 20;
@@ -52,26 +52,18 @@ pub fn warnings(analysis: &Analysis) -> Vec<String> {
 }
 
 fn heading(analysis: &Analysis) -> String {
-    let Analysis { model, level, settings, range: [from, to], sweep } = analysis;
-    let support = match model.support {
-        Support::Free => "free, trimmed at each airspeed",
-        Support::Clamped => "clamped in a wind tunnel",
-    };
-    let altitude =
-        if model.tunnel_air.is_some() { String::new() } else { format!("{} m, ", Plain(settings.altitude)) };
+    let Analysis { model, airspeeds: Airspeeds { from, to, points }, .. } = analysis;
+    let at = if model.support == Support::Free { " at each airspeed" } else { "" };
     let natural = model.natural_modes();
     let modes = match model.modes.len() - natural {
         0 => format!("{natural} modes"),
         loads => format!("{natural} natural and {loads} load modes"),
     };
     format!(
-        "{}, {support}\n{level} model, stiffness × {}, {modes}, {} inflow states, {altitude}{:.4} kg/m³\n\
-         {} airspeeds from {} to {} m/s\n\n",
+        "{}, {}{at}\n{}{points} airspeeds from {} to {} m/s\n\n",
         model.name,
-        Plain(settings.stiffness_scale),
-        settings.inflow_states,
-        analysis.density(),
-        sweep.airspeeds.len() + sweep.skipped.len(),
+        analysis.support(),
+        analysis.condition(&modes),
         Plain(*from),
         Plain(*to),
     )
@@ -113,7 +105,8 @@ fn unstable(analysis: &Analysis) -> String {
 
 /// That a kind of instability does not begin in the range, or that one is there whose beginning was not found.
 fn absent(kind: CrossingKind, word: &str, analysis: &Analysis) -> String {
-    let ([from, to], sweep) = (analysis.range.map(Plain), &analysis.sweep);
+    let Analysis { airspeeds: Airspeeds { from, to, .. }, sweep, .. } = analysis;
+    let [from, to] = [from, to].map(|end| Plain(*end));
     if sweep.crossings.iter().any(|crossing| crossing.kind == kind && crossing.is_onset) {
         return String::new();
     }

@@ -2,10 +2,9 @@
 
 use std::fmt::Write;
 
+use crate::analysis::Analysis;
+use crate::analysis::motion::{damping, frequency, leading_motion, oscillates};
 use crate::numbers::Plain;
-
-use super::Analysis;
-use super::motion::{damping, frequency, leading_motion, oscillates};
 
 /// Names with their units. `root` counts the curves of the plots; it is empty for an unstable eigenvalue that none of
 /// them has reached. `damping_g` is empty where nothing oscillates.

@@ -6,6 +6,7 @@ use clap::Parser;
 use flexible_aircraft::stability::Branch;
 
 use super::*;
+use crate::analysis::motion;
 use crate::chart::Curve;
 
 #[derive(Parser)]
@@ -129,6 +130,19 @@ fn an_altitude_is_refused_where_the_tunnel_has_air_of_its_own() {
     let error = analyse(&options(&file, &format!("{range} --altitude 1000"))).err().unwrap().report();
     assert!(error.starts_with("error: --altitude 1000: ") && error.contains("`density_kg_m3`"), "{error}");
     assert_eq!(analyse(&options(&file, range)).unwrap().density(), 1.0);
+}
+
+/// Nobody gave the option.
+#[test]
+fn of_a_clamped_wing_that_is_rigid_by_its_file_the_file_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft/goland-wing.toml");
+    let text = std::fs::read_to_string(path).unwrap();
+    let file = folder.path().join("rigid.toml").display().to_string();
+    std::fs::write(&file, text.replace("model = \"exact\"", "model = \"rigid\"")).unwrap();
+    let error = analyse(&options(&file, "--from 90 --to 100")).err().unwrap().report();
+    let nothing = "nothing would move, for the aircraft is clamped; allowed is a flexible model";
+    assert_eq!(error, format!("error: model = \"rigid\" of {file}: {nothing}"));
 }
 
 /// Of the section, which diverges from 56.57 m/s on.

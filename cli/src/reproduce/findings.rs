@@ -51,8 +51,9 @@ pub const WINDOWS: &str = "The lowest and highest value of all curves of a figur
     named.";
 
 /// On the wings of others.
-pub const WINGS: &str = "The thesis' five models superpose displacements; the sixth, geometrically exact, superposes strains. Where a wing bends by more than some tenths of its span it is the one to fly. These wings are \
-    clamped in a wind tunnel, whatever aircraft flew above.";
+pub const WINGS: &str = "The thesis' five models superpose displacements; the sixth, geometrically exact, superposes strains. \
+    With a real axial stiffness superposed displacements are far too stiff as soon as a wing bends visibly: there the sixth is \
+    the one to fly. These wings are clamped in a wind tunnel, whatever aircraft flew above.";
 
 /// Between the two ends of the flight that are compared to see whether an oscillation grows, s.
 const SPELL: f64 = 2.0;

@@ -15,16 +15,8 @@ use crate::chart::{Axis, Chart, Curve, Mark, Window};
 /// Modes that take part.
 const MODES: usize = 12;
 
-/// Airspeed, m/s, and tip up, m, of Patil's wing at 2° with its weight by AeroBeams (L. Pancini).
-const AEROBEAMS: [(f64, f64); 7] = [
-    (0.0, -2.928),
-    (10.0, -2.543),
-    (15.0, -1.934),
-    (20.0, -0.740),
-    (25.0, 1.558),
-    (28.0, 3.510),
-    (30.0, 4.888),
-];
+/// Patil's wing at 2° with its weight, with what AeroBeams (L. Pancini) found.
+const PATIL: &str = include_str!("../../../tests/verification/records/patils-wing.md");
 
 /// The Pazy wing, flown from data that are not ours to ship.
 const PAZY: &str = include_str!("../../../tests/verification/records/pazy.md");
@@ -89,7 +81,7 @@ fn patils_wing() -> Result<Wing, Error> {
                 ..Axis::new("tip, up of the root's chord (m)", Window::new(-4.0, 6.0))
             },
             curves: levels.into_iter().map(curve).collect(),
-            marks: vec![Mark::Points("AeroBeams".to_owned(), AEROBEAMS.to_vec())],
+            marks: vec![Mark::Points("AeroBeams".to_owned(), aerobeams_tips())],
             frame: None,
         },
         caption: "The wing of M. J. Patil, D. H. Hodges and C. E. S. Cesnik (J. Aircraft 38, 2001) in air of 0.08803 kg/m³, \
@@ -97,6 +89,16 @@ fn patils_wing() -> Result<Wing, Error> {
             axial stiffness of 1e7 N holds the exact model down; the consistently linearised one jumps from equilibrium to \
             equilibrium; the inconsistent one goes up as far as the geometrically exact one, but its tip does not come in.",
     })
+}
+
+/// Airspeed, m/s, and tip up, m, by AeroBeams.
+fn aerobeams_tips() -> Vec<(f64, f64)> {
+    let row = |line: &str| {
+        let (airspeed, rest) = line.strip_prefix("| ")?.split_once(" m/s: AeroBeams | ")?;
+        let (tip, _) = rest.split_once(" | ")?;
+        Some((airspeed.parse().ok()?, tip.parse().ok()?))
+    };
+    PATIL.lines().filter_map(row).collect()
 }
 
 fn pazy_wing() -> Wing {
@@ -181,6 +183,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_record_of_patils_wing_has_what_aerobeams_found() {
+        let tips = aerobeams_tips();
+        let airspeeds: Vec<f64> = tips.iter().map(|tip| tip.0).collect();
+        assert_eq!(airspeeds, [0.0, 10.0, 15.0, 20.0, 25.0, 28.0, 30.0]);
+        assert!(tips.is_sorted_by(|below, above| below.1 < above.1) && tips[0].1 < -2.9 && tips[6].1 > 4.8);
+    }
+
+    #[test]
     fn the_record_of_the_pazy_wing_has_both_incidences() {
         for incidence in [5, 7] {
             let tips = pazy_tips(incidence);
@@ -198,7 +208,7 @@ mod tests {
         let tip_at = |speed: f64| {
             patil.chart.curves[0].points.iter().find(|point| point.0 == speed).map(|point| point.1).unwrap()
         };
-        for (speed, published) in AEROBEAMS {
+        for (speed, published) in aerobeams_tips() {
             assert!((tip_at(speed) - published).abs() < 0.08);
         }
         // The wing keeps its length but where displacements are superposed.

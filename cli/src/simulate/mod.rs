@@ -44,8 +44,8 @@ pub struct SimulateOptions {
     #[arg(long, value_name = "FILE", default_value_os_t = workspace::aircraft())]
     aircraft: PathBuf,
 
-    /// How many natural modes to reduce the aircraft to, as in `flexair package` [default: 26, or all where there are
-    /// fewer]
+    /// How many natural modes fly, lowest frequencies first; load modes are not counted. `--set mode_count=N` has fewer
+    /// of them fly [default: 12 of 26, or as many as there are; then `mode_count` has up to 26 fly]
     #[arg(long, value_name = "N")]
     modes: Option<usize>,
 
@@ -121,7 +121,7 @@ pub fn run(options: &SimulateOptions) -> Result<(), Error> {
     aircraft.load_modes |= options.load_modes;
     let model = Arc::new(ReducedModel::new(&aircraft, count)?);
     let variables = VariableTable::new(&model);
-    let settings = parameter::settings(&options.set, &variables, &model)?;
+    let settings = parameter::settings(&options.set, &variables, &model, count)?;
     let schedule = Schedule::parse(&read(inputs)?, &variables)
         .map_err(|source| Error::Inputs { path: inputs.clone(), source })?;
     let rows = schedule.point_count(*step);

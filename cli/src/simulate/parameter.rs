@@ -2,7 +2,7 @@
 
 use flexible_aircraft::flight::Settings;
 use flexible_aircraft::plant::ModeSelection;
-use flexible_aircraft::structure::{Mode, ModeFamily, ReducedModel};
+use flexible_aircraft::structure::{Mode, ModeCount, ModeFamily, ReducedModel};
 use flexible_aircraft::variables::{
     ParameterSlot, Slot, Type, Value, Variable, VariableTable, probably_meant,
 };
@@ -29,8 +29,9 @@ pub fn did_you_mean(name: &Option<String>) -> String {
     name.as_ref().map_or(String::new(), |name| format!(", did you mean `{name}`?"))
 }
 
-/// The settings of a model after assignments like `stiffness_scale=0.1` or `model=rigid`, each parameter once. The usual
-/// number of modes is no more than there are of the chosen family.
+/// The settings of a model after assignments like `stiffness_scale=0.1` or `model=rigid`, each parameter once. Unless
+/// `mode_count` is among them, all modes fly that were asked of the reduction, or the usual number where none were; of the
+/// symmetric family no more than there are.
 ///
 /// # Errors
 /// At the first one that names no parameter, or a value that it cannot have.
@@ -38,8 +39,12 @@ pub fn settings(
     assignments: &[String],
     variables: &VariableTable,
     model: &ReducedModel,
+    reduced_to: ModeCount,
 ) -> Result<Settings, Mistake> {
     let mut settings = Settings::of(model);
+    if let ModeCount::Asked(_) = reduced_to {
+        settings.plant.mode_count = model.natural_modes();
+    }
     set_all(assignments, variables, &mut settings)?;
     let is_asked_for = assignments.iter().any(|assignment| name(assignment) == "mode_count");
     if !is_asked_for && settings.plant.mode_selection == ModeSelection::Symmetric {
@@ -141,12 +146,15 @@ mod tests {
 
     use super::*;
 
+    /// Nobody asked for a number of modes.
+    const USUAL: ModeCount = ModeCount::Usual(ReducedModel::USUAL_MODES);
+
     fn set(assignments: &[&str]) -> Result<Settings, String> {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/small-aircraft.toml");
         let model = ReducedModel::new(&Aircraft::read(&path).unwrap(), 2).unwrap();
         let variables = VariableTable::new(&model);
         let assignments: Vec<String> = assignments.iter().map(ToString::to_string).collect();
-        settings(&assignments, &variables, &model).map_err(|mistake| mistake.to_string())
+        settings(&assignments, &variables, &model, USUAL).map_err(|mistake| mistake.to_string())
     }
 
     #[test]
@@ -198,7 +206,7 @@ mod tests {
         let variables = VariableTable::new(&model);
         let of = |assignments: &[&str]| {
             let assignments: Vec<String> = assignments.iter().map(ToString::to_string).collect();
-            settings(&assignments, &variables, &model).unwrap()
+            settings(&assignments, &variables, &model, USUAL).unwrap()
         };
         let symmetric = of(&["mode_family=symmetric"]);
         assert!((1..12).contains(&symmetric.plant.mode_count), "{}", symmetric.plant.mode_count);
@@ -212,12 +220,28 @@ mod tests {
     }
 
     #[test]
+    fn all_modes_fly_that_were_asked_for_and_the_usual_number_where_none_were() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft/generic-business-jet.toml");
+        let model = ReducedModel::new(&Aircraft::read(&path).unwrap(), 24).unwrap();
+        let variables = VariableTable::new(&model);
+        let flown = |assignment: &[&str], reduced_to| {
+            let assignments: Vec<String> = assignment.iter().map(ToString::to_string).collect();
+            let settings = settings(&assignments, &variables, &model, reduced_to).unwrap();
+            settings.plant.choose_modes(&model).unwrap().len()
+        };
+        assert_eq!([flown(&[], ModeCount::Asked(24)), flown(&[], USUAL)], [24, 12]);
+        assert_eq!(flown(&["mode_count=8"], ModeCount::Asked(24)), 8);
+        let symmetric = model.modes.iter().filter(|mode| mode.family == ModeFamily::Symmetric).count();
+        assert_eq!(flown(&["mode_family=symmetric"], ModeCount::Asked(24)), symmetric);
+    }
+
+    #[test]
     fn load_modes_are_switched_by_true_and_false_in_any_case_where_there_are_some() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../aircraft/goland-wing.toml");
         let wing = Aircraft::read(&path).unwrap();
         let set = |load_modes, assignment: &str| {
             let model = ReducedModel::new(&Aircraft { load_modes, ..wing.clone() }, 2).unwrap();
-            settings(&[assignment.to_owned()], &VariableTable::new(&model), &model)
+            settings(&[assignment.to_owned()], &VariableTable::new(&model), &model, USUAL)
         };
         assert!(!set(true, "load_modes=false").unwrap().plant.load_modes);
         assert!(set(true, "load_modes=True").unwrap().plant.load_modes);
