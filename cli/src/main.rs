@@ -87,6 +87,11 @@ struct PackageOptions {
     #[arg(long)]
     load_modes: bool,
 
+    /// Where a parameter of the FMU starts, if not as the aircraft has it: --set gust.shape=one_minus_cosine for importers that
+    /// set no enumerations, --set tolerance=1e-4 for the default experiment too. May be repeated
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+
     /// A shared library built elsewhere, for a further platform or in place of the one built here:
     /// aarch64-linux, darwin64, linux64 or win64, and its file. May be repeated
     #[arg(long, value_name = "PLATFORM=FILE", value_parser = platform_and_file)]

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use flexible_aircraft::aircraft::{Aircraft, Control, Support};
+use flexible_aircraft::flight::Settings;
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::{Slot, Type, Value, Variable, VariableTable};
 use quick_xml::escape::escape;
@@ -42,14 +43,14 @@ struct Group<'a> {
 }
 
 /// The page, which needs no other file.
-pub(crate) fn page(aircraft: &Aircraft, model: &ReducedModel) -> String {
-    let table = VariableTable::new(model);
+pub(crate) fn page(aircraft: &Aircraft, model: &ReducedModel, starts: &Settings) -> String {
+    let table = VariableTable::starting(model, starts);
     let groups = groups(&table);
     TEMPLATE
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{support}}", &support(aircraft))
         .replace("{{controls}}", &controls(aircraft))
-        .replace("{{level}}", model.fidelity.name())
+        .replace("{{level}}", starts.plant.fidelity.name())
         .replace("{{facts}}", &facts(aircraft, model))
         .replace("{{plan_view}}", &plan_view::svg(aircraft))
         .replace("{{contents}}", &contents(&groups))
@@ -248,7 +249,8 @@ mod tests {
     }
 
     fn page_of(aircraft: &Aircraft) -> String {
-        page(aircraft, &ReducedModel::new(aircraft, 4).unwrap())
+        let model = ReducedModel::new(aircraft, 4).unwrap();
+        page(aircraft, &model, &Settings::of(&model))
     }
 
     #[test]
@@ -290,7 +292,7 @@ mod tests {
         for name in &names[2..] {
             assert!(OUTPUT_GROUPS.iter().any(|(known, _)| known == name), "{name}");
         }
-        let page = page(&jet(), &model);
+        let page = page(&jet(), &model, &Settings::of(&model));
         for name in names {
             assert_eq!(page.matches(&format!("id=\"{name}\"")).count(), 1, "{name}");
             assert_eq!(page.matches(&format!("href=\"#{name}\"")).count(), 1, "{name}");

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use flexible_aircraft::aircraft::{AircraftFileError, looked_for};
 use flexible_aircraft::structure::StructureError;
 
+use crate::assignment::Mistake;
 use crate::{LibraryFault, Platform};
 
 /// A file or folder that could not be read or written.
@@ -38,6 +39,9 @@ pub enum PackageError {
         /// What is wrong with its structure.
         source: StructureError,
     },
+    /// A parameter cannot start so.
+    #[error("--set {0}")]
+    Start(#[from] Mistake),
     /// Two libraries for one platform.
     #[error("found two shared libraries for {0}; an FMU has one per platform")]
     TwoBinaries(Platform),

@@ -11,8 +11,10 @@ use std::path::{Path, PathBuf};
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::fmi;
 use flexible_aircraft::structure::{ModeCount, ReducedModel};
+use flexible_aircraft::variables::VariableTable;
 
 mod archive;
+pub mod assignment;
 pub mod c_abi;
 mod documentation;
 mod draft;
@@ -48,6 +50,8 @@ pub struct Package {
     pub mode_count: ModeCount,
     /// Load modes beside them also where the aircraft file does not ask for any.
     pub load_modes: bool,
+    /// Where parameters start, as `gust.shape=one_minus_cosine`; the others start as the aircraft's.
+    pub starts: Vec<String>,
     /// The shared library of each platform.
     pub binaries: Vec<(Platform, PathBuf)>,
     /// The folder of flexible-aircraft's own workspace, where cargo finds out what is linked.
@@ -65,14 +69,21 @@ impl Package {
         aircraft.load_modes |= self.load_modes;
         let model = ReducedModel::new(&aircraft, self.mode_count)
             .map_err(|source| PackageError::Structure { aircraft: self.aircraft.clone(), source })?;
-        let xml = fmi::description::write(&model);
+        let variables = VariableTable::new(&model);
+        let starts =
+            assignment::settings(&self.starts, &variables, &model, ModeCount::Usual(model.natural_modes()))?;
+        let xml = fmi::description::write(&model, &starts);
         let description = ModelDescription::parse(&xml).map_err(PackageError::ModelDescription)?;
 
         let mut entries = vec![Entry::new(archive::MODEL_DESCRIPTION, xml), Entry::new("model.png", ICON)];
         entries.extend(self.libraries(&description.model_identifier)?);
         entries.push(Entry::new(format!("resources/{}", fmi::RESOURCE_FILE), model.to_bytes()));
+        entries.extend(
+            fmi::starts::write(&model, &starts)
+                .map(|text| Entry::new(format!("resources/{}", fmi::starts::STARTS_FILE), text)),
+        );
         entries.push(Entry::new("resources/aircraft.toml", read(&self.aircraft)?));
-        let page = documentation::page(&aircraft, &model);
+        let page = documentation::page(&aircraft, &model, &starts);
         entries.push(Entry::new("documentation/index.html", page));
         entries.extend(licences::gather(&self.workspace)?);
         Ok(archive::to_bytes(entries)?)

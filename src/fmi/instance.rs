@@ -14,6 +14,7 @@ use super::description::{guid_of, identity};
 use super::life_cycle::{Operation, State};
 use super::log::{Category, Log};
 use super::resource::RESOURCE_FILE;
+use super::starts::{self, STARTS_FILE, StartsError};
 use super::status::Status;
 
 /// Why a call is refused, and with which status.
@@ -55,6 +56,14 @@ pub enum InstantiationError {
         path: PathBuf,
         /// What is wrong with it.
         source: StructureError,
+    },
+    /// The file of starts does not say what it should.
+    #[error("resource {}: {source}", path.display())]
+    Starts {
+        /// Of the file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: StartsError,
     },
     /// The importer's model description belongs to another FMU.
     #[error("guid: the model description given has `{found}`, this FMU is `{expected}`")]
@@ -125,6 +134,8 @@ pub struct Instance {
     pub(crate) state: State,
     pub(crate) experiment: Experiment,
     pub(super) settings: Settings,
+    /// Of the settings.
+    starts: Settings,
     pub(super) inputs: Inputs,
     /// Rates of change of the inputs that the importer gives beside their values.
     pub(super) rates: Inputs,
@@ -152,7 +163,8 @@ impl Instance {
             std::fs::read(&path).map_err(|source| InstantiationError::Read { path: path.clone(), source })?;
         let model =
             ReducedModel::from_bytes(&bytes).map_err(|source| InstantiationError::Model { path, source })?;
-        let instance = Instance::of_model(model, log);
+        let starts = read_starts(resources, &model)?;
+        let instance = Instance::of_model(model, starts, log);
         let expected = guid_of(instance.identity);
         if given_guid != expected {
             return Err(InstantiationError::Guid { found: given_guid.to_owned(), expected });
@@ -162,17 +174,18 @@ impl Instance {
     }
 
     /// In the state instantiated, with all variables at their starts.
-    fn of_model(model: ReducedModel, log: Log) -> Self {
-        let table = VariableTable::new(&model);
+    fn of_model(model: ReducedModel, starts: Settings, log: Log) -> Self {
+        let table = VariableTable::starting(&model, &starts);
         let input_count =
             table.iter().filter(|(_, variable)| matches!(variable.slot, Slot::Input(_))).count();
         Instance {
-            identity: identity(&model),
+            identity: identity(&model, &starts),
             table,
             log,
             state: State::Instantiated,
             experiment: Experiment::default(),
-            settings: Settings::of(&model),
+            settings: starts.clone(),
+            starts,
             inputs: Inputs::zero(&model),
             rates: Inputs::zero(&model),
             rate_is_new: vec![false; input_count],
@@ -273,7 +286,7 @@ impl Instance {
     pub fn reset(&mut self) {
         self.state = State::Instantiated;
         self.experiment = Experiment::default();
-        self.settings = Settings::of(&self.model);
+        self.settings = self.starts.clone();
         self.inputs = Inputs::zero(&self.model);
         self.rates = Inputs::zero(&self.model);
         self.rate_is_new.fill(false);
@@ -349,6 +362,16 @@ impl Instance {
         let settings = Settings { tolerance, ..settings.clone() };
         Simulation::new(self.model.clone(), &settings, experiment.start)
             .map_err(|error| Refusal::error(error.to_string()))
+    }
+}
+
+/// Where the parameters start: as the file among the resources says, if there is one.
+fn read_starts(resources: &Path, model: &ReducedModel) -> Result<Settings, InstantiationError> {
+    let path = resources.join(STARTS_FILE);
+    match std::fs::read_to_string(&path) {
+        Ok(text) => starts::read(&text, model).map_err(|source| InstantiationError::Starts { path, source }),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(Settings::of(model)),
+        Err(source) => Err(InstantiationError::Read { path, source }),
     }
 }
 

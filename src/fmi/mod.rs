@@ -10,6 +10,7 @@
 //! | `status` | how a call ended |
 //! | `log` | messages to the importer |
 //! | `build_mark` | what a library says of its origin |
+//! | [`starts`] | where parameters start that `package --set` has changed |
 //! | `resource` | from the resource location to the folder of the reduced model |
 //! | [`description`] | the model description, written from the variable table, and the guid |
 //!
@@ -23,6 +24,7 @@ pub(crate) mod life_cycle;
 pub(crate) mod log;
 pub(crate) mod resource;
 pub(crate) mod saved_state;
+pub mod starts;
 pub(crate) mod status;
 pub(crate) mod values;
 

@@ -31,6 +31,7 @@ pub use value::Value;
 pub use variable::{Type, Variability, Variable};
 
 use crate::aircraft::TrimRole;
+use crate::flight::Settings;
 use crate::structure::ReducedModel;
 
 /// All variables of the FMU of one aircraft; the index is the value reference.
@@ -55,8 +56,13 @@ pub struct VariableTable {
 impl VariableTable {
     /// The variables for this aircraft: controls, engines, stations and packaged modes each bring their own.
     pub fn new(model: &ReducedModel) -> Self {
+        VariableTable::starting(model, &Settings::of(model))
+    }
+
+    /// The same where the parameters start elsewhere.
+    pub fn starting(model: &ReducedModel, starts: &Settings) -> Self {
         let roles = model.controls.iter().map(|control| control.role).collect();
-        VariableTable { rows: table::rows(model), roles }
+        VariableTable { rows: table::rows(model, starts), roles }
     }
 
     /// The variable with a value reference.

@@ -13,19 +13,18 @@ use super::slot::{ParameterSlot, SensorSetting, Slot};
 use super::unit::Unit;
 use super::variable::{Type, Variable};
 
-/// All parameters of an aircraft.
-pub(super) fn parameters(model: &ReducedModel) -> Vec<Variable> {
+/// All parameters of an aircraft, and where they start.
+pub(super) fn parameters(model: &ReducedModel, start: &Settings) -> Vec<Variable> {
     use ParameterSlot as P;
-    let start = Settings::of(model);
     let airspeeds = model.support.airspeeds();
     let choice = |name, slot, kind: EnumerationType, text| {
-        Variable { kind: Type::Enumeration(kind), ..parameter(name, slot, &start, text) }
+        Variable { kind: Type::Enumeration(kind), ..parameter(name, slot, start, text) }
             .between(1.0, kind.items().len() as f64)
     };
     let count = |name, slot, max: usize, text| {
-        Variable { kind: Type::Integer, ..parameter(name, slot, &start, text) }.between(0.0, max as f64)
+        Variable { kind: Type::Integer, ..parameter(name, slot, start, text) }.between(0.0, max as f64)
     };
-    let real = |name, slot, unit, text| Variable { unit: Some(unit), ..parameter(name, slot, &start, text) };
+    let real = |name, slot, unit, text| Variable { unit: Some(unit), ..parameter(name, slot, start, text) };
     let rows = vec![
         choice(
             "input_reference",
@@ -61,7 +60,7 @@ pub(super) fn parameters(model: &ReducedModel) -> Vec<Variable> {
             ..parameter(
                 "load_modes",
                 P::LoadModes,
-                &start,
+                start,
                 "Whether the load modes that belong to those natural modes take part too",
             )
         },
@@ -80,10 +79,10 @@ pub(super) fn parameters(model: &ReducedModel) -> Vec<Variable> {
         _ => true,
     };
     let mut rows: Vec<Variable> = rows.into_iter().filter(is_there).collect();
-    rows.extend(actuators(model, &start));
-    rows.extend(engines(model, &start));
-    rows.extend(sensors(&start));
-    rows.extend(gusts::parameters(&start));
+    rows.extend(actuators(model, start));
+    rows.extend(engines(model, start));
+    rows.extend(sensors(start));
+    rows.extend(gusts::parameters(start));
     rows
 }
 

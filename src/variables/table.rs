@@ -1,6 +1,7 @@
 //! The rows of the table.
 
 use crate::aircraft::{Control, Support, TrimRole};
+use crate::flight::Settings;
 use crate::structure::{Mode, ModeFamily, ReducedModel};
 
 use super::devices::{actuators, sensor_channels};
@@ -11,10 +12,10 @@ use super::slot::{AirQuantity, Axis, DeflectionComponent, InputSlot, OutputSlot}
 use super::unit::Unit;
 use super::variable::{Variability, Variable};
 
-/// All rows for an aircraft, inputs first.
-pub(super) fn rows(model: &ReducedModel) -> Vec<Variable> {
+/// All rows for an aircraft whose parameters start somewhere, inputs first.
+pub(super) fn rows(model: &ReducedModel, starts: &Settings) -> Vec<Variable> {
     let mut rows = inputs(model);
-    rows.extend(parameters(model));
+    rows.extend(parameters(model, starts));
     rows.extend(motion());
     rows.extend(flow());
     rows.extend(gusts::outputs());

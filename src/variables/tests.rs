@@ -35,6 +35,9 @@ fn the_jet_has_exactly_the_variables_of_the_contract() {
         "velocity.x velocity.y velocity.z rate.x rate.y rate.z acceleration.x acceleration.y acceleration.z",
         "load_factor.x load_factor.y load_factor.z air.speed air.alpha air.beta air.mach air.density",
         "air.dynamic_pressure surface.elevator surface.aileron surface.rudder engine.left.thrust",
+        "wind.north wind.east wind.down gust.shape gust.gradient gust.peak gust.direction gust.inclination gust.start",
+        "gust.criterion gust.alleviation gust.maximum_operating_altitude gust.peak_velocity turbulence.spectrum",
+        "turbulence.intensity turbulence.scale turbulence.seed turbulence.components turbulence.start",
         "engine.right.thrust trim.pitch trim.elevator trim.thrust trim.roll trim.beta trim.aileron trim.rudder",
     ]
     .iter()

@@ -3,8 +3,8 @@
 use flexible_aircraft::variables::probably_meant;
 use flexible_aircraft::variables::{InputSlot, Slot, Unit, VariableTable};
 
-use super::parameter::did_you_mean;
 use super::schedule::Mistake;
+use flexible_aircraft_packaging::assignment::did_you_mean;
 
 /// What the numbers of a column are.
 #[derive(Clone, Debug, PartialEq)]

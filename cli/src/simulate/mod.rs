@@ -11,7 +11,7 @@ use flexible_aircraft::aircraft::AircraftFileError;
 use flexible_aircraft::flight::SimulationError;
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft::variables::VariableTable;
-use flexible_aircraft_packaging::FileError;
+use flexible_aircraft_packaging::{FileError, assignment};
 
 use crate::files::{Overwriting, STANDARD, Sink, named, refuse_overwriting};
 use crate::numbers::NumberTable;
@@ -20,7 +20,6 @@ use crate::{diagnostics, terminal, workspace};
 
 mod flight;
 mod header;
-mod parameter;
 mod schedule;
 
 use flight::{Flight, Interruption};
@@ -81,7 +80,7 @@ pub enum Error {
     #[error(transparent)]
     Structure(#[from] StructureError),
     #[error("--set {0}")]
-    Parameter(#[from] parameter::Mistake),
+    Parameter(#[from] assignment::Mistake),
     #[error(transparent)]
     File(#[from] FileError),
     #[error(transparent)]
@@ -121,7 +120,7 @@ pub fn run(options: &SimulateOptions) -> Result<(), Error> {
     aircraft.load_modes |= options.load_modes;
     let model = Arc::new(ReducedModel::new(&aircraft, count)?);
     let variables = VariableTable::new(&model);
-    let settings = parameter::settings(&options.set, &variables, &model, count)?;
+    let settings = assignment::settings(&options.set, &variables, &model, count)?;
     let schedule = Schedule::parse(&read(inputs)?, &variables)
         .map_err(|source| Error::Inputs { path: inputs.clone(), source })?;
     let rows = schedule.point_count(*step);

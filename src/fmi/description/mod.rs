@@ -4,20 +4,21 @@
 mod shared;
 mod v2;
 
+use crate::flight::Settings;
 use crate::sealed;
 use crate::structure::ReducedModel;
 
 pub use shared::MODEL_IDENTIFIER;
 
-/// The model description of the FMU of an aircraft.
-pub fn write(model: &ReducedModel) -> String {
-    v2::with_guid(model, &guid(model))
+/// The model description of the FMU of an aircraft whose parameters start there.
+pub fn write(model: &ReducedModel, starts: &Settings) -> String {
+    v2::with_guid(model, starts, &guid(model, starts))
 }
 
-/// The guid of the FMU of an aircraft: the same for the same aircraft, variables and version of this
+/// The guid of the FMU of an aircraft: the same for the same aircraft, variables, starts and version of this
 /// crate, and another one when any of them changes.
-pub fn guid(model: &ReducedModel) -> String {
-    guid_of(identity(model))
+pub fn guid(model: &ReducedModel, starts: &Settings) -> String {
+    guid_of(identity(model, starts))
 }
 
 /// The guid of an identity.
@@ -35,8 +36,8 @@ pub(super) fn guid_of(id: u128) -> String {
 
 /// Hash of the model's content and of the model description (without a guid), which says everything else
 /// that an importer relies on.
-pub(super) fn identity(model: &ReducedModel) -> u128 {
-    let description = v2::with_guid(model, "");
+pub(super) fn identity(model: &ReducedModel, starts: &Settings) -> u128 {
+    let description = v2::with_guid(model, starts, "");
     sealed::hash(&[&model.content_hash().to_le_bytes(), description.as_bytes()].concat())
 }
 

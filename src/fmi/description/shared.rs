@@ -73,12 +73,12 @@ pub fn log_categories(xml: &mut Xml, contents: impl Fn(Category) -> &'static str
     Ok(())
 }
 
-pub fn default_experiment(xml: &mut Xml, model: &ReducedModel) -> io::Result<()> {
+pub fn default_experiment(xml: &mut Xml, starts: &Settings) -> io::Result<()> {
     xml.create_element("DefaultExperiment")
         .with_attributes([
             ("startTime", "0"),
             ("stopTime", &STOP_TIME.to_string()),
-            ("tolerance", &Settings::of(model).tolerance.to_string()),
+            ("tolerance", &starts.tolerance.to_string()),
             ("stepSize", &STEP_SIZE.to_string()),
         ])
         .write_empty()?;

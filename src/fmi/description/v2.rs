@@ -5,6 +5,7 @@ use std::io;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 
+use crate::flight::Settings;
 use crate::fmi::log::Category;
 use crate::structure::ReducedModel;
 use crate::variables::{EnumerationType, OutputSlot, Slot, Type, Variable, VariableTable};
@@ -15,17 +16,22 @@ use super::shared::{
 };
 
 /// The model description with any guid; the real one is a hash of this with none.
-pub fn with_guid(model: &ReducedModel, guid: &str) -> String {
-    let table = VariableTable::new(model);
+pub fn with_guid(model: &ReducedModel, starts: &Settings, guid: &str) -> String {
+    let table = VariableTable::starting(model, starts);
     let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
     // PROOF: memory takes every byte, and the writer only passes UTF-8 on.
-    document(&mut xml, model, &table, guid).expect("writing to memory succeeds");
+    document(&mut xml, (model, starts), &table, guid).expect("writing to memory succeeds");
     let mut text = String::from_utf8(xml.into_inner()).expect("strings are UTF-8");
     text.push('\n');
     text
 }
 
-fn document(xml: &mut Xml, model: &ReducedModel, table: &VariableTable, guid: &str) -> io::Result<()> {
+fn document(
+    xml: &mut Xml,
+    (model, starts): (&ReducedModel, &Settings),
+    table: &VariableTable,
+    guid: &str,
+) -> io::Result<()> {
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     xml.create_element("fmiModelDescription")
         .with_attributes([
@@ -43,7 +49,7 @@ fn document(xml: &mut Xml, model: &ReducedModel, table: &VariableTable, guid: &s
             unit_definitions(xml)?;
             type_definitions(xml)?;
             log_categories(xml, log_contents)?;
-            default_experiment(xml, model)?;
+            default_experiment(xml, starts)?;
             xml.create_element("ModelVariables").write_inner_content(|xml| {
                 table.iter().try_for_each(|(reference, variable)| scalar_variable(xml, reference, variable))
             })?;

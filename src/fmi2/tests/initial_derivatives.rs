@@ -67,9 +67,11 @@ impl Initialisation {
                 ParameterSlot::Altitude => 20.0,
                 ParameterSlot::Heading => 0.02,
                 // Switched off.
-                ParameterSlot::Actuator { .. } | ParameterSlot::Engine { .. } | ParameterSlot::Sensor(_) => {
-                    0.0
-                }
+                ParameterSlot::Actuator { .. }
+                | ParameterSlot::Engine { .. }
+                | ParameterSlot::Sensor(_)
+                | ParameterSlot::Turbulence(_) => 0.0,
+                ParameterSlot::Gust(_) if !self.levels.iter().any(|(name, _)| *name == "gust.shape") => 0.0,
                 _ => 5e-3 * at,
             };
             let trimmed = |steps: f64| {
@@ -118,6 +120,9 @@ fn derivatives_at_the_initialisation_by_every_parameter_are_differences_of_trims
     Initialisation::new(jet(), &[("model", 2)], &soft).check();
     Initialisation::new(jet(), &[("input_reference", 2), ("model", 4)], &soft).check();
     Initialisation::new(jet(), &[("model", 5)], &one_sided).check();
+    const BY_CRITERION: [(&str, c_int); 3] = [("model", 5), ("gust.shape", 2), ("gust.criterion", 2)];
+    Initialisation::new(jet(), &BY_CRITERION, &[("gust.alleviation", 0.8)]).check();
+    Initialisation::new(jet(), &[("model", 5), ("gust.shape", 2)], &[("gust.alleviation", 0.8)]).check();
     Initialisation::new(
         &typical_section(),
         &[],

@@ -27,10 +27,17 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use super::exports::*;
 use super::functions;
 use super::types::{CallbackFunctions, CallbackLogger, Component, FmuState, Status};
+use crate::flight::Settings;
 use crate::fmi::RESOURCE_FILE;
-use crate::fmi::description::guid;
+use crate::fmi::description;
+use crate::structure::ReducedModel;
 use crate::structure::test_jet::jet;
 use crate::variables::{Slot, Type, Variable, VariableTable};
+
+/// Of the FMU of an aircraft whose parameters start as its own.
+fn guid(model: &ReducedModel) -> String {
+    description::guid(model, &Settings::of(model))
+}
 
 /// Those of an importer that gives none.
 fn no_callbacks() -> CallbackFunctions {

@@ -104,7 +104,7 @@ fn each<S: Strategy>(cases: u32, strategy: S, check: impl Fn(S::Value)) {
 
 /// Everything that an FMU does with a model that has been accepted, at its own level of fidelity and geometrically exactly.
 fn fly(model: ReducedModel) {
-    assert!(description::write(&model).contains(&guid(&model)));
+    assert!(description::write(&model, &Settings::of(&model)).contains(&guid(&model)));
     let model = Arc::new(model);
     let own = PlantSettings { mode_count: model.natural_modes(), ..PlantSettings::of(&model) };
     for fidelity in [own.fidelity, Fidelity::GeometricallyExact] {

@@ -196,17 +196,30 @@ fn a_flight_goes_on_from_a_saved_state_bit_for_bit() {
     assert_eq!(other.outputs(), expected);
 }
 
-/// Where a saved state has its life-cycle state, time, start time, tolerance, stop time, flight, and where that has its time
-/// in cells of 10 ms, first input and rate.
+/// Where a saved state has its life-cycle state, time, start time, tolerance and stop time.
 const STATE: usize = HEADER;
 const TIME: usize = 33;
 const START: usize = 41;
 const TOLERANCE: usize = 50;
 const STOP: usize = 58;
-const FLIGHT: usize = 148;
-const FLIGHT_TIME: usize = FLIGHT + 10;
-const INPUT: usize = FLIGHT_TIME + 8 * 8;
-const RATE: usize = INPUT + 12 * 8;
+/// Before the parameters.
+const BEFORE_PARAMETERS: usize = 79;
+
+/// Where a saved state has its flight, and where that has its time in cells of 10 ms, first input and rate.
+fn flight_places() -> [usize; 4] {
+    let table = VariableTable::new(jet());
+    let bytes = |variable: &Variable| match (variable.slot, variable.kind) {
+        (Slot::Parameter(_), Type::Real) => 8,
+        (Slot::Parameter(_), Type::Integer | Type::Enumeration(_)) => 4,
+        (Slot::Parameter(_), Type::Boolean) => 1,
+        (Slot::Input(_) | Slot::Output(_), _) => 0,
+    };
+    let parameters: usize = table.iter().map(|(_, variable)| bytes(variable)).sum();
+    let flight = BEFORE_PARAMETERS + parameters + 1;
+    let time = flight + 10;
+    let input = time + 11 * 8;
+    [flight, time, input, input + 12 * 8]
+}
 
 /// Bytes with some of them replaced and a checksum that fits.
 fn forged(bytes: &[u8], at: usize, replacement: &[u8]) -> Vec<u8> {
@@ -222,8 +235,9 @@ fn forged_states_with_a_right_checksum_are_refused_and_change_nothing() {
     assert_eq!(fmu.set(&[("elevator", 0.02)]), Status::Ok);
     assert_eq!(fmu.step(0.0, 0.25), Status::Ok);
     let bytes = Saved::of(&fmu).bytes();
-    assert_eq!(bytes[INPUT..INPUT + 8], 0.02_f64.to_le_bytes(), "the layout has changed");
-    for (time, number) in [(TIME, 0.25_f64), (FLIGHT_TIME, 25.0)] {
+    let [flight, flight_time, input, rate] = flight_places();
+    assert_eq!(bytes[input..input + 8], 0.02_f64.to_le_bytes(), "the layout has changed");
+    for (time, number) in [(TIME, 0.25_f64), (flight_time, 25.0)] {
         assert_eq!(bytes[time..time + 8], number.to_le_bytes(), "the layout has changed");
     }
     let before = fmu.outputs();
@@ -241,16 +255,16 @@ fn forged_states_with_a_right_checksum_are_refused_and_change_nothing() {
         (STOP, stop(f64::NAN), "stop time"),
         (STOP, stop(0.1), "outside the experiment"),
         (STOP, vec![2], "damaged"),
-        (FLIGHT - 1, vec![2], "damaged"),
-        (FLIGHT - 1, vec![0], "damaged"),
-        (FLIGHT, vec![2], "which equations fly"),
-        (FLIGHT, vec![0], "its length"),
-        (FLIGHT + 1, vec![0], "its length"),
-        (FLIGHT + 2, vec![0, 0, 0, 0], "sub-steps"),
-        (FLIGHT_TIME, 50_f64.to_le_bytes().to_vec(), "at another time"),
-        (FLIGHT_TIME, 0.5_f64.to_le_bytes().to_vec(), "times are out of range"),
-        (INPUT, f64::NAN.to_le_bytes().to_vec(), "not finite"),
-        (RATE, f64::INFINITY.to_le_bytes().to_vec(), "not finite"),
+        (flight - 1, vec![2], "damaged"),
+        (flight - 1, vec![0], "damaged"),
+        (flight, vec![2], "which equations fly"),
+        (flight, vec![0], "its length"),
+        (flight + 1, vec![0], "its length"),
+        (flight + 2, vec![0, 0, 0, 0], "sub-steps"),
+        (flight_time, 50_f64.to_le_bytes().to_vec(), "at another time"),
+        (flight_time, 0.5_f64.to_le_bytes().to_vec(), "times are out of range"),
+        (input, f64::NAN.to_le_bytes().to_vec(), "not finite"),
+        (rate, f64::INFINITY.to_le_bytes().to_vec(), "not finite"),
     ] {
         let saved = Saved::from_bytes(&fmu, &forged(&bytes, at, &replacement)).unwrap();
         assert_eq!(saved.restore(), Status::Error, "{at}: {replacement:?}");

@@ -1,4 +1,4 @@
-//! Parameters of the FMU, given as text.
+//! Parameters of the FMU, given as text: `NAME=VALUE`.
 
 use flexible_aircraft::flight::Settings;
 use flexible_aircraft::plant::ModeSelection;
@@ -9,6 +9,7 @@ use flexible_aircraft::variables::{
 
 /// What is wrong with an assignment.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[expect(missing_docs, reason = "the messages say it")]
 pub enum Mistake {
     #[error("{0}: allowed is NAME=VALUE")]
     Form(String),
