@@ -67,6 +67,15 @@ def description(fmu):
 
 
 @pytest.fixture(scope="session")
+def stormy_fmu(tmp_path_factory):
+    """An archive whose enumerations start as the storm needs them, for importers that set none."""
+    output = tmp_path_factory.mktemp("stormy") / "FlexibleAircraft.fmu"
+    starts = ["--set=gust.shape=one_minus_cosine", "--set=turbulence.spectrum=von_karman"]
+    subprocess.run([*FLEXAIR, "package", "--no-check", "--output", output, *starts], cwd=ROOT, check=True)
+    return output
+
+
+@pytest.fixture(scope="session")
 def fmucontainer(fmu, tmp_path_factory):
     """Written by fmucontainer, of the FMU Manipulation Toolbox."""
     folder = tmp_path_factory.mktemp("fmucontainer")

@@ -10,6 +10,8 @@ import numpy as np
 
 INCONSISTENT = 3  # of the enumeration `model`
 SYMMETRIC = 2  # of the enumeration `mode_family`
+ONE_MINUS_COSINE = 2  # of the enumeration `gust.shape`
+VON_KARMAN = 3  # of the enumeration `turbulence.spectrum`
 
 
 @dataclass(frozen=True)
@@ -94,6 +96,23 @@ ENUMERATIONS = Flight(
     regular(5.0),
     {"elevator": everything_moves(regular(5.0))["elevator"]},
     parameters={"model": INCONSISTENT, "mode_family": SYMMETRIC, "mode_count": 8, "stiffness_scale": 0.1},
+)
+# A gust with a part to the right and turbulence, both frozen in the air, a changing wind, actuators and sensors that lag.
+STORM = Flight(
+    "storm",
+    regular(5.0),
+    {"elevator": everything_moves(regular(5.0))["elevator"], "wind_down": everything_moves(regular(5.0))["wind_down"]},
+    parameters={
+        "gust.shape": ONE_MINUS_COSINE,
+        "gust.gradient": 20.0,
+        "gust.peak": 8.0,
+        "gust.direction": 0.3,
+        "turbulence.spectrum": VON_KARMAN,
+        "turbulence.seed": 5,
+        "actuator.elevator.frequency": 40.0,
+        "actuator.elevator.rate_limit": 0.05,
+        "engine.left.time_constant": 0.5,
+    },
 )
 IRREGULAR = Flight("irregular steps", irregular(5.0), everything_moves(irregular(5.0)))
 

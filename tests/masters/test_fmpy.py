@@ -19,9 +19,9 @@ from fmpy.fmi2 import (
 )
 from fmpy.logging import addLoggerProxy
 
-from flights import ENUMERATIONS, MANOEUVRE, PARAMETERS, STRAIGHT
+from flights import ENUMERATIONS, MANOEUVRE, PARAMETERS, STORM, STRAIGHT
 
-FLIGHTS = [STRAIGHT, MANOEUVRE, PARAMETERS, ENUMERATIONS]
+FLIGHTS = [STRAIGHT, MANOEUVRE, PARAMETERS, ENUMERATIONS, STORM]
 
 
 def signals(flight):

@@ -3,7 +3,7 @@
 import pytest
 from fmuloader.fmi2 import Fmi2Error, Fmi2Slave, Fmi2Type
 
-from flights import ENUMERATIONS, IRREGULAR, MANOEUVRE, PARAMETERS, STRAIGHT, ramped
+from flights import ENUMERATIONS, IRREGULAR, MANOEUVRE, PARAMETERS, STORM, STRAIGHT, ramped
 
 
 class Master:
@@ -63,7 +63,7 @@ def master(fmu, description):
         made.slave.free_instance()
 
 
-FLIGHTS = [STRAIGHT, MANOEUVRE, PARAMETERS, ENUMERATIONS, IRREGULAR, ramped(PARAMETERS), ramped(IRREGULAR)]
+FLIGHTS = [STRAIGHT, MANOEUVRE, PARAMETERS, ENUMERATIONS, STORM, IRREGULAR, ramped(PARAMETERS), ramped(IRREGULAR)]
 
 
 @pytest.mark.parametrize("flight", FLIGHTS, ids=lambda flight: flight.name)

@@ -9,7 +9,7 @@ from libcosimpy.CosimObserver import CosimObserver
 from libcosimpy.CosimSlave import CosimLocalSlave
 
 from conftest import describe
-from flights import ENUMERATIONS, MANOEUVRE, PARAMETERS, STRAIGHT
+from flights import ENUMERATIONS, MANOEUVRE, PARAMETERS, STORM, STRAIGHT
 
 STEP = 10_000_000  # ns
 
@@ -59,6 +59,15 @@ def without_start(history, reference):
 def test_a_flight_is_that_of_the_rust_library(fmu, description, reference, agrees, flight):
     history = Execution(fmu, description, flight).fly()
     agrees("libcosimpy", flight, without_start(history, reference(flight)))
+
+
+def test_enumerations_that_start_as_needed_let_it_fly_through_a_storm(stormy_fmu, reference, agrees):
+    description = describe(stormy_fmu)
+    is_set = {
+        name: value for name, value in STORM.parameters.items() if description.variables[name].type != "Enumeration"
+    }
+    history = Execution(stormy_fmu, description, replace(STORM, parameters=is_set)).fly()
+    agrees("libcosimpy, package --set", STORM, without_start(history, reference(STORM)))
 
 
 def test_libcosim_has_no_enumerations(fmu, description):
