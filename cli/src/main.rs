@@ -18,6 +18,7 @@ mod converge;
 mod diagnostics;
 mod files;
 mod flutter;
+mod gust;
 mod manoeuvre;
 mod mark_labels;
 mod merge;
@@ -55,6 +56,9 @@ enum Command {
 
     /// Lay trims, deflections, flutter speeds and roots with several numbers of modes side by side, and say how many are enough
     Converge(converge::ConvergeOptions),
+
+    /// Fly an aircraft through one 1-cosine gust after the other, and say which is the worst for each output
+    Gust(gust::GustOptions),
 
     /// Measure how fast a packaged aircraft flies, how exact it is then, and what it costs to make it larger
     Bench(bench::BenchOptions),
@@ -160,6 +164,7 @@ fn main() -> ExitCode {
         Command::Simulate(options) => simulate::run(&options).map_err(|error| error.report()),
         Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
         Command::Converge(options) => converge::run(&options).map_err(|error| error.report()),
+        Command::Gust(options) => gust::run(&options).map_err(|error| error.report()),
         Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
         Command::Ssp(options) => ssp::run(&options).map_err(|error| format!("error: {error}")),
         Command::Completions(options) => {
@@ -200,8 +205,15 @@ mod tests {
 
     #[test]
     fn all_commands_share_one_default_aircraft() {
-        let lines =
-            ["simulate i.csv", "package", "flutter --from 1 --to 2", "converge", "bench", "reproduce"];
+        let lines = [
+            "simulate i.csv",
+            "package",
+            "flutter --from 1 --to 2",
+            "converge",
+            "gust",
+            "bench",
+            "reproduce",
+        ];
         for line in lines.map(|line| format!("flexair {line}")) {
             let matches = command_line().get_matches_from(line.split(' '));
             let (name, matches) = matches.subcommand().unwrap();

@@ -7,6 +7,8 @@ mod closed_output;
 #[cfg(test)]
 mod files;
 #[cfg(test)]
+mod gust;
+#[cfg(test)]
 mod package;
 #[cfg(test)]
 mod simulate;
