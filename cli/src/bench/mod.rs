@@ -5,6 +5,7 @@
 
 mod equations;
 mod larger;
+mod options;
 mod report;
 mod scaling;
 mod standard_flight;
@@ -137,18 +138,20 @@ pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
     let mut names = model.stations.iter().map(|station| station.name.as_str());
     let first = names.clone().next();
     let station = names.find(|name| *name == WING_TIP).or(first).unwrap_or(WING_TIP);
-    let flown = Flown { fmu: &fmu, level: model.fidelity, control: &control.name, station };
+    let flown = Flown { fmu: &fmu, level: model.fidelity, control: &control.name, station, parameters: &[] };
     if let Some(missing) = flown.missing_variable() {
         return Err(BenchError::NoStandardFlight { fmu: options.fmu.clone(), missing });
     }
     let drafts = Drafts::new(outputs)?;
     terminal::note("the standard flight through the C interface …");
     let flight = StandardFlight::measure(flown)?;
+    terminal::note("the same with gusts, turbulence and an actuator …");
+    let options = options::measure(flown)?;
     terminal::note("the right-hand side and the plain method …");
     let equations = EquationCosts::measure(&model)?;
     terminal::note("larger and smaller aircraft …");
     let scaling = Scaling::measure(&aircraft, &model)?;
-    let report = Report { model: &model, control: &control.name, flight, equations, scaling };
+    let report = Report { model: &model, control: &control.name, flight, options, equations, scaling };
     drafts.keep([report.markdown().as_str(), &report.chart().to_svg()])?;
     Ok(terminal::print(&format!("{}\n", report.summary()))?)
 }

@@ -35,6 +35,17 @@ pub struct Flown<'f> {
     pub control: &'f str,
     /// The station whose deflection is watched: a wing tip.
     pub station: &'f str,
+    /// Parameters that do not start as the FMU has them.
+    pub parameters: &'f [(String, ParameterValue)],
+}
+
+/// Of a parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ParameterValue {
+    /// Of a Real.
+    Number(f64),
+    /// Of an enumeration, from 1.
+    Item(i32),
 }
 
 impl Flown<'_> {
@@ -61,7 +72,7 @@ pub struct Accuracy {
 
 impl Accuracy {
     /// Against an exact flight.
-    fn measure(flown: Flown, tolerance: f64, exact: &Flight) -> Result<Self, BenchError> {
+    pub fn measure(flown: Flown, tolerance: f64, exact: &Flight) -> Result<Self, BenchError> {
         let flights = (0..5).map(|_| fly(flown, tolerance, 1, |_| {})).collect::<Result<Vec<_>, _>>()?;
         let time = flights.iter().fold(f64::INFINITY, |least, flight| least.min(flight.time));
         let errors = errors(&flights[0].history, &exact.history);
@@ -169,6 +180,15 @@ pub fn fly(flown: Flown, tolerance: f64, parts: u32, mut timed: impl FnMut(f64))
     let mut aircraft = fmu.instantiate("bench")?;
     // Items of an enumeration are counted from 1.
     aircraft.set_integer(&[fmu.variable("model")?], &[level as i32 + 1])?;
+    for (name, value) in flown.parameters {
+        let variable = fmu.variable(name)?;
+        match *value {
+            ParameterValue::Number(number) => aircraft.set_real(&[variable], &[number])?,
+            ParameterValue::Item(item) => aircraft.set_integer(&[variable], &[item])?,
+        }
+    }
+    // Of the experiment's tolerance and the parameter the tighter counts.
+    aircraft.set_real(&[fmu.variable("tolerance")?], &[tolerance])?;
     aircraft.initialise(0.0, Some(tolerance))?;
     let mut history = Vec::new();
     let begin_of_flight = ThreadTime::now();

@@ -7,6 +7,7 @@ use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{Package, Platform};
 
 use super::equations::{EquationCosts, RightHandSide};
+use super::options::Optional;
 use super::report::Report;
 use super::scaling::{Costs, GeometricallyExact, Point, Scaling};
 use super::standard_flight::{Accuracy, Flown, StandardFlight, errors, fly};
@@ -16,7 +17,7 @@ const TOLERANCE: f64 = 1e-5;
 
 /// The standard flight at a level.
 fn flown(fmu: &Fmu, level: Fidelity) -> Flown<'_> {
-    Flown { fmu, level, control: "elevator", station: "wing_tip_right" }
+    Flown { fmu, level, control: "elevator", station: "wing_tip_right", parameters: &[] }
 }
 
 /// The jet's FMU with the library that cargo built beside this test.
@@ -101,7 +102,8 @@ fn report(model: &ReducedModel) -> Report<'_> {
         },
         memory: None,
     };
-    Report { model, control: "elevator", flight, equations, scaling }
+    let options = vec![Optional { name: "gust", accuracy: accuracy(1e-3, 2e-3) }];
+    Report { model, control: "elevator", flight, options, equations, scaling }
 }
 
 #[test]
@@ -115,6 +117,10 @@ fn the_page_says_what_the_geometrically_exact_level_costs_over_modes_strips_and_
                 | geometrically exact, 1e-5 | 0.00400 | 250 | 2.0e-6 | 2.0e-6 | 2.0e-6 |\n\
                 | plain method | 0.1000 | 10.0 | | | |\n";
     assert!(page.contains(rows), "{page}");
+    assert!(
+        page.contains("| --- |\n| gust, 1e-3 | 0.00200 | 500 | 2.0e-6 | 2.0e-6 | 2.0e-6 |\n\n"),
+        "{page}"
+    );
     let bending: Vec<&str> =
         page.split("\n\n").filter(|t| t.starts_with("| geometrically exact: ")).collect();
     for (table, (what, sizes)) in
