@@ -35,6 +35,4 @@ pub use settings::{InputReference, Settings};
 pub use simulation::Simulation;
 
 #[cfg(test)]
-mod device_tests;
-#[cfg(test)]
 mod tests;

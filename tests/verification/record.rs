@@ -45,6 +45,7 @@ const CLAIMS: &[Claim] = &[
     ("Energy balance in air", "energy_balance", &["energy-balance"]),
     ("Phugoid and short period", "rigid_modes", &["rigid-modes"]),
     ("Sensors on the structure", "sensors", &["sensors"]),
+    ("Actuators and engines", "actuators", &["actuators"]),
     ("Fidelity levels", "fidelity_levels", &["rigid-limit", "damping"]),
     ("Invariance of the flight", "flight", &["mirror", "steadiness", "heading"]),
     ("Symmetric motion", "symmetry", &["half"]),
