@@ -36,6 +36,4 @@ pub use settings::{InputReference, Settings};
 pub use simulation::Simulation;
 
 #[cfg(test)]
-mod device_tests;
-#[cfg(test)]
 mod tests;

@@ -1,4 +1,4 @@
-"""An FMU packaged with load modes: the only one with a Boolean, which switches them off."""
+"""An FMU packaged with load modes: it has a Boolean that switches them off."""
 
 import subprocess
 

@@ -40,8 +40,8 @@ class Description:
 
     @property
     def outputs(self):
-        """Value references by name."""
-        return {name: v.reference for name, v in self.variables.items() if v.causality == "output"}
+        """Value references by name, of those that are Real: what actuators say in Booleans is 0 while they are off."""
+        return {name: v.reference for name, v in self.variables.items() if (v.causality, v.type) == ("output", "Real")}
 
 
 @pytest.fixture(scope="session")

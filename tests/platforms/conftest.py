@@ -46,7 +46,7 @@ def flight_arguments(unpacked):
         reference = variable.get("valueReference")
         if variable.get("causality") == "input":
             inputs.append(f"{reference}:{AMPLITUDES[variable[0].get('unit')]}")
-        elif variable.get("causality") == "output":
+        elif variable.get("causality") == "output" and variable[0].tag == "Real":
             outputs.append(reference)
         elif variable.get("name") == "model":
             model = reference

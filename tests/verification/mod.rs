@@ -1,5 +1,6 @@
 //! Physics: each file holds one claim against a source that is not this program.
 
+mod actuators;
 mod any_basis;
 mod asymmetry;
 mod beam;

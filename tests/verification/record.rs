@@ -47,6 +47,7 @@ const CLAIMS: &[Claim] = &[
     ("A held section in a gust", "sears", &["sears", "kussner"]),
     ("Gusts that penetrate", "gusts", &["gust", "gust-other", "gust-constant", "gust-half"]),
     ("Sensors on the structure", "sensors", &["sensors"]),
+    ("Actuators and engines", "actuators", &["actuators"]),
     ("Fidelity levels", "fidelity_levels", &["rigid-limit", "damping"]),
     ("Invariance of the flight", "flight", &["mirror", "steadiness", "heading"]),
     ("Symmetric motion", "symmetry", &["half"]),

@@ -1,5 +1,7 @@
 //! Flights of the generic business jet: what must not depend on when, nor on where to.
 
+mod devices;
+
 use std::sync::Arc;
 
 use nalgebra::Vector3;
