@@ -49,12 +49,14 @@ const fn halved(mut coefficients: [f64; TERMS], mut factor: f64) -> [f64; TERMS]
 /// cos(φ/2) and sin(φ/2)/φ of φ².
 #[inline(always)]
 pub fn half_angle<S: Arithmetic>(square: Lanes<S>) -> [Lanes<S>; 2] {
-    [HALF_COSINE, HALF_SINE].map(|coefficients| {
-        let [rest @ .., last] = coefficients;
-        rest.iter()
-            .rev()
-            .fold(square.splat(last), |sum, &coefficient| sum * square + square.splat(coefficient))
-    })
+    [polynomial(square, &HALF_COSINE), polynomial(square, &HALF_SINE)]
+}
+
+/// Horner's scheme.
+#[inline(always)]
+fn polynomial<S: Arithmetic>(square: Lanes<S>, [rest @ .., last]: &[f64; TERMS]) -> Lanes<S> {
+    let sum = square.splat(*last);
+    rest.iter().rev().fold(sum, |sum, &coefficient| sum * square + square.splat(coefficient))
 }
 
 /// A function of s = φ².
