@@ -15,6 +15,7 @@ mod fidelity_levels;
 mod flexible_wings;
 mod flight;
 mod flutter;
+mod free_modes;
 mod frequencies;
 mod geometrically_exact;
 mod gliding;
