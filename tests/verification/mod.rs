@@ -24,6 +24,7 @@ mod inflow;
 mod limits;
 mod linearisation;
 mod load_modes;
+mod load_modes_flutter;
 mod loaded_wing;
 mod modal_integrals;
 mod point_loads;
