@@ -105,7 +105,8 @@ fn wing_tip(model: &ReducedModel, fidelity: Fidelity, mode_count: usize) -> [f64
 }
 
 #[test]
-fn with_more_modes_every_level_keeps_its_own_wing_tip_and_the_geometrically_exact_one_alone_comes_in_by_metres() {
+fn with_more_modes_every_level_keeps_its_own_wing_tip_and_the_geometrically_exact_one_alone_comes_in_by_metres()
+ {
     let mut record = Record::new(
         "trim-levels",
         "The same flight at one-tenth stiffness over the number of symmetric modes: wing tip, m",
