@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use clap::Parser;
+use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::plant::{ModeSelection, Plant};
 use flexible_aircraft::stability::Complex;
 use flexible_aircraft::structure::ModeKind;
