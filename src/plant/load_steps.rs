@@ -1,4 +1,6 @@
-//! The trim of a plant, for clamped aircraft in steps of the load where one step is too far [theory: trim.load-steps].
+//! The trim of a plant, for clamped aircraft under point loads in steps of the load where one step is too far.
+//!
+//! [theory: trim.load-steps]
 
 use crate::aircraft::Support;
 
@@ -16,12 +18,14 @@ impl Plant {
     /// accelerations vanish, thrust equal on all engines. A clamped aircraft keeps its attitude; only q is found.
     ///
     /// # Errors
-    /// When Newton's method finds no such state, that of a clamped aircraft not in steps of the load either.
+    /// When Newton's method finds no such state, that of a clamped aircraft under point loads not in steps of the load either.
     pub fn trim(&self, condition: &TrimCondition) -> Result<Trim, Box<TrimError>> {
         let steady = self.with_steady_inflow();
-        let found = match (Search::find(&steady, *condition), self.support()) {
-            (Err(error), Support::Clamped) => find_in_steps(&steady, *condition).ok_or(error),
-            (found, _) => found,
+        // In a flow alone an equilibrium that Newton's method does not find is lost, which sweeps tell.
+        let may_step = self.support() == Support::Clamped && self.equations.has_point_loads();
+        let found = match Search::find(&steady, *condition) {
+            Err(error) if may_step => find_in_steps(&steady, *condition).ok_or(error),
+            found => found,
         };
         Ok(found?.trim_of(self))
     }
