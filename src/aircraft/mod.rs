@@ -8,7 +8,7 @@
 //!
 //! | module | takes | gives |
 //! | --- | --- | --- |
-//! | `document`, `read`, `control_tables`, `limit_tables`, `tunnel`, `fineness` | TOML text | `schema`: the fields, each allowed by itself, with their places |
+//! | `document`, `read`, `control_tables`, `limit_tables`, `model_tables`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
 //! | `control`, `limits` | | what controls are, what trims should stay within |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
@@ -33,7 +33,6 @@ mod document;
 mod error;
 mod expand;
 mod fidelity;
-mod fineness;
 mod flap;
 mod former;
 mod geometry;
@@ -42,6 +41,7 @@ mod limit_tables;
 mod limits;
 mod masses;
 mod model;
+mod model_tables;
 mod read;
 mod roles;
 mod schema;

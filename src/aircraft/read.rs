@@ -11,10 +11,10 @@ use super::allowed::{
 use super::control_tables::read_controls;
 use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
-use super::fineness;
 use super::law::Law;
 use super::limit_tables::read_limits;
 use super::model::{ModeBasis, Support};
+use super::model_tables;
 use super::schema::{
     Along, ComponentSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, Hand, InertiaSpec,
     MassPartSpec, MoveSpec, ParentSpec, PointMassesSpec, STIFFNESS, StationSpec, SurfaceSpec,
@@ -113,7 +113,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     let stations: Vec<_> = table.tables("station", STATION).iter().map(read_station).collect();
     Some(FileSpec {
         gravity: table.number_or("gravity_m_s2", &GRAVITY, 9.80665),
-        inflow_states: fineness::read_inflow_states(&table),
+        inflow_states: model_tables::read_inflow_states(&table),
         airspeed: table
             .optional("airspeed_m_s")
             .and_then(|v| v.located(|v| v.number(&AIRSPEED)))
@@ -121,8 +121,8 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         altitude: if tunnel_air.is_some() { 0.0 } else { table.number_or("altitude_m", &ALTITUDE, 7620.0) },
         tunnel_air,
         mount: table.optional("mount_attitude_deg").and_then(|v| v.located(tunnel::read_mount)),
-        load_modes: fineness::read_load_modes(&table),
-        fidelity: fineness::read_fidelity(&table),
+        load_modes: model_tables::read_load_modes(&table),
+        fidelity: model_tables::read_fidelity(&table),
         symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
         limits,
         former_limits,

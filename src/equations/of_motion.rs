@@ -171,6 +171,11 @@ impl EquationsOfMotion {
         self.gust = Some(gust);
     }
 
+    /// Whether loads act on stations.
+    pub(crate) fn has_point_loads(&self) -> bool {
+        !self.station_loads.are_none()
+    }
+
     /// The same equations without wide vectors: slower, with the same bits. For comparisons.
     pub fn one_strip_at_a_time(mut self) -> Self {
         self.take_arch(Arch::Scalar);

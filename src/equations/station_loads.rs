@@ -34,6 +34,11 @@ impl StationLoads {
         StationLoads { loads }
     }
 
+    /// Whether nothing acts.
+    pub fn are_none(&self) -> bool {
+        self.loads.iter().all(|load| *load == StationLoad::NONE)
+    }
+
     /// Adds their generalised forces on ν; with `deformed_arms` they act about O from the deformed place.
     pub fn add(
         &self,

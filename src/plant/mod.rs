@@ -9,6 +9,7 @@ mod free_modes;
 mod limits;
 mod linear_part;
 mod linearisation;
+mod load_steps;
 mod outputs;
 mod point_loads;
 mod sensors;

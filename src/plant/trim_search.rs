@@ -216,8 +216,16 @@ impl<'a> Search<'a> {
         elastic.copy_from_slice(GeneralisedVector::of(forces).modal);
     }
 
+    /// What was found, or where the search is, in its own units and order.
+    pub fn unknowns(&self) -> &[f64] {
+        &self.values
+    }
+
     /// Searches from the present unknowns on.
-    fn run(&mut self) -> Result<(), Box<TrimError>> {
+    ///
+    /// # Errors
+    /// When nothing is in balance where the search ends.
+    pub fn run(&mut self) -> Result<(), Box<TrimError>> {
         let end = self.iterate();
         self.converged = matches!(end, SearchEnd::Steps(_));
         self.check_balance(end)
@@ -349,18 +357,6 @@ impl<'a> Search<'a> {
         let weight = self.plant.equations.integrals().mass * self.plant.equations.gravity;
         let share = 1.0 - downwards / weight;
         (share.is_finite() && share > 1e-9).then_some(share)
-    }
-}
-
-impl Plant {
-    /// Finds steady straight flight, without sideslip where the controls for roll and yaw can hold it, and q at which all
-    /// accelerations vanish, thrust equal on all engines. A clamped aircraft keeps its attitude; only q is found.
-    ///
-    /// # Errors
-    /// When Newton's method finds no such state.
-    pub fn trim(&self, condition: &TrimCondition) -> Result<Trim, Box<TrimError>> {
-        let steady = self.with_steady_inflow();
-        Ok(Search::find(&steady, *condition)?.trim_of(self))
     }
 }
 

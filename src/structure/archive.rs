@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use crate::aircraft::{ALTITUDES, Flap, MOST_INFLOW_STATES, Support};
 use crate::sealed::hash;
 
-use super::{BeamSection, ModeShapes, ReducedModel, StructureError};
+use super::{BeamSection, Carrier, ModeFamily, ModeShapes, ReducedModel, StructureError};
 
 /// Names the format and its version.
 const MAGIC: &[u8; 8] = b"FLXAIR06";
@@ -66,10 +66,12 @@ impl ReducedModel {
         postcard::to_allocvec(self).expect("a reduced model is serialisable")
     }
 
-    /// Whether strips, flaps and inflow are such as an aircraft file allows.
+    /// Whether masses, frequencies, strips, flaps and inflow are such as an aircraft has and its file allows.
     fn is_physical(&self) -> bool {
         let positive = |x: f64| x.is_finite() && x > 0.0;
         positive(self.integrals.mass)
+            && self.modes.iter().all(|mode| positive(mode.angular_frequency))
+            && self.sections.iter().all(|section| section.body.mass >= 0.0)
             && self.gravity.is_finite()
             && self.support.airspeeds().contains(&self.airspeed)
             && ALTITUDES.contains(&self.altitude)
@@ -98,21 +100,39 @@ impl ReducedModel {
             && self.strain_energy.is_consistent(n)
             && self.sections.iter().all(|section| fits(&section.steps))
             && self.is_tree()
+            && self.has_the_loads_of_its_modes()
             && self.strips.iter().all(|strip| fits(&strip.shapes))
             && self.strips.iter().filter_map(|strip| strip.flap.as_ref()).all(fits_controls)
             && self.engines.iter().all(|engine| fits(&engine.shapes))
             && self.stations.iter().all(|station| fits(&station.shapes))
     }
 
-    /// Whether sections come after their parents, and all that is attached hangs on one.
+    /// Whether the first section is that of O, which is clamped, all others come after their parents, and all that is attached
+    /// hangs on one: itself, not as its mirror image, which half an aircraft alone has.
     fn is_tree(&self) -> bool {
+        let is_clamped = |first: &BeamSection| {
+            let steps = first.steps.translation.iter().chain(&first.steps.rotation);
+            first.position == Vector3::zeros() && steps.into_iter().all(|step| *step == 0.0)
+        };
         let comes_later = |(place, section): (usize, &BeamSection)| section.parent < place.max(1);
+        let engines = self.engines.iter().map(|engine| engine.carrier);
+        let stations = self.stations.iter().map(|station| station.carrier);
+        let carriers: Vec<Carrier> = engines.chain(stations).collect();
         let strips = self.strips.iter().map(|strip| strip.section);
-        let engines = self.engines.iter().map(|engine| engine.carrier.section);
-        let stations = self.stations.iter().map(|station| station.carrier.section);
-        !self.sections.is_empty()
+        let mut all = strips.chain(carriers.iter().map(|carrier| carrier.section));
+        self.sections.first().is_some_and(is_clamped)
             && self.sections.iter().enumerate().all(comes_later)
-            && strips.chain(engines).chain(stations).all(|section| section < self.sections.len())
+            && all.all(|section| section < self.sections.len())
+            && !carriers.iter().any(|carrier| carrier.mirrored)
+    }
+
+    /// Whether load modes have the loads that they are the strains of.
+    fn has_the_loads_of_its_modes(&self) -> bool {
+        let loads = |family| self.static_loads.iter().any(|load| load.family == family);
+        let load_modes = |family| self.modes.iter().any(|mode| mode.of_loads && mode.family == family);
+        [ModeFamily::Symmetric, ModeFamily::Antisymmetric, ModeFamily::Unsymmetric]
+            .into_iter()
+            .all(|family| loads(family) || !load_modes(family))
     }
 }
 
@@ -120,5 +140,31 @@ impl Flap {
     /// Whether it is such as an aircraft file allows.
     fn is_physical(&self) -> bool {
         self.hinge > 0.0 && self.hinge < 1.0 && self.gains.iter().all(|gain| gain.is_finite())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::test_jet::jet;
+
+    /// Whether the jet, changed, is refused when its bytes are read.
+    fn is_refused(change: impl FnOnce(&mut ReducedModel)) -> bool {
+        let mut model = jet().clone();
+        change(&mut model);
+        ReducedModel::from_bytes(&model.to_bytes()).is_err()
+    }
+
+    #[test]
+    fn what_no_aircraft_has_is_refused() {
+        assert!(!is_refused(|_| ()));
+        assert!(is_refused(|jet| jet.sections[0].steps.rotation[3] = 1e-3), "O turns");
+        assert!(is_refused(|jet| jet.sections[0].position.x = 1.0), "the first section is not O");
+        assert!(is_refused(|jet| jet.sections[3].parent = 3), "a section is its own parent");
+        assert!(is_refused(|jet| jet.stations[0].carrier.mirrored = true), "a station is on an image");
+        assert!(is_refused(|jet| jet.engines[0].carrier.section = 1000), "an engine is on no section");
+        assert!(is_refused(|jet| jet.sections[5].body.mass = -1.0), "a body has no mass");
+        assert!(is_refused(|jet| jet.modes[2].angular_frequency = 0.0), "a mode has no stiffness");
+        assert!(is_refused(|jet| jet.modes[3].of_loads = true), "a load mode has no load");
     }
 }

@@ -54,6 +54,9 @@ pub(super) fn load_modes(
     let shapes = shapes * DMatrix::from_columns(&kept);
     let ritz = SymmetricEigen::try_new(of(metric.stiffness, &shapes), f64::EPSILON, MAX_ITERATIONS)
         .ok_or(StructureError::EigenvaluesNotFound)?;
+    if !ritz.eigenvalues.iter().all(|square| square.is_finite() && *square > 0.0) {
+        return Err(StructureError::NotFinite);
+    }
     let mut order: Vec<usize> = (0..kept.len()).collect();
     order.sort_by(|&a, &b| ritz.eigenvalues[a].total_cmp(&ritz.eigenvalues[b]));
     let mode = |i: usize| (ritz.eigenvalues[i].sqrt(), &shapes * ritz.eigenvectors.column(i));
@@ -83,4 +86,23 @@ fn without(
 fn of(matrix: &DMatrix<f64>, shapes: &DMatrix<f64>) -> DMatrix<f64> {
     let product = shapes.transpose() * (matrix * shapes);
     (&product + product.transpose()) * 0.5
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The load modes of two coordinates with these stiffnesses, strained by one load.
+    fn of_stiffnesses(stiffnesses: [f64; 2]) -> Result<Vec<(f64, DVector<f64>)>, StructureError> {
+        let stiffness = DMatrix::from_diagonal(&DVector::from_column_slice(&stiffnesses));
+        let metric = Metric { mass: &DMatrix::identity(2, 2), stiffness: &stiffness };
+        load_modes(vec![DVector::from_column_slice(&[3.0, 4.0])], &[], &metric)
+    }
+
+    #[test]
+    fn a_load_mode_without_a_frequency_is_refused() {
+        assert_eq!(of_stiffnesses([25.0, 25.0]).unwrap()[0].0, 5.0);
+        assert_eq!(of_stiffnesses([f64::INFINITY, 1.0]).unwrap_err(), StructureError::NotFinite);
+        assert_eq!(of_stiffnesses([-25.0, 1.0]).unwrap_err(), StructureError::NotFinite);
+    }
 }

@@ -1,6 +1,6 @@
 //! Modes of the clamped structure by family [theory: structure.modes, structure.families, load-modes.shapes; thesis §3.1].
 
-use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+use nalgebra::{Cholesky, DMatrix, DVector, DVectorView, SymmetricEigen};
 
 use crate::aircraft::ModeBasis;
 
@@ -82,10 +82,7 @@ impl ModalBasis {
         };
         let of_families = subspaces.iter().flat_map(|subspace| {
             let parts = loads.iter().filter_map(|load| subspace.part(load));
-            parts.map(|part| StaticLoad {
-                family: subspace.family,
-                forces: shapes.tr_mul(&subspace.expand(&part)).as_slice().to_vec(),
-            })
+            parts.map(|part| subspace.static_load(&part, &modes, &shapes))
         });
         let static_loads = of_families.collect();
         Ok(ModalBasis { modes, shapes, static_loads, mirror })
@@ -166,6 +163,18 @@ impl<'m> Subspace<'m> {
     fn part(&self, load: &DVector<f64>) -> Option<DVector<f64>> {
         let part = mirror::project(load, &self.basis);
         (part.norm() > PART_OF_A_LOAD * load.norm()).then_some(part)
+    }
+
+    /// What the part of a load that acts in the family does to the modes: nothing to those of other families.
+    fn static_load(&self, part: &DVector<f64>, modes: &[Mode], shapes: &DMatrix<f64>) -> StaticLoad {
+        let load = self.expand(part);
+        let force = |(mode, shape): (&Mode, DVectorView<f64>)| {
+            if mode.family == self.family { shape.dot(&load) } else { 0.0 }
+        };
+        StaticLoad {
+            family: self.family,
+            forces: modes.iter().zip(shapes.column_iter()).map(force).collect(),
+        }
     }
 
     fn mode(&self, angular_frequency: f64, mut shape: DVector<f64>, of_loads: bool) -> Shaped {

@@ -2,7 +2,7 @@
 //!
 //! [theory: structure.shapes, structure.integrals, strain-energy.polynomial, air-loads.strip]
 
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::{DMatrix, DVector, Vector3};
 use serde::{Deserialize, Serialize};
 
 use crate::aircraft::{Aircraft, Control, Fidelity, Flap, Limits, Support, TrimRole, TunnelAir};
@@ -269,18 +269,25 @@ impl ReducedModel {
             && self.stations.iter().all(|station| finite(&station.shapes))
     }
 
-    /// The model with a choice of modes (ascending indices), all others held at rest.
+    /// The model with a choice of modes (ascending indices), all others held at rest. Load modes among them keep the loads that
+    /// they are the strains of.
+    ///
+    /// # Panics
+    /// When the model has no mode with one of the indices.
     pub fn select(&self, chosen: &[usize]) -> Self {
         let mut model = self.clone();
         model.modes = chosen.iter().map(|&mode| self.modes[mode]).collect();
         model.integrals = self.integrals.select(chosen);
         model.strain_energy = self.strain_energy.select(chosen);
-        model.static_loads.clear();
+        model.take_loads(|forces| chosen.iter().map(|&mode| forces[mode]).collect());
         model.all_shapes_mut().for_each(|shapes| *shapes = shapes.select(chosen));
         model
     }
 
     /// The model with these coordinates, everything else held at rest.
+    ///
+    /// # Panics
+    /// When they are those of a model with other modes.
     pub fn in_use(&self, modes: &ModesInUse) -> Self {
         if let Some(chosen) = modes.plain() {
             return self.select(&chosen);
@@ -289,7 +296,7 @@ impl ReducedModel {
         let mut model = ReducedModel { modes: own, ..self.clone() };
         model.integrals = self.integrals.combine(&shares);
         model.strain_energy = self.strain_energy.combine(&shares);
-        model.static_loads.clear();
+        model.take_loads(|forces| shares.tr_mul(&DVector::from_column_slice(forces)).as_slice().to_vec());
         model.all_shapes_mut().for_each(|shapes| *shapes = shapes.combine(&shares));
         model
     }
@@ -304,36 +311,18 @@ impl ReducedModel {
         self.modes.iter().filter(|mode| !mode.of_loads).count()
     }
 
+    /// Has the static loads act on other coordinates, as far as load modes of their families are among these.
+    fn take_loads(&mut self, on_coordinates: impl Fn(&[f64]) -> Vec<f64>) {
+        let ReducedModel { static_loads, modes, .. } = self;
+        static_loads.retain(|load| modes.iter().any(|mode| mode.of_loads && mode.family == load.family));
+        static_loads.iter_mut().for_each(|load| load.forces = on_coordinates(&load.forces));
+    }
+
     fn all_shapes_mut(&mut self) -> impl Iterator<Item = &mut ModeShapes> {
         let engines = self.engines.iter_mut().map(|engine| &mut engine.shapes);
         let stations = self.stations.iter_mut().map(|station| &mut station.shapes);
         let sections = self.sections.iter_mut().map(|section| &mut section.steps);
         self.strips.iter_mut().map(|strip| &mut strip.shapes).chain(engines).chain(stations).chain(sections)
-    }
-}
-
-impl ModeShapes {
-    fn select(&self, chosen: &[usize]) -> Self {
-        let of_chosen = |rows: [&[f64]; 3]| {
-            rows.into_iter().flat_map(|row| chosen.iter().map(move |&mode| row[mode])).collect()
-        };
-        ModeShapes {
-            translation: of_chosen(self.translation_rows()),
-            rotation: of_chosen(self.rotation_rows()),
-        }
-    }
-
-    /// Those of coordinates with such shares in these, a column each.
-    fn combine(&self, shares: &DMatrix<f64>) -> Self {
-        let combined = |rows: [&[f64]; 3]| {
-            let sum =
-                |row: &[f64], column: usize| shares.column(column).iter().zip(row).map(|(s, r)| s * r).sum();
-            rows.into_iter().flat_map(|row| (0..shares.ncols()).map(move |column| sum(row, column))).collect()
-        };
-        ModeShapes {
-            translation: combined(self.translation_rows()),
-            rotation: combined(self.rotation_rows()),
-        }
     }
 }
 

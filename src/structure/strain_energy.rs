@@ -24,9 +24,9 @@ pub struct StrainEnergy {
     modes: usize,
     /// K₀, n × n.
     pub(super) linear_stiffness: Vec<f64>,
-    /// Coefficients of q_a q_b q_c in U₃, a ≤ b ≤ c in lexicographic order.
+    /// Coefficients of q_a q_b q_c in U₃, a ≤ b ≤ c in lexicographic order; none where there is no U₃.
     cubic: Vec<f64>,
-    /// Coefficients of q_a q_b q_c q_d in U₄, a ≤ b ≤ c ≤ d in lexicographic order.
+    /// Coefficients of q_a q_b q_c q_d in U₄, a ≤ b ≤ c ≤ d in lexicographic order; none where there is no U₄.
     quartic: Vec<f64>,
 }
 
@@ -44,14 +44,18 @@ impl StrainEnergy {
         energy
     }
 
-    /// No stiffness at all.
+    /// No stiffness at all, with room for the coefficients of all orders.
     pub fn zero(modes: usize) -> Self {
         StrainEnergy {
-            modes,
-            linear_stiffness: vec![0.0; modes * modes],
             cubic: vec![0.0; monomials(modes, 3)],
             quartic: vec![0.0; monomials(modes, 4)],
+            ..StrainEnergy::quadratic(vec![0.0; modes * modes], modes)
         }
+    }
+
+    /// ½ qᵀK₀q alone.
+    pub(super) fn quadratic(linear_stiffness: Vec<f64>, modes: usize) -> Self {
+        StrainEnergy { modes, linear_stiffness, cubic: Vec::new(), quartic: Vec::new() }
     }
 
     /// Whether every coefficient is finite.
@@ -59,7 +63,7 @@ impl StrainEnergy {
         self.linear_stiffness.iter().chain(&self.cubic).chain(&self.quartic).all(|x| x.is_finite())
     }
 
-    /// Whether all arrays have the lengths that `modes` asks for.
+    /// Whether all arrays have the lengths that `modes` asks for, those of U₃ and U₄ too.
     pub fn is_consistent(&self, modes: usize) -> bool {
         self.modes == modes
             && self.linear_stiffness.len() == modes * modes
@@ -89,8 +93,8 @@ impl StrainEnergy {
         StrainEnergy {
             modes: shares.ncols(),
             linear_stiffness: combined.as_slice().to_vec(),
-            cubic: combined_coefficients(self.cubic_terms(), shares),
-            quartic: combined_coefficients(self.quartic_terms(), shares),
+            cubic: combined_coefficients(&self.cubic, 3, shares),
+            quartic: combined_coefficients(&self.quartic, 4, shares),
         }
     }
 
@@ -117,6 +121,9 @@ impl StrainEnergy {
 
     /// U₃, with its gradient (½K₁q) added to `gradient` [theory: strain-energy.force; thesis eq. 2.5, 3.5].
     pub fn add_cubic(&self, q: &[f64], gradient: &mut [f64]) -> f64 {
+        if self.cubic.is_empty() {
+            return 0.0;
+        }
         let mut rest = self.cubic.as_slice();
         let mut value = 0.0;
         for a in 0..self.modes {
@@ -136,6 +143,9 @@ impl StrainEnergy {
 
     /// U₄, with its gradient (⅓K₂q) added to `gradient` [theory: strain-energy.force; thesis eq. 2.5, 3.5].
     pub fn add_quartic(&self, q: &[f64], gradient: &mut [f64]) -> f64 {
+        if self.quartic.is_empty() {
+            return 0.0;
+        }
         let mut rest = self.quartic.as_slice();
         let mut value = 0.0;
         for a in 0..self.modes {

@@ -11,6 +11,9 @@ use flexible_aircraft::plant::{ModeSelection, PlantSettings};
 use flexible_aircraft::structure::{ModeFamily, ReducedModel};
 use flexible_aircraft::symmetry::Plants;
 
+/// Where displacements of the modes superpose, and where their strains do.
+const LEVELS: [Fidelity; 2] = [Fidelity::Exact, Fidelity::GeometricallyExact];
+
 /// Natural modes.
 const PACKAGED: usize = 6;
 
@@ -51,8 +54,10 @@ fn each_kind_of_aircraft_has_its_load_modes_and_flies_with_any_number_of_natural
         let model = model(&aircraft(file));
         assert_eq!(load_modes(&model), expected, "{file}");
         assert_eq!(ReducedModel::from_bytes(&model.to_bytes()).as_ref(), Ok(&*model));
-        for mode_count in [0, 1, PACKAGED] {
-            fly(&model, PlantSettings { mode_count, airspeed, ..PlantSettings::of(&model) });
+        for (fidelity, mode_count) in
+            LEVELS.into_iter().flat_map(|level| [0, 1, PACKAGED].map(|n| (level, n)))
+        {
+            fly(&model, PlantSettings { fidelity, mode_count, airspeed, ..PlantSettings::of(&model) });
         }
     }
 }
@@ -67,7 +72,9 @@ fn without_strips_weight_alone_loads_and_without_controls_no_flap_does() {
     assert_eq!(load_modes(&model(&fixed)), [3, 2, 0]);
     let wing = without_strips(&aircraft("aircraft/goland-wing.toml"));
     assert_eq!(load_modes(&wing), [0, 0, 1]);
-    fly(&wing, PlantSettings { mode_count: 2, ..PlantSettings::of(&wing) });
+    for fidelity in LEVELS {
+        fly(&wing, PlantSettings { fidelity, mode_count: 2, ..PlantSettings::of(&wing) });
+    }
 }
 
 #[test]
@@ -84,7 +91,9 @@ fn half_the_aircraft_has_the_symmetric_load_modes_and_flies_with_them() {
             let plants = Plants::under(&model, &settings).unwrap();
             let modes = [plants.whole(), plants.half().unwrap()].map(|plant| plant.layout().modes());
             assert_eq!(modes, [whole, half], "{mode_count}");
-            fly(&model, settings);
+            for fidelity in LEVELS {
+                fly(&model, PlantSettings { fidelity, ..settings });
+            }
         }
     }
 }

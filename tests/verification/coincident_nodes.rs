@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::aircraft::{Aircraft, Fidelity};
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::plant::{ModeSelection, Outputs, PlantSettings};
 use flexible_aircraft::structure::{ModeFamily, ReducedModel};
@@ -12,6 +12,9 @@ use crate::support::angles;
 
 const BIPLANE: &str = include_str!("../data/braced-biplane.toml");
 const TWIN_BOOM: &str = include_str!("../data/twin-boom.toml");
+
+/// Where rotations are linear, and where they are finite along the tree of sections.
+const LEVELS: [Fidelity; 2] = [Fidelity::Exact, Fidelity::GeometricallyExact];
 
 /// Each aircraft, and what moves its touching nodes 1 mm apart.
 const TOUCHING: [(&str, [&str; 2]); 2] = [
@@ -39,21 +42,26 @@ fn coincident_nodes_leave_the_mirror_plane() {
     }
 }
 
-fn settings(model: &ReducedModel, mode_selection: ModeSelection, mode_count: usize) -> Settings {
+fn settings(
+    model: &ReducedModel,
+    fidelity: Fidelity,
+    mode_selection: ModeSelection,
+    mode_count: usize,
+) -> Settings {
     Settings {
         tolerance: 1e-8,
-        ..PlantSettings { mode_selection, mode_count, ..PlantSettings::of(model) }.into()
+        ..PlantSettings { fidelity, mode_selection, mode_count, ..PlantSettings::of(model) }.into()
     }
 }
 
 #[test]
 fn aircraft_whose_parts_touch_trim_with_symmetric_modes_as_with_all() {
-    for (text, _) in TOUCHING {
+    for ((text, _), fidelity) in TOUCHING.into_iter().flat_map(|of| LEVELS.map(|level| (of, level))) {
         let model = reduced(text);
         let symmetric = model.modes.iter().filter(|mode| mode.family == ModeFamily::Symmetric).count();
         assert!((5..=15).contains(&symmetric), "{}: {symmetric}", model.name);
         let trim = |selection, count| {
-            let settings = settings(&model, selection, count);
+            let settings = settings(&model, fidelity, selection, count);
             let flight = Simulation::new(Arc::clone(&model), &settings, 0.0).unwrap();
             [flight.trim().pitch, flight.trim().pitch_control]
         };
@@ -61,14 +69,14 @@ fn aircraft_whose_parts_touch_trim_with_symmetric_modes_as_with_all() {
             (trim(ModeSelection::Symmetric, symmetric), trim(ModeSelection::All, model.modes.len()));
         assert!(
             half.iter().zip(&whole).all(|(half, whole)| (half - whole).abs() < 1e-9),
-            "{half:?} {whole:?}"
+            "{fidelity:?}: {half:?} {whole:?}"
         );
     }
 }
 
 /// Flies for a second under elevator; an aileron of 1e-14 rad moves nothing that counts, but lets the whole aircraft fly.
-fn flight(model: &Arc<ReducedModel>, aileron: f64) -> Outputs {
-    let settings = settings(model, ModeSelection::All, 12);
+fn flight(model: &Arc<ReducedModel>, fidelity: Fidelity, aileron: f64) -> Outputs {
+    let settings = settings(model, fidelity, ModeSelection::All, 12);
     let mut flight = Simulation::new(Arc::clone(model), &settings, 0.0).unwrap();
     let [elevator, roll] = ["elevator", "aileron"].map(|name| model.control(name).unwrap());
     flight.set_inputs(&angles(model, &[(elevator, 0.03), (roll, aileron)]), &Inputs::zero(model));
@@ -92,11 +100,13 @@ fn half_an_aircraft_with_strips_that_meet_in_the_plane_flies_as_the_whole_one_do
     kept.for_each(|index| uses[index] += 1);
     assert!(uses.iter().all(|&uses| uses == 2), "{uses:?}");
 
-    let (half, whole) = (flight(&model, 0.0), flight(&model, 1e-14));
-    for (half, whole) in half.deflections.iter().zip(&whole.deflections) {
-        assert!((half.displacement - whole.displacement).norm() < 1e-8, "{half:?} {whole:?}");
-        assert!(half.displacement.norm() > 1e-4);
+    for fidelity in LEVELS {
+        let (half, whole) = (flight(&model, fidelity, 0.0), flight(&model, fidelity, 1e-14));
+        for (half, whole) in half.deflections.iter().zip(&whole.deflections) {
+            assert!((half.displacement - whole.displacement).norm() < 1e-8, "{half:?} {whole:?}");
+            assert!(half.displacement.norm() > 1e-4);
+        }
+        assert!((half.load_factor - whole.load_factor).norm() < 1e-7, "{fidelity:?}");
+        assert!((half.attitude - whole.attitude).norm() < 1e-8, "{fidelity:?}");
     }
-    assert!((half.load_factor - whole.load_factor).norm() < 1e-7);
-    assert!((half.attitude - whole.attitude).norm() < 1e-8);
 }

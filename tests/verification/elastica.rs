@@ -82,16 +82,20 @@ fn come_to_rest(plant: &Plant, state: &mut [f64]) {
 
 #[test]
 fn a_trim_rests_where_the_load_has_led_step_by_step() {
-    let model = ReducedModel::new(&cantilever(10), 4).unwrap();
+    let model = ReducedModel::new(&cantilever(40), 8).unwrap();
     let plant = plant(&model, Fidelity::GeometricallyExact);
-    let force = Vector3::z() * 2.0;
-    let stepped = tip(&plant, &model, force, Vector3::zeros());
-    let load = PointLoad { station: TIP.to_owned(), force, moment: Vector3::zeros() };
-    let loaded = plant.under_loads(&[load]).unwrap();
-    let trim = loaded.trim(&PlantSettings::of(&model).trim_condition()).unwrap();
-    let outputs = loaded.outputs_at(&trim.state, &trim.controls, &mut loaded.workspace());
-    let trimmed = model.stations[0].position + outputs.deflections[0].displacement;
-    assert!((stepped - trimmed).norm() < 1e-9, "{stepped} {trimmed}");
+    for (load, [x, z]) in DEAD_LOADS {
+        let force = Vector3::z() * load;
+        let stepped = tip(&plant, &model, force, Vector3::zeros());
+        let dead = PointLoad { station: TIP.to_owned(), force, moment: Vector3::zeros() };
+        let loaded = plant.clone().under_loads(&[dead]).unwrap();
+        let trim = loaded.trim(&PlantSettings::of(&model).trim_condition()).unwrap();
+        let outputs = loaded.outputs_at(&trim.state, &trim.controls, &mut loaded.workspace());
+        let trimmed = model.stations[0].position + outputs.deflections[0].displacement;
+        assert!((stepped - trimmed).norm() < 1e-9, "{load}: {stepped} {trimmed}");
+        let apart = (trimmed - Vector3::new(x, 0.0, z)).norm();
+        assert!(apart < 1e-4, "{load}: {apart}");
+    }
 }
 
 /// PL²/EI, and x/L and z/L of the tip.

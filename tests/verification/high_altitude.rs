@@ -108,14 +108,8 @@ fn a_conventional_aircraft_flies_with_its_wing_bent_as_a_rod_is() {
     let mut record = Record::new(
         "high-altitude",
         "A conventional aircraft with Patil's wing on both sides: incidence, degrees; wing tip, m",
-        "rigid: figure of M. J. Patil, D. H. Hodges, C. E. S. Cesnik, J. Aircraft 38 (2001) 88, as read by L. Pancini \
-         (AeroBeams.jl); flexible: the same wing at this incidence as a rod without modes, by moments and curvatures",
-    );
-    let mut beside = String::from(
-        "The flexible aircraft's incidence beside the same figure, degrees. With as much suction as the sections give (η = 1) \
-         the bent wing is twisted by forces along the flow; without (η = 0) incidence is a third to a half less, so that small differences \
-         of the air loads show here. The rod says that ours is the equilibrium of these data.\n\n\
-         | m/s | published | found |\n| --- | --- | --- |\n",
+        "incidences: figure of M. J. Patil, D. H. Hodges, C. E. S. Cesnik, J. Aircraft 38 (2001) 88, as read by L. Pancini \
+         (AeroBeams.jl); tips: the same wing at this incidence as a rod without modes, by moments and curvatures",
     );
     for (airspeed, rigid, flexible) in HIGH_ALTITUDE {
         let found = trim(&airframe, Fidelity::Rigid, airspeed);
@@ -124,8 +118,12 @@ fn a_conventional_aircraft_flies_with_its_wing_bent_as_a_rod_is() {
         let rod = Rod::patils(0.0889, found.pitch.to_radians()).tip(airspeed);
         record.absolute(&format!("{airspeed} m/s: tip up of the root's chord"), rod.z, 0.02, -found.tip.z);
         record.absolute(&format!("{airspeed} m/s: tip inboard"), -rod.y, 0.02, -found.tip.y);
-        beside += &format!("| {airspeed} | {flexible:.2} | {:.2} |\n", found.pitch);
+        record.absolute(&format!("{airspeed} m/s: flexible, incidence"), flexible, 0.6, found.pitch);
     }
-    record.remark(beside.trim_end());
+    record.remark(
+        "With as much suction as the sections give (η = 1) the bent wing is twisted by forces along the flow; without (η = 0) incidence \
+         is a third to a half less, so that small differences of the air loads show in that of the flexible aircraft: ours stands \
+         a third to a half of a degree above the figure. The rod says that it is the equilibrium of these data.",
+    );
     record.finish();
 }

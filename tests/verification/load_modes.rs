@@ -13,7 +13,7 @@ use super::record::Record;
 use crate::support::{AILERON_SYMMETRIC, up};
 
 /// The jet with load modes and without the ailerons' deflection together, which the reference does not have.
-fn jet() -> Aircraft {
+pub(super) fn jet() -> Aircraft {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/generic-business-jet.toml");
     let mut jet = Aircraft::read(path).unwrap();
     jet.load_modes = true;
@@ -212,4 +212,28 @@ fn load_modes_switched_off_leave_the_bits_of_a_model_without() {
         (outputs.attitude, outputs.position, outputs.modal_q[..12].to_vec())
     };
     assert_eq!(fly(&both, off), fly(&without, PlantSettings::of(&without)));
+}
+
+#[test]
+fn static_loads_of_one_family_do_nothing_to_modes_of_the_other_and_stay_with_the_load_modes_in_use() {
+    let model = ReducedModel::new(&jet(), 6).unwrap();
+    assert_eq!(model.static_loads.len(), 8);
+    for load in &model.static_loads {
+        for (mode, force) in model.modes.iter().zip(&load.forces) {
+            assert!(mode.family == load.family || *force == 0.0, "{:?} {force:e}", load.family);
+        }
+    }
+    // What is chosen of a choice is as if chosen at once.
+    let settings = PlantSettings { mode_count: 6, ..PlantSettings::of(&model) };
+    let in_use = |model: &ReducedModel, mode_count| {
+        model.in_use(&PlantSettings { mode_count, ..settings }.choose_modes(model).unwrap())
+    };
+    let (at_once, in_turn) = (in_use(&model, 2), in_use(&in_use(&model, 4), 2));
+    assert_eq!(in_turn.static_loads.len(), 8);
+    for (one, other) in at_once.modes.iter().zip(&in_turn.modes) {
+        assert_eq!((one.family, one.of_loads), (other.family, other.of_loads));
+        assert!((one.angular_frequency / other.angular_frequency - 1.0).abs() < 1e-9, "{one:?} {other:?}");
+    }
+    let natural = model.select(&[0, 1, 2]);
+    assert!(natural.static_loads.is_empty() && !natural.has_load_modes());
 }

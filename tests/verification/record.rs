@@ -37,9 +37,10 @@ const CLAIMS: &[Claim] = &[
     (
         "Trim with wings bent by nearly half of their span",
         "geometrically_exact",
-        &["trim-geometrically-exact"],
+        &["trim-geometrically-exact", "trim-levels"],
     ),
     ("Load modes", "load_modes", &["load-modes", "load-modes-trim", "load-modes-few"]),
+    ("Flutter with load modes", "load_modes_flutter", &["load-modes-flutter"]),
     ("Eigenvalues", "eigenvalues", &["eigenvalues", "eigenvalues-geometrically-exact"]),
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
     ("Energy balance in air", "energy_balance", &["energy-balance"]),

@@ -96,8 +96,8 @@ fn accelerometers_and_gyros_on_deformed_sections_read_what_their_paths_say() {
         let sensors = outputs[2].sensors[index];
         let share = |error: Vector3<f64>, of: Vector3<f64>| error.amax() / of.amax();
         let deviation = share(sensors.specific_force - specific_force, specific_force);
-        record.rounding(&format!("{name}, {fidelity:?}: specific force"), 1e-4, deviation);
-        record.rounding(&format!("{name}, {fidelity:?}: rate"), 3e-7, share(sensors.rate - rate, rate));
+        record.error(&format!("{name}, {fidelity:?}: specific force"), 1e-4, deviation);
+        record.error(&format!("{name}, {fidelity:?}: rate"), 3e-7, share(sensors.rate - rate, rate));
         record.at_least(&format!("{name}, {fidelity:?}: largest rate, rad/s"), 0.01, sensors.rate.amax());
     }
     record.finish();

@@ -151,7 +151,10 @@ fn the_whole_aircraft_goes_on_where_the_half_stood() {
 
 #[test]
 fn a_snapshot_of_the_half_brings_it_back_when_the_whole_aircraft_flies() {
-    bring_the_half_back(&Settings::of(&jet()), true);
+    for fidelity in [Fidelity::Exact, Fidelity::GeometricallyExact] {
+        let settings = PlantSettings { fidelity, ..PlantSettings::of(&jet()) };
+        bring_the_half_back(&settings.into(), true);
+    }
     // Half and whole have as many states.
     let settings = Settings::from(PlantSettings {
         fidelity: Fidelity::Rigid,
@@ -184,10 +187,16 @@ fn bring_the_half_back(settings: &Settings, grows: bool) {
 
 #[test]
 fn half_of_a_clamped_aircraft_swings_as_the_whole_one_does() {
+    [Fidelity::Exact, Fidelity::GeometricallyExact]
+        .into_iter()
+        .for_each(half_of_a_clamped_aircraft_swings_at);
+}
+
+fn half_of_a_clamped_aircraft_swings_at(fidelity: Fidelity) {
     let model = Arc::new(ReducedModel { support: Support::Clamped, ..(*jet()).clone() });
     let settings = Settings {
         tolerance: 1e-8,
-        ..PlantSettings { airspeed: 60.0, heading: 2.0, ..PlantSettings::of(&jet()) }.into()
+        ..PlantSettings { fidelity, airspeed: 60.0, heading: 2.0, ..PlantSettings::of(&jet()) }.into()
     };
     let swing = |aileron: f64| {
         let mut flight = Simulation::new(Arc::clone(&model), &settings, 0.0).unwrap();
@@ -200,7 +209,7 @@ fn half_of_a_clamped_aircraft_swings_as_the_whole_one_does() {
     for tip in ["wing_tip_left", "htail_tip_right"] {
         // Found: 4.0e-15 m, of a swing of 0.075 m.
         let difference = (up(&half, tip) - up(&whole, tip)).abs();
-        assert!(difference < 4e-14 && up(&half, tip).abs() > 1e-3, "{tip}: {difference:e}");
+        assert!(difference < 4e-14 && up(&half, tip).abs() > 1e-3, "{fidelity:?}, {tip}: {difference:e}");
     }
     assert!((half.attitude - whole.attitude).norm() < 1e-15 && (half.attitude.z - 2.0).abs() < 1e-15);
 }

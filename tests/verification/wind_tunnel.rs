@@ -62,13 +62,21 @@ fn wing_in(tunnel: &str) -> Arc<ReducedModel> {
     Arc::new(ReducedModel::new(&Aircraft::parse(&text, "wing.toml").unwrap(), 6).unwrap())
 }
 
-fn settings(airspeed: f64) -> Settings {
-    Settings::from(PlantSettings { airspeed, altitude: 0.0, mode_count: 6, ..PlantSettings::of(&wing()) })
+/// Where displacements of the modes superpose, and where their strains do.
+const LEVELS: [Fidelity; 2] = [Fidelity::Exact, Fidelity::GeometricallyExact];
+
+fn settings(fidelity: Fidelity, airspeed: f64) -> Settings {
+    let usual = PlantSettings::of(&wing());
+    Settings::from(PlantSettings { fidelity, airspeed, altitude: 0.0, mode_count: 6, ..usual })
 }
 
 #[test]
 fn the_clamped_wing_stands_still_bends_up_and_shows_the_tunnels_flow() {
-    let mut flight = Simulation::new(wing(), &settings(20.0), 0.0).unwrap();
+    LEVELS.into_iter().for_each(stands_still_at);
+}
+
+fn stands_still_at(fidelity: Fidelity) {
+    let mut flight = Simulation::new(wing(), &settings(fidelity, 20.0), 0.0).unwrap();
     flight.advance_to(5.0).unwrap();
     let outputs = flight.outputs();
     assert_eq!(outputs.position.x, 0.0);
@@ -87,21 +95,28 @@ fn static_twist_is_that_of_the_divergence_problem() {
     let pressure = 0.5 * 1.225 * speed * speed;
     let lambda = libm::sqrt(pressure * chord * 0.25 * std::f64::consts::TAU / 1e5);
     let expected = f64::to_radians(2.0) * (1.0 / libm::cos(lambda * length) - 1.0);
-    let mut flight = Simulation::new(wing(), &settings(speed), 0.0).unwrap();
-    let twist = flight.outputs().deflections[0].twist;
+    let twist = |fidelity| {
+        let mut flight = Simulation::new(wing(), &settings(fidelity, speed), 0.0).unwrap();
+        flight.outputs().deflections[0].twist
+    };
     let mut record = Record::new(
         "divergence",
         "Static tip twist of a uniform wing near divergence, rad",
         "α₀ (1/cos λl − 1), λ² = qceCLα/GJ: Bisplinghoff, Ashley, Halfman, *Aeroelasticity* (1955), §8-2; \
          three torsion modes carry the twist",
     );
-    record.relative("25 m/s at sea level, λl = 0.85", expected, 0.02, twist);
+    record.relative("25 m/s at sea level, λl = 0.85", expected, 0.02, twist(Fidelity::Exact));
+    record.relative("the same, GE", expected, 0.02, twist(Fidelity::GeometricallyExact));
     record.finish();
 }
 
 #[test]
 fn a_gust_shakes_the_wing_and_it_settles_again() {
-    let mut flight = Simulation::new(wing(), &settings(20.0), 0.0).unwrap();
+    LEVELS.into_iter().for_each(a_gust_shakes_the_wing_at);
+}
+
+fn a_gust_shakes_the_wing_at(fidelity: Fidelity) {
+    let mut flight = Simulation::new(wing(), &settings(fidelity, 20.0), 0.0).unwrap();
     let tip = |flight: &mut Simulation| -flight.outputs().deflections[0].displacement.z;
     let steady = tip(&mut flight);
     let calm = Inputs::zero(&wing());
@@ -116,9 +131,16 @@ fn a_gust_shakes_the_wing_and_it_settles_again() {
     assert!((tip(&mut flight) / steady - 1.0).abs() < 1e-3);
 }
 
-/// As a linear beam: the membrane stiffness of the exact one holds it straight.
+/// As a linear beam, and as one that keeps its length: the membrane stiffness of the exact level holds it straight.
+const BENDING: [Fidelity; 2] = [Fidelity::Inconsistent, Fidelity::GeometricallyExact];
+
+fn at(fidelity: Fidelity, model: &ReducedModel) -> Settings {
+    Settings::from(PlantSettings { fidelity, ..PlantSettings::of(model) })
+}
+
+/// As a linear beam.
 fn linear(model: &ReducedModel) -> Settings {
-    Settings::from(PlantSettings { fidelity: Fidelity::Inconsistent, ..PlantSettings::of(model) })
+    at(Fidelity::Inconsistent, model)
 }
 
 /// Deflection of the tip at rest, m.
@@ -130,8 +152,12 @@ fn tip_at_rest(model: &Arc<ReducedModel>) -> Vector3<f64> {
 
 #[test]
 fn a_wing_in_still_air_sags_as_a_beam_does_and_stays_so() {
+    BENDING.into_iter().for_each(sags_as_a_beam_does_at);
+}
+
+fn sags_as_a_beam_does_at(fidelity: Fidelity) {
     let still = wing_in("airspeed_m_s = 0\naltitude_m = 0\ngravity_m_s2 = 9.81");
-    let settings = linear(&still);
+    let settings = at(fidelity, &still);
     assert_eq!(settings.plant.airspeed, 0.0);
     let mut flight = Simulation::new(Arc::clone(&still), &settings, 0.0).unwrap();
     let sag = flight.outputs().deflections[0].displacement.z;
@@ -145,8 +171,12 @@ fn a_wing_in_still_air_sags_as_a_beam_does_and_stays_so() {
 
 #[test]
 fn a_wing_in_still_air_swings_with_the_mass_of_the_air_around_it() {
+    BENDING.into_iter().for_each(swings_with_the_air_at);
+}
+
+fn swings_with_the_air_at(fidelity: Fidelity) {
     let still = wing_in("airspeed_m_s = 0\naltitude_m = 0");
-    let settings = linear(&still);
+    let settings = at(fidelity, &still);
     // First bending: 3.516 √(EI/mL⁴) with m + πρb² in place of m, ρ = 1.225 kg/m³.
     let mass = 60.0 / 6.0 + std::f64::consts::PI * 1.225 * 0.25;
     let expected = 3.5160 * libm::sqrt(1e5 / (mass * 1296.0));
@@ -184,7 +214,7 @@ fn a_wing_in_still_air_swings_with_the_mass_of_the_air_around_it() {
 fn a_free_aircraft_does_not_fly_at_airspeed_zero() {
     let mut free = (*wing()).clone();
     free.support = Support::Free;
-    let settings = Settings::from(PlantSettings { airspeed: 0.0, ..settings(0.0).plant });
+    let settings = Settings::from(PlantSettings { airspeed: 0.0, ..settings(Fidelity::Exact, 0.0).plant });
     let error = Simulation::new(Arc::new(free), &settings, 0.0).unwrap_err().to_string();
     assert_eq!(error, "airspeed: found 0, allowed is 1 to 400 (m/s)");
 }

@@ -6,7 +6,9 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use crate::plant::PlantSettings;
+use crate::aircraft::Fidelity;
+use crate::equations::evaluations;
+use crate::plant::{ModeSelection, PlantSettings};
 use crate::structure::test_jet::{AILERON, ELEVATOR, RUDDER, jet};
 
 use super::inputs::Inputs;
@@ -156,4 +158,23 @@ fn asking_for_the_outputs_under_one_sided_inputs_leaves_the_half_flying() {
     assert!(flight.is_symmetric() && asked.acceleration.y != 0.0);
     flight.set_inputs(&turned, &still);
     assert_eq!(*flight.outputs(), asked);
+}
+
+#[test]
+fn the_jet_with_wings_bent_by_almost_half_of_their_length_flies_in_whole_cells() {
+    let settings = Settings::from(PlantSettings {
+        fidelity: Fidelity::GeometricallyExact,
+        stiffness_scale: 0.1,
+        mode_selection: ModeSelection::Symmetric,
+        mode_count: 8,
+        ..PlantSettings::of(jet())
+    });
+    let mut flight = Simulation::new(Arc::new(jet().clone()), &settings, 0.0).unwrap();
+    let mut inputs = Inputs::zero(jet());
+    inputs.controls[ELEVATOR] = -0.02;
+    flight.set_inputs(&inputs, &Inputs::zero(jet()));
+    let before = evaluations::so_far();
+    flight.advance_to(1.0).unwrap();
+    // One at the beginning and four in each of a hundred cells.
+    assert_eq!(evaluations::so_far() - before, 401);
 }

@@ -166,7 +166,8 @@ impl EightHelices {
             let [phi, lambda, phi_dot, lambda_dot] =
                 vectors.map(|vectors| times(&before, &LaneVector::load(window, vectors)));
             let square = phi.dot(&phi);
-            let helix = Helix { phi, lambda, b: Series::versine(square), c: Series::sine_deficit(square) };
+            let [b, c] = Series::both(square);
+            let helix = Helix { phi, lambda, b, c };
             helix.write_matrices(window, square, &before, self);
             helix.write_motion(window, [phi_dot, lambda_dot], self, moving);
         }

@@ -114,7 +114,7 @@ impl EightHelices {
 
             // t = sin φ/φ λ + (1 − cos φ)/φ Jλ.
             let (two, square) = (window.splat(2.0), phi * phi);
-            let (b, c) = (Series::versine(square), Series::sine_deficit(square));
+            let [b, c] = Series::both(square);
             let (square_rate, square_acceleration) = (phi * phi_dot * two, phi_dot * phi_dot * two);
             let (b_dot, c_dot) = (b.rate(square_rate), c.rate(square_rate));
             let [b_ddot, c_ddot] = [b, c].map(|series| series.acceleration(square_rate, square_acceleration));

@@ -7,11 +7,11 @@ use crate::math::{Arithmetic, Lanes};
 /// Good to 1e-14 up to 1 rad from section to section, and to 1e-10 up to 2 rad.
 const TERMS: usize = 8;
 
-/// (−1)ⁿ / (2n + 2)!.
-const VERSINE: [f64; TERMS] = coefficients(2);
+/// (−1)ⁿ / (2n + 2)!, and those of the derivatives.
+const VERSINE: [[f64; TERMS]; 3] = with_derivatives(coefficients(2));
 
-/// (−1)ⁿ / (2n + 3)!.
-const SINE_DEFICIT: [f64; TERMS] = coefficients(3);
+/// (−1)ⁿ / (2n + 3)!, and those of the derivatives.
+const SINE_DEFICIT: [[f64; TERMS]; 3] = with_derivatives(coefficients(3));
 
 /// (−1)ⁿ / (2n + first)!.
 const fn coefficients(first: usize) -> [f64; TERMS] {
@@ -27,6 +27,22 @@ const fn coefficients(first: usize) -> [f64; TERMS] {
         n += 1;
     }
     coefficients
+}
+
+/// With the coefficients of the first and of the second derivative.
+const fn with_derivatives(value: [f64; TERMS]) -> [[f64; TERMS]; 3] {
+    let slope = derivative_of(value);
+    [value, slope, derivative_of(slope)]
+}
+
+/// Coefficients of the derivative.
+const fn derivative_of(coefficients: [f64; TERMS]) -> [f64; TERMS] {
+    let (mut derivative, mut n) = ([0.0; TERMS], 1);
+    while n < TERMS {
+        derivative[n - 1] = n as f64 * coefficients[n];
+        n += 1;
+    }
+    derivative
 }
 
 /// (−1)ⁿ / (4ⁿ (2n)!).
@@ -49,12 +65,33 @@ const fn halved(mut coefficients: [f64; TERMS], mut factor: f64) -> [f64; TERMS]
 /// cos(φ/2) and sin(φ/2)/φ of φ².
 #[inline(always)]
 pub fn half_angle<S: Arithmetic>(square: Lanes<S>) -> [Lanes<S>; 2] {
-    [HALF_COSINE, HALF_SINE].map(|coefficients| {
-        let [rest @ .., last] = coefficients;
-        rest.iter()
-            .rev()
-            .fold(square.splat(last), |sum, &coefficient| sum * square + square.splat(coefficient))
-    })
+    let powers = Powers::of(square);
+    [powers.sum(&HALF_COSINE), powers.sum(&HALF_SINE)]
+}
+
+/// s, s² and s⁴.
+#[derive(Clone, Copy, Debug)]
+struct Powers<S: Arithmetic> {
+    first: Lanes<S>,
+    second: Lanes<S>,
+    fourth: Lanes<S>,
+}
+
+impl<S: Arithmetic> Powers<S> {
+    #[inline(always)]
+    fn of(first: Lanes<S>) -> Self {
+        let second = first * first;
+        Powers { first, second, fourth: second * second }
+    }
+
+    /// c₀ + c₁s + …, in pairs and pairs of pairs: a shorter way from s to the sum.
+    #[inline(always)]
+    fn sum(&self, [c0, c1, c2, c3, c4, c5, c6, c7]: &[f64; TERMS]) -> Lanes<S> {
+        let pair = |low: &f64, high: &f64| self.first * *high + self.first.splat(*low);
+        let (low, high) =
+            (pair(c0, c1) + self.second * pair(c2, c3), pair(c4, c5) + self.second * pair(c6, c7));
+        low + self.fourth * high
+    }
 }
 
 /// A function of s = φ².
@@ -69,29 +106,17 @@ pub struct Series<S: Arithmetic> {
 }
 
 impl<S: Arithmetic> Series<S> {
-    /// b = (1 − cos φ)/φ².
+    /// b = (1 − cos φ)/φ² and c = (1 − sin φ/φ)/φ².
     #[inline(always)]
-    pub fn versine(square: Lanes<S>) -> Self {
-        Series::sum(square, &VERSINE)
+    pub fn both(square: Lanes<S>) -> [Self; 2] {
+        let powers = Powers::of(square);
+        [Series::sum(&powers, &VERSINE), Series::sum(&powers, &SINE_DEFICIT)]
     }
 
-    /// c = (1 − sin φ/φ)/φ².
     #[inline(always)]
-    pub fn sine_deficit(square: Lanes<S>) -> Self {
-        Series::sum(square, &SINE_DEFICIT)
-    }
-
-    /// Horner's scheme, carried on to the derivatives.
-    #[inline(always)]
-    fn sum(square: Lanes<S>, coefficients: &[f64; TERMS]) -> Self {
-        let zero = square.splat(0.0);
-        let (mut value, mut slope, mut half_curvature) = (zero, zero, zero);
-        for &coefficient in coefficients.iter().rev() {
-            half_curvature = half_curvature * square + slope;
-            slope = slope * square + value;
-            value = value * square + square.splat(coefficient);
-        }
-        Series { value, slope, curvature: half_curvature + half_curvature }
+    fn sum(powers: &Powers<S>, coefficients: &[[f64; TERMS]; 3]) -> Self {
+        let [value, slope, curvature] = coefficients;
+        Series { value: powers.sum(value), slope: powers.sum(slope), curvature: powers.sum(curvature) }
     }
 
     /// How fast it changes with s.
@@ -120,8 +145,7 @@ mod tests {
     fn the_series_are_the_functions_of_the_angle() {
         for (angle, bound) in [(0.1_f64, 1e-13), (0.5, 1e-14), (1.0, 1e-14), (2.0, 1e-10)] {
             let square = Window::single().splat(angle * angle);
-            let [versine, ..] = numbers(Series::versine(square));
-            let [deficit, ..] = numbers(Series::sine_deficit(square));
+            let [[versine, ..], [deficit, ..]] = Series::both(square).map(numbers);
             let (sin, cos) = libm::sincos(angle);
             assert!((versine - (1.0 - cos) / (angle * angle)).abs() < bound, "{angle}");
             assert!((deficit - (1.0 - sin / angle) / (angle * angle)).abs() < bound, "{angle}");
@@ -135,7 +159,7 @@ mod tests {
     fn slopes_and_curvatures_are_those_of_the_series() {
         let at = |square: f64| {
             let square = Window::single().splat(square);
-            [numbers(Series::versine(square)), numbers(Series::sine_deficit(square))]
+            Series::both(square).map(numbers)
         };
         for square in [0.0, 0.3, 1.0] {
             let values = [-0.02, -0.01, 0.01, 0.02].map(|step| at(square + step));
