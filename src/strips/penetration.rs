@@ -97,10 +97,19 @@ fn meet<S: Arithmetic>(
             change[axis].numbers_mut()[lane] = (behind[axis] - before[axis]) * PER_DIFFERENCE;
         }
     }
-    let in_body_axes = |[along, right, down]: [Lanes<S>; 3]| {
-        let axes = seen.axes.each_ref().map(|axis| LaneVector::splat(window, axis));
-        axes[0] * along + axes[1] * right + axes[2] * down
-    };
-    in_body_axes(mean).store(window, &mut found.mean);
-    in_body_axes(change).store(window, &mut found.change);
+    in_body_axes(window, seen, mean).store(window, &mut found.mean);
+    in_body_axes(window, seen, change).store(window, &mut found.change);
+}
+
+/// Vectors of components along the track, to the right, down.
+#[inline(always)]
+fn in_body_axes<S: Arithmetic>(
+    window: Window<S>,
+    seen: &TrackSeen,
+    [along, right, down]: [Lanes<S>; 3],
+) -> LaneVector<S> {
+    let [ahead, aside, below] = &seen.axes;
+    LaneVector::splat(window, ahead) * along
+        + LaneVector::splat(window, aside) * right
+        + LaneVector::splat(window, below) * down
 }

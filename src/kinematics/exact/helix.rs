@@ -162,9 +162,10 @@ impl EightHelices {
                 axis.store(window, column);
             }
             let before = turned_axes(window, &self.turn_before);
-            let vectors = [&self.rotation, &self.slide, &self.rotation_rate, &self.slide_rate];
-            let [phi, lambda, phi_dot, lambda_dot] =
-                vectors.map(|vectors| times(&before, &LaneVector::load(window, vectors)));
+            let phi = times(&before, &LaneVector::load(window, &self.rotation));
+            let lambda = times(&before, &LaneVector::load(window, &self.slide));
+            let phi_dot = times(&before, &LaneVector::load(window, &self.rotation_rate));
+            let lambda_dot = times(&before, &LaneVector::load(window, &self.slide_rate));
             let square = phi.dot(&phi);
             let [b, c] = Series::both(square);
             let helix = Helix { phi, lambda, b, c };
@@ -219,8 +220,9 @@ impl<S: Arithmetic> Helix<S> {
         let two = window.splat(2.0);
         let square_rate = phi.dot(&phi_dot) * two;
         let square_acceleration = phi_dot.dot(&phi_dot) * two;
-        let [b_dot, c_dot] = [b, c].map(|series| series.rate(square_rate));
-        let [b_ddot, c_ddot] = [b, c].map(|series| series.acceleration(square_rate, square_acceleration));
+        let (b_dot, c_dot) = (b.rate(square_rate), c.rate(square_rate));
+        let b_ddot = b.acceleration(square_rate, square_acceleration);
+        let c_ddot = c.acceleration(square_rate, square_acceleration);
         let (b, c) = (b.value, c.value);
 
         // φ×λ and φ×(φ×λ) with their first and second rates.

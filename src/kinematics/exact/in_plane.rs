@@ -117,7 +117,8 @@ impl EightHelices {
             let [b, c] = Series::both(square);
             let (square_rate, square_acceleration) = (phi * phi_dot * two, phi_dot * phi_dot * two);
             let (b_dot, c_dot) = (b.rate(square_rate), c.rate(square_rate));
-            let [b_ddot, c_ddot] = [b, c].map(|series| series.acceleration(square_rate, square_acceleration));
+            let b_ddot = b.acceleration(square_rate, square_acceleration);
+            let c_ddot = c.acceleration(square_rate, square_acceleration);
             let straight = [window.splat(1.0) - c.value * square, b.value * phi];
             let straight_rate = [-(c_dot * square + c.value * square_rate), b_dot * phi + b.value * phi_dot];
             let straight_acceleration = [

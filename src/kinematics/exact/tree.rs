@@ -178,7 +178,11 @@ impl EightMoving {
             let load = |vectors: &EightVectors| LaneVector::load(window, vectors);
             let (position, turning) = (load(&self.position), load(&helices.turning));
             let tangent = helices.tangent.each_ref().map(load);
-            let bend = std::array::from_fn(|axis| load(&helices.bend[axis]) + position.cross(&tangent[axis]));
+            let bend = [
+                load(&helices.bend[0]) + position.cross(&tangent[0]),
+                load(&helices.bend[1]) + position.cross(&tangent[1]),
+                load(&helices.bend[2]) + position.cross(&tangent[2]),
+            ];
             write_steps(window, &constants.steps, [&tangent, &bend], twists);
             let stretching = load(&self.velocity);
             (stretching + position.cross(&turning)).store(window, &mut self.velocity_about_origin);
