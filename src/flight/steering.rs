@@ -70,7 +70,7 @@ impl Steering {
         }
     }
 
-    /// That the trim is within what actuators and engines can give.
+    /// That the trim is within what actuators and engines can give [theory: actuators.trim].
     ///
     /// # Errors
     /// Names the first limit that it is beyond.
