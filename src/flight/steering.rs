@@ -85,7 +85,7 @@ impl Steering {
         Steering { gust_is_in_plane, ..self }
     }
 
-    /// That the trim is within what actuators and engines can give.
+    /// That the trim is within what actuators and engines can give [theory: actuators.trim].
     ///
     /// # Errors
     /// Names the first limit that it is beyond.

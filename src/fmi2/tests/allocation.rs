@@ -141,3 +141,36 @@ fn saving_into_a_state_that_is_there_allocates_nothing() {
     assert_eq!(unsafe { fmi2FreeFMUstate(fmu.component, &raw mut state) }, Status::Ok);
     assert_eq!(allocated, 0);
 }
+
+#[test]
+fn a_storm_with_actuators_and_sensors_allocates_nothing_in_a_step() {
+    let fmu = Fmu::new();
+    for (name, item) in [("gust.shape", 2), ("turbulence.spectrum", 3)] {
+        assert_eq!(fmu.set_integer(name, item), Status::Ok);
+    }
+    assert_eq!(fmu.set_boolean("sensor.enabled", 1), Status::Ok);
+    let reals = [
+        ("gust.start", 0.1),
+        ("actuator.elevator.frequency", 40.0),
+        ("engine.left.time_constant", 0.3),
+        ("sensor.noise.rate", 0.01),
+    ];
+    assert_eq!(fmu.set(&reals), Status::Ok);
+    assert_eq!([fmu.set_up(None, 0.0, None), fmu.enter(), fmu.exit()], [Status::Ok; 3]);
+    let outputs = ["load_factor.z", "sensor.rate.y", "wind.down", "actuator.elevator.rate"].map(reference);
+    let elevator = reference("elevator");
+    let (mut values, before) = ([0.0; 4], ALLOCATIONS.get());
+    for i in 0..50 {
+        let set = fmu.set_references(&[elevator], &[1e-3 * f64::from(i)]);
+        // SAFETY: the component is alive, the arrays are as long as said.
+        let (stepped, got) = unsafe {
+            (
+                fmi2DoStep(fmu.component, 0.013 * f64::from(i), 0.013, 1),
+                fmi2GetReal(fmu.component, outputs.as_ptr(), 4, values.as_mut_ptr()),
+            )
+        };
+        assert_eq!([set, stepped, got], [Status::Ok; 3]);
+    }
+    assert_eq!(ALLOCATIONS.get(), before);
+    assert!(values.iter().all(|value| *value != 0.0), "{values:?}");
+}
