@@ -281,9 +281,16 @@ mod tests {
             format!("{}flexible_aircraft{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
         let library = std::env::current_exe().unwrap().with_file_name(name);
         let binaries = vec![(Platform::host().unwrap(), library)];
-        Package { aircraft, mode_count: 12.into(), load_modes: false, binaries, workspace }
-            .write(&fmu)
-            .unwrap();
+        Package {
+            aircraft,
+            mode_count: 12.into(),
+            load_modes: false,
+            stations_along: Vec::new(),
+            binaries,
+            workspace,
+        }
+        .write(&fmu)
+        .unwrap();
         CheckFlight::fly(&Fmu::open(&fmu).unwrap(), &read).unwrap()
     }
 

@@ -67,6 +67,7 @@ pub fn run(options: PackageOptions) -> Result<(), Error> {
         aircraft: aircraft_file,
         mode_count: ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES),
         load_modes: options.load_modes,
+        stations_along: options.stations_along,
         binaries,
         workspace: workspace::root().into(),
     };

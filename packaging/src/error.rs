@@ -4,7 +4,7 @@ use std::ffi::NulError;
 use std::io;
 use std::path::PathBuf;
 
-use flexible_aircraft::aircraft::{AircraftFileError, looked_for};
+use flexible_aircraft::aircraft::{AircraftFileError, StationsAlongError, looked_for};
 use flexible_aircraft::structure::StructureError;
 
 use crate::{LibraryFault, Platform};
@@ -37,6 +37,14 @@ pub enum PackageError {
         aircraft: PathBuf,
         /// What is wrong with its structure.
         source: StructureError,
+    },
+    /// There cannot be such stations along a component.
+    #[error("stations along {component}: {source}")]
+    StationsAlong {
+        /// The component.
+        component: String,
+        /// What is wrong.
+        source: StationsAlongError,
     },
     /// Two libraries for one platform.
     #[error("found two shared libraries for {0}; an FMU has one per platform")]

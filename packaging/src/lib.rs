@@ -48,6 +48,8 @@ pub struct Package {
     pub mode_count: ModeCount,
     /// Load modes beside them also where the aircraft file does not ask for any.
     pub load_modes: bool,
+    /// Components along which there are stations beside those of the file, and how many.
+    pub stations_along: Vec<(String, usize)>,
     /// The shared library of each platform.
     pub binaries: Vec<(Platform, PathBuf)>,
     /// The folder of flexible-aircraft's own workspace, where cargo finds out what is linked.
@@ -63,6 +65,11 @@ impl Package {
         let mut aircraft =
             Aircraft::read(&self.aircraft).map_err(|error| PackageError::Aircraft(Box::new(error)))?;
         aircraft.load_modes |= self.load_modes;
+        for (component, count) in &self.stations_along {
+            aircraft
+                .add_stations_along(component, *count)
+                .map_err(|source| PackageError::StationsAlong { component: component.clone(), source })?;
+        }
         let model = ReducedModel::new(&aircraft, self.mode_count)
             .map_err(|source| PackageError::Structure { aircraft: self.aircraft.clone(), source })?;
         let xml = fmi::description::write(&model);

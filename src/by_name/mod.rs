@@ -162,7 +162,9 @@ impl Flight {
             Slot::Output(slot) => {
                 let simulation = self.simulation()?;
                 let trim = *simulation.trim();
-                Ok(slot.get(simulation.outputs(), &trim))
+                let is_load = slot.is_section_load();
+                let outputs = if is_load { simulation.outputs_with_loads() } else { simulation.outputs() };
+                Ok(slot.get(outputs, &trim))
             }
         }
     }

@@ -10,6 +10,7 @@ mod integrator;
 mod moment;
 mod neighbours;
 mod point;
+mod section_loads;
 mod settings;
 mod simulation;
 mod snapshot;

@@ -63,7 +63,7 @@ pub struct Simulation {
     pub(super) controls: Controls,
     /// The wind of the last evaluation, if that was at the present state.
     evaluated_in: Option<Wind>,
-    outputs: Outputs,
+    pub(super) outputs: Outputs,
     /// Whether they are those of the present under the present inputs.
     outputs_are_fresh: bool,
     /// Of the trim.
@@ -89,6 +89,7 @@ impl Simulation {
             None => plants,
         };
         let room = plants.most_states();
+        let attitude = plants.simplest().layout().attitude();
         let flying = FlyingPlant::new(plants, &found, |plant, trim| {
             let scale = ErrorScale { tolerance: settings.tolerance, floors: plant.magnitudes() };
             Integrator::new(plant.layout(), scale, plant.linear_part(trim))
@@ -97,7 +98,7 @@ impl Simulation {
             settings_hash: settings.hash(),
             identity: OnceLock::new(),
             steering: Steering::new(trimmed.point, settings, &model).in_gust(gust_is_in_plane),
-            course: Course::new(settings.plant.heading),
+            course: Course::new(settings.plant.heading).from(&trimmed.state[attitude]),
             start,
             path: Path::new(Moment::START, &trimmed.state, room),
             controls: flying.plant().neutral_controls(),
@@ -250,10 +251,16 @@ impl Simulation {
     /// ```
     pub fn outputs_under(&self, inputs: &Inputs, rates: &Inputs) -> Outputs {
         let Simulation { flying, course, path, .. } = self;
-        let (mut steering, mut controls) = (self.steering.clone(), self.controls.clone());
-        steering.set(inputs, rates, path.present.time);
-        steering.write_at(path.present.time, &mut controls);
+        let (steering, controls) = self.acting_under(inputs, rates);
         flying.outputs_under(&steering, &path.present.state, &controls, *course)
+    }
+
+    /// What would act at the present time under other inputs.
+    pub(super) fn acting_under(&self, inputs: &Inputs, rates: &Inputs) -> (Steering, Controls) {
+        let (mut steering, mut controls) = (self.steering.clone(), self.controls.clone());
+        steering.set(inputs, rates, self.path.present.time);
+        steering.write_at(self.path.present.time, &mut controls);
+        (steering, controls)
     }
 
     /// Whether the motion has been symmetric and is computed so.

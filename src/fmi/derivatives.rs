@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 use crate::flight::Neighbours;
 use crate::math::{WIDTHS, slope};
 use crate::plant::{Outputs, PlantSettings, TrimPoint};
-use crate::variables::{InputSlot, OutputSlot, ParameterSlot, Slot, Value};
+use crate::variables::{InputSlot, OutputSlot, ParameterSlot, PathQuantity, Slot, Value};
 
 use super::instance::{Instance, Refusal};
 use super::life_cycle::State;
@@ -82,7 +82,12 @@ impl Instance {
             for (slot, component) in components {
                 *slot.of(&mut changed) += width * scale * component;
             }
-            values(outputs, &flight.outputs_under(&changed, &rates), flight.trim())
+            let around = if want_loads(outputs) {
+                flight.outputs_with_loads_under(&changed, &rates)
+            } else {
+                flight.outputs_under(&changed, &rates)
+            };
+            values(outputs, &around, flight.trim())
         }))
     }
 
@@ -114,7 +119,11 @@ impl Instance {
                 Neighbours::new(self.flight()?, &settings)
             }
         };
-        let around = self.neighbours.insert(neighbours).outputs(&changed, (&self.inputs, &self.rates));
+        let around = self.neighbours.insert(neighbours).outputs(
+            &changed,
+            (&self.inputs, &self.rates),
+            want_loads(outputs),
+        );
         let sample = around.map(|around| around.map(|(present, trim)| values(outputs, &present, &trim)));
         sample.ok_or_else(|| Refusal::error("the trim does not depend smoothly on these parameters"))
     }
@@ -176,6 +185,11 @@ fn usual_change(input: InputSlot) -> f64 {
     }
 }
 
+/// Whether some outputs are section loads.
+fn want_loads(outputs: &[OutputSlot]) -> bool {
+    outputs.iter().any(|slot| slot.is_section_load())
+}
+
 /// The values of some outputs.
 fn values(outputs: &[OutputSlot], present: &Outputs, trim: &TrimPoint) -> Vec<f64> {
     outputs.iter().map(|slot| slot.get(present, trim)).collect()
@@ -196,7 +210,9 @@ fn add_slopes(derivatives: &mut [f64], outputs: &[OutputSlot], sample: &Sample, 
 /// Values of an output without the jumps of an angle by a whole turn.
 fn smooth(output: OutputSlot, values: [f64; 4]) -> [f64; 4] {
     match output {
-        OutputSlot::Attitude(_) => values.map(|angle| values[0] + libm::remainder(angle - values[0], TAU)),
+        OutputSlot::Attitude(_) | OutputSlot::Path(PathQuantity::Track) => {
+            values.map(|angle| values[0] + libm::remainder(angle - values[0], TAU))
+        }
         _ => values,
     }
 }

@@ -48,9 +48,12 @@ impl Instance {
         references: &[ValueReference],
         mut sink: impl FnMut(usize, Value),
     ) -> Result<(), Refusal> {
-        let mut any_output = false;
+        let (mut any_output, mut any_load) = (false, false);
         for reference in references {
-            any_output |= matches!(self.variable(*reference, numbers)?.slot, Slot::Output(_));
+            if let Slot::Output(slot) = self.variable(*reference, numbers)?.slot {
+                any_output = true;
+                any_load |= slot.is_section_load();
+            }
         }
         if any_output {
             self.flight()?;
@@ -60,7 +63,7 @@ impl Instance {
         let Instance { table, inputs, settings, flight, time, .. } = self;
         let present = flight.as_mut().filter(|_| any_output).map(|flight| {
             let trim = *flight.trim();
-            (trim, flight.outputs())
+            (trim, if any_load { flight.outputs_with_loads() } else { flight.outputs() })
         });
         let values = references.iter().filter_map(|reference| table.get(*reference)).map(|variable| {
             let value = match (variable.slot, &present) {

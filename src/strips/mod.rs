@@ -13,6 +13,7 @@ mod in_space;
 mod inflow;
 mod inflow_layout;
 mod penetration;
+mod resultants;
 mod strip_loads;
 mod sums;
 mod surroundings;
@@ -23,6 +24,7 @@ pub(crate) use flap_factor::FlapFactor;
 pub use inflow::{InflowStates, PetersInflow};
 pub use inflow_layout::{GroupInflow, InflowLayout};
 pub(crate) use penetration::{GustAtStrips, Penetrate};
+pub(crate) use resultants::{Accelerated, Resultant};
 pub(crate) use sums::StripSums;
 pub(crate) use surroundings::Surroundings;
 

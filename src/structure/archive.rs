@@ -8,10 +8,10 @@ use nalgebra::Vector3;
 use crate::aircraft::{ALTITUDES, Flap, MOST_INFLOW_STATES, Support};
 use crate::sealed::hash;
 
-use super::{BeamSection, ModeShapes, ReducedModel, StructureError};
+use super::{BeamSection, ModeShapes, Outboard, ReducedModel, StructureError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXAIR06";
+const MAGIC: &[u8; 8] = b"FLXAIR07";
 
 /// Bytes before the payload.
 const HEADER: usize = 8 + 8 + 16;
@@ -102,6 +102,7 @@ impl ReducedModel {
             && self.strips.iter().filter_map(|strip| strip.flap.as_ref()).all(fits_controls)
             && self.engines.iter().all(|engine| fits(&engine.shapes))
             && self.stations.iter().all(|station| fits(&station.shapes))
+            && self.cuts.iter().all(|cut| fits(&cut.steps) && self.has(&cut.outboard))
     }
 
     /// Whether sections come after their parents, and all that is attached hangs on one.
@@ -110,9 +111,19 @@ impl ReducedModel {
         let strips = self.strips.iter().map(|strip| strip.section);
         let engines = self.engines.iter().map(|engine| engine.carrier.section);
         let stations = self.stations.iter().map(|station| station.carrier.section);
+        let masses = self.masses.iter().map(|mass| mass.carrier.section);
+        let cuts = self.cuts.iter().map(|cut| cut.section);
+        let mut carriers = strips.chain(engines).chain(stations).chain(masses).chain(cuts);
         !self.sections.is_empty()
             && self.sections.iter().enumerate().all(comes_later)
-            && strips.chain(engines).chain(stations).all(|section| section < self.sections.len())
+            && carriers.all(|section| section < self.sections.len())
+    }
+
+    /// Whether there is all that is said to be outboard of a cut.
+    fn has(&self, Outboard { strips, engines, stations, masses }: &Outboard) -> bool {
+        let numbers = [strips, engines, stations, masses];
+        let counts = [self.strips.len(), self.engines.len(), self.stations.len(), self.masses.len()];
+        numbers.into_iter().zip(counts).all(|(numbers, count)| numbers.iter().all(|number| *number < count))
     }
 }
 

@@ -1,6 +1,6 @@
 //! A natural mode: its family, its frequency, its shape at a point [theory: structure.modes, structure.families].
 
-use nalgebra::Vector3;
+use nalgebra::{DMatrix, Vector3};
 use serde::{Deserialize, Serialize};
 
 /// How a mode behaves under reflection in the plane y = 0 [theory: structure.families].
@@ -78,6 +78,30 @@ impl ModeShapes {
     /// Displacement and rotation of one mode.
     pub fn of_mode(&self, mode: usize) -> [Vector3<f64>; 2] {
         [self.translation_rows(), self.rotation_rows()].map(|rows| Vector3::from(rows.map(|row| row[mode])))
+    }
+
+    /// Those of a choice of the modes.
+    pub(super) fn select(&self, chosen: &[usize]) -> Self {
+        let of_chosen = |rows: [&[f64]; 3]| {
+            rows.into_iter().flat_map(|row| chosen.iter().map(move |&mode| row[mode])).collect()
+        };
+        ModeShapes {
+            translation: of_chosen(self.translation_rows()),
+            rotation: of_chosen(self.rotation_rows()),
+        }
+    }
+
+    /// Those of coordinates with such shares in these, a column each.
+    pub(super) fn combine(&self, shares: &DMatrix<f64>) -> Self {
+        let combined = |rows: [&[f64]; 3]| {
+            let sum =
+                |row: &[f64], column: usize| shares.column(column).iter().zip(row).map(|(s, r)| s * r).sum();
+            rows.into_iter().flat_map(|row| (0..shares.ncols()).map(move |column| sum(row, column))).collect()
+        };
+        ModeShapes {
+            translation: combined(self.translation_rows()),
+            rotation: combined(self.rotation_rows()),
+        }
     }
 }
 

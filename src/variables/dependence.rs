@@ -3,14 +3,20 @@
 
 use crate::aircraft::TrimRole;
 
-use super::{AirQuantity, Axis, InputSlot, OutputSlot, ParameterSlot};
+use super::{AirQuantity, Axis, InputSlot, OutputSlot, ParameterSlot, PathQuantity, PlacementComponent};
 
 /// Whether an input acts on an output at the same instant: accelerations feel every force, by the apparent mass also
 /// the rate of the wind; the flow feels the wind alone; positions, velocities and deformations are states and follow only by integration.
 pub(super) fn direct(output: OutputSlot, input: InputSlot) -> bool {
     match output {
-        OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) | OutputSlot::SpecificForce { .. } => true,
-        OutputSlot::Air(AirQuantity::Density) => false,
+        OutputSlot::Acceleration(_)
+        | OutputSlot::LoadFactor(_)
+        | OutputSlot::SpecificForce { .. }
+        | OutputSlot::AngularAcceleration(_)
+        | OutputSlot::LoadFactorAtCentre(_)
+        | OutputSlot::LiftLoadFactor
+        | OutputSlot::SectionLoad { .. } => true,
+        OutputSlot::Air(AirQuantity::Density | AirQuantity::Pressure | AirQuantity::Temperature) => false,
         OutputSlot::Air(_) => matches!(input, InputSlot::Wind(_)),
         OutputSlot::Control(control) => input == InputSlot::Control(control),
         OutputSlot::Thrust(engine) => input == InputSlot::Thrust(engine),
@@ -29,15 +35,29 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Opt
         | OutputSlot::Rate(_)
         | OutputSlot::StationRate { .. }
         | OutputSlot::ModalRate(_) => false,
-        OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) | OutputSlot::SpecificForce { .. } => {
-            !matches!(parameter, StructuralDamping | Tolerance)
+        OutputSlot::Acceleration(_)
+        | OutputSlot::LoadFactor(_)
+        | OutputSlot::SpecificForce { .. }
+        | OutputSlot::AngularAcceleration(_)
+        | OutputSlot::LoadFactorAtCentre(_)
+        | OutputSlot::LiftLoadFactor
+        | OutputSlot::SectionLoad { .. } => !matches!(parameter, StructuralDamping | Tolerance),
+        OutputSlot::Air(AirQuantity::Density | AirQuantity::Pressure | AirQuantity::Temperature) => {
+            parameter == Altitude
         }
-        OutputSlot::Air(AirQuantity::Density) => parameter == Altitude,
+        OutputSlot::Quaternion(_)
+        | OutputSlot::Path(PathQuantity::Track)
+        | OutputSlot::Placement {
+            component: PlacementComponent::Position(Axis::X | Axis::Y) | PlacementComponent::Quaternion(_),
+            ..
+        } => parameter == Heading || trims(parameter),
         OutputSlot::Air(_) => parameter == Heading || trims(parameter),
         OutputSlot::Control(control) if roles[control].is_none() => false,
         OutputSlot::Control(_) | OutputSlot::Thrust(_) => parameter == InputReference || trims(parameter),
         OutputSlot::Attitude(_)
         | OutputSlot::Velocity(_)
+        | OutputSlot::Path(_)
+        | OutputSlot::Placement { .. }
         | OutputSlot::Deflection { .. }
         | OutputSlot::ModalCoordinate(_)
         | OutputSlot::TrimPitch

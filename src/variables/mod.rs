@@ -4,18 +4,24 @@
 //! from this table; nothing else lists a variable. A value reference is the row's index, one numbering for
 //! all types, so that a reference used with the wrong type is noticed.
 
+mod air_quantity;
 mod dependence;
+mod load_component;
 mod nearest;
+mod placements;
+mod section_loads;
 mod slot;
 mod surface_angle;
 mod table;
 mod unit;
 mod variable;
 
+pub use air_quantity::AirQuantity;
+pub use load_component::LoadComponent;
 pub use nearest::{nearest, probably_meant};
 pub use slot::{
-    AirQuantity, Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, Slot,
-    Value,
+    Axis, DeflectionComponent, EnumerationType, InputSlot, OutputSlot, ParameterSlot, PathQuantity,
+    PlacementComponent, Slot, Value,
 };
 pub use surface_angle::instead_of_degrees;
 pub use unit::{BaseUnit, DisplayUnit, Unit};
@@ -47,7 +53,11 @@ impl VariableTable {
     /// The variables for this aircraft: controls, engines, stations and packaged modes each bring their own.
     pub fn new(model: &ReducedModel) -> Self {
         let roles = model.controls.iter().map(|control| control.role).collect();
-        VariableTable { rows: table::rows(model), roles }
+        let mut rows = table::rows(model);
+        rows.extend(placements::of_aircraft());
+        rows.extend(placements::of_stations(model));
+        rows.extend(section_loads::rows(model));
+        VariableTable { rows, roles }
     }
 
     /// The variable with a value reference.

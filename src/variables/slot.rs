@@ -5,6 +5,9 @@ use crate::equations::Fidelity;
 use crate::flight::{InputReference, Inputs, Settings};
 use crate::plant::{ModeSelection, Outputs, TrimPoint};
 
+use super::air_quantity::AirQuantity;
+use super::load_component::LoadComponent;
+
 /// The value of a variable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
@@ -96,19 +99,6 @@ impl Axis {
     }
 }
 
-/// A quantity of the flow at O.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "the quantities are documented in AirData")]
-#[non_exhaustive]
-pub enum AirQuantity {
-    Speed,
-    AngleOfAttack,
-    Sideslip,
-    Mach,
-    Density,
-    DynamicPressure,
-}
-
 /// A component of a station's deflection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -119,6 +109,26 @@ pub enum DeflectionComponent {
     Up,
     /// rad.
     Twist,
+}
+
+/// A quantity of the path over the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the quantities are documented in Path")]
+#[non_exhaustive]
+pub enum PathQuantity {
+    ClimbAngle,
+    Track,
+    VerticalSpeed,
+}
+
+/// A number of a station's placement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PlacementComponent {
+    /// Its position towards north, east or down, m.
+    Position(Axis),
+    /// A part of its quaternion, the scalar first.
+    Quaternion(usize),
 }
 
 /// An input.
@@ -164,6 +174,18 @@ pub enum OutputSlot {
     Rate(Axis),
     Acceleration(Axis),
     LoadFactor(Axis),
+    /// A part of the attitude's, the scalar first.
+    Quaternion(usize),
+    AngularAcceleration(Axis),
+    /// At the centre of mass.
+    LoadFactorAtCentre(Axis),
+    LiftLoadFactor,
+    Path(PathQuantity),
+    Placement {
+        /// Index of the station.
+        station: usize,
+        component: PlacementComponent,
+    },
     Air(AirQuantity),
     Deflection {
         /// Index of the station.
@@ -181,6 +203,12 @@ pub enum OutputSlot {
         axis: Axis,
     },
     /// Of the mode with this index.
+    /// Section loads, which only outputs have that were asked for them.
+    SectionLoad {
+        /// Index of the cut.
+        cut: usize,
+        component: LoadComponent,
+    },
     ModalCoordinate(usize),
     /// Of the mode with this index.
     ModalRate(usize),
@@ -289,7 +317,12 @@ fn saturating(count: usize) -> i32 {
 }
 
 impl OutputSlot {
-    /// The value in the outputs of the model that the slot was made for.
+    /// Whether it is one of the section loads, which only outputs have that were asked for them.
+    pub fn is_section_load(self) -> bool {
+        matches!(self, OutputSlot::SectionLoad { .. })
+    }
+
+    /// The value in the outputs of the model that the slot was made for; not a number where they have it not.
     pub fn get(self, outputs: &Outputs, trim: &TrimPoint) -> f64 {
         match self {
             OutputSlot::Position(axis) => outputs.position[axis.index()],
@@ -298,12 +331,21 @@ impl OutputSlot {
             OutputSlot::Rate(axis) => outputs.rate[axis.index()],
             OutputSlot::Acceleration(axis) => outputs.acceleration[axis.index()],
             OutputSlot::LoadFactor(axis) => outputs.load_factor[axis.index()],
-            OutputSlot::Air(AirQuantity::Speed) => outputs.air.speed,
-            OutputSlot::Air(AirQuantity::AngleOfAttack) => outputs.air.angle_of_attack,
-            OutputSlot::Air(AirQuantity::Sideslip) => outputs.air.sideslip,
-            OutputSlot::Air(AirQuantity::Mach) => outputs.air.mach,
-            OutputSlot::Air(AirQuantity::Density) => outputs.air.density,
-            OutputSlot::Air(AirQuantity::DynamicPressure) => outputs.air.dynamic_pressure,
+            OutputSlot::Quaternion(part) => outputs.quaternion[part],
+            OutputSlot::AngularAcceleration(axis) => outputs.angular_acceleration[axis.index()],
+            OutputSlot::LoadFactorAtCentre(axis) => outputs.load_factor_cg[axis.index()],
+            OutputSlot::LiftLoadFactor => outputs.lift_load_factor,
+            OutputSlot::Path(PathQuantity::ClimbAngle) => outputs.path.climb_angle,
+            OutputSlot::Path(PathQuantity::Track) => outputs.path.track,
+            OutputSlot::Path(PathQuantity::VerticalSpeed) => outputs.path.vertical_speed,
+            OutputSlot::Placement { station, component } => {
+                let placement = &outputs.placements[station];
+                match component {
+                    PlacementComponent::Position(axis) => placement.position[axis.index()],
+                    PlacementComponent::Quaternion(part) => placement.quaternion[part],
+                }
+            }
+            OutputSlot::Air(quantity) => quantity.of(&outputs.air),
             OutputSlot::Deflection { station, component } => {
                 let deflection = &outputs.deflections[station];
                 match component {
@@ -316,6 +358,9 @@ impl OutputSlot {
                 outputs.sensors[station].specific_force[axis.index()]
             }
             OutputSlot::StationRate { station, axis } => outputs.sensors[station].rate[axis.index()],
+            OutputSlot::SectionLoad { cut, component } => {
+                outputs.loads.known().map_or(f64::NAN, |loads| component.of(&loads[cut]))
+            }
             OutputSlot::ModalCoordinate(mode) => outputs.modal_q[mode],
             OutputSlot::ModalRate(mode) => outputs.modal_q_dot[mode],
             OutputSlot::Control(control) => outputs.controls[control],

@@ -167,6 +167,10 @@ fn flow() -> Vec<Variable> {
         ("mach", Unit::One, AirQuantity::Mach, "Mach number at O"),
         ("density", Unit::KilogramPerCubicMetre, AirQuantity::Density, "Air density at O"),
         ("dynamic_pressure", Unit::Pascal, AirQuantity::DynamicPressure, "Dynamic pressure at O"),
+        ("equivalent", Unit::MetrePerSecond, AirQuantity::Equivalent, "Equivalent airspeed at O"),
+        ("calibrated", Unit::MetrePerSecond, AirQuantity::Calibrated, "Calibrated airspeed at O"),
+        ("pressure", Unit::Pascal, AirQuantity::Pressure, "Static pressure at O"),
+        ("temperature", Unit::Kelvin, AirQuantity::Temperature, "Static temperature at O"),
     ];
     let rows = quantities.into_iter().map(|(name, unit, quantity, text)| {
         let row = output(format!("air.{name}"), unit, OutputSlot::Air(quantity), text.to_owned());
@@ -308,7 +312,7 @@ fn within_a_sentence(description: &str) -> String {
     }
 }
 
-const NORTH_EAST_DOWN: [&str; 3] = ["north", "east", "down"];
+pub(super) const NORTH_EAST_DOWN: [&str; 3] = ["north", "east", "down"];
 
 fn input(name: &str, unit: Unit, slot: InputSlot, description: &str) -> Variable {
     Variable {
@@ -326,7 +330,12 @@ fn parameter(name: &str, slot: ParameterSlot, start: &Settings, description: &st
     }
 }
 
-fn output(name: String, unit: impl Into<Option<Unit>>, slot: OutputSlot, description: String) -> Variable {
+pub(super) fn output(
+    name: String,
+    unit: impl Into<Option<Unit>>,
+    slot: OutputSlot,
+    description: String,
+) -> Variable {
     real(name, unit.into(), Slot::Output(slot), description)
 }
 

@@ -28,6 +28,7 @@ fn package() -> Package {
         aircraft: jet_file(),
         mode_count: MODE_COUNT.into(),
         load_modes: false,
+        stations_along: Vec::new(),
         binaries: vec![(Platform::host().unwrap(), library)],
         workspace: env!("CARGO_MANIFEST_DIR").into(),
     }

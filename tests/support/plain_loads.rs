@@ -5,7 +5,6 @@
 
 use std::f64::consts::PI;
 
-use flexible_aircraft::air::Air;
 use flexible_aircraft::equations::{Controls, EquationsOfMotion};
 use flexible_aircraft::math::Attitude;
 use flexible_aircraft::structure::ReducedStrip;
@@ -112,7 +111,7 @@ impl Instant<'_> {
             forward, span, normal, velocity, chordwise: u, across, upwash: w, pitch_rate: omega, ..
         } = flow;
         let (b, d) = (strip.semichord, strip.elastic_axis_aft_of_midchord);
-        let rho = Air::at(self.equations.altitude(self.state)).density;
+        let rho = self.equations.air(self.state).density;
         let FlapLift { lift: c1_delta, moment: c4_delta } = self.flap_lift(strip);
 
         let circulatory = strip.lift_slope * rho * u * b * (w + (0.5 * b - d) * omega);

@@ -77,7 +77,8 @@ impl<'s> Flight<'s> {
         for Point { time, row } in self.schedule.points(step) {
             self.simulation.advance_to(time)?;
             let trim = *self.simulation.trim();
-            let outputs = self.simulation.outputs();
+            // All outputs are written, section loads among them.
+            let outputs = self.simulation.outputs_with_loads();
             let values = self.slots.iter().map(|slot| slot.get(outputs, &trim));
             table.row(std::iter::once(time).chain(values))?;
             if let Some(row) = row {
