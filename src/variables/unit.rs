@@ -17,7 +17,7 @@ pub enum Unit {
     Radian,
     /// rad/s, shown in degrees per second
     RadianPerSecond,
-    /// rad/s²
+    /// rad/s², shown in degrees per second squared
     RadianPerSecondSquared,
     /// N
     Newton,
@@ -116,6 +116,7 @@ impl Unit {
         match self {
             Unit::Radian => Some(DisplayUnit { name: "deg", factor: DEGREES_PER_RADIAN }),
             Unit::RadianPerSecond => Some(DisplayUnit { name: "deg/s", factor: DEGREES_PER_RADIAN }),
+            Unit::RadianPerSecondSquared => Some(DisplayUnit { name: "deg/s2", factor: DEGREES_PER_RADIAN }),
             _ => None,
         }
     }
