@@ -286,6 +286,7 @@ mod tests {
             mode_count: 12.into(),
             load_modes: false,
             starts: Vec::new(),
+            stations_along: Vec::new(),
             binaries,
             workspace,
         }

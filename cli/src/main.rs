@@ -19,6 +19,7 @@ mod diagnostics;
 mod files;
 mod flutter;
 mod gust;
+mod loads;
 mod manoeuvre;
 mod mark_labels;
 mod merge;
@@ -60,6 +61,9 @@ enum Command {
     /// Fly an aircraft through one 1-cosine gust after the other, and say which is the worst for each output
     Gust(gust::GustOptions),
 
+    /// Find what sections of the airframe carry in a manoeuvre or in gusts: envelopes, tables and plots
+    Loads(loads::LoadsOptions),
+
     /// Measure how fast a packaged aircraft flies, how exact it is then, and what it costs to make it larger
     Bench(bench::BenchOptions),
 
@@ -96,6 +100,11 @@ struct PackageOptions {
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
 
+    /// Add stations along a component at (i - 1/2)/N of its length, as in wing_right=20: their outputs are those of
+    /// wing_right_01 to wing_right_20. May be repeated
+    #[arg(long, value_name = "COMPONENT=COUNT", value_parser = component_and_count)]
+    stations_along: Vec<(String, usize)>,
+
     /// A shared library built elsewhere, for a further platform or in place of the one built here:
     /// aarch64-linux, darwin64, linux64 or win64, and its file. May be repeated
     #[arg(long, value_name = "PLATFORM=FILE", value_parser = platform_and_file)]
@@ -121,6 +130,11 @@ struct ReproduceOptions {
 fn platform_and_file(option: &str) -> Result<(Platform, PathBuf), String> {
     let (platform, file) = option.split_once('=').ok_or("expected PLATFORM=FILE")?;
     Ok((platform.parse().map_err(|error| format!("{error}"))?, PathBuf::from(file)))
+}
+
+fn component_and_count(option: &str) -> Result<(String, usize), String> {
+    let (component, number) = option.split_once('=').ok_or("expected COMPONENT=COUNT")?;
+    Ok((component.to_owned(), count(number)?))
 }
 
 /// The command line as it is parsed: every option takes negative numbers as values, so that `-1` is a bad number and not
@@ -165,6 +179,7 @@ fn main() -> ExitCode {
         Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
         Command::Converge(options) => converge::run(&options).map_err(|error| error.report()),
         Command::Gust(options) => gust::run(&options).map_err(|error| error.report()),
+        Command::Loads(options) => loads::run(&options).map_err(|error| error.report()),
         Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
         Command::Ssp(options) => ssp::run(&options).map_err(|error| format!("error: {error}")),
         Command::Completions(options) => {
@@ -207,6 +222,7 @@ mod tests {
     fn all_commands_share_one_default_aircraft() {
         let lines = [
             "simulate i.csv",
+            "loads",
             "package",
             "flutter --from 1 --to 2",
             "converge",

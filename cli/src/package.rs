@@ -68,6 +68,7 @@ pub fn run(options: PackageOptions) -> Result<(), Error> {
         mode_count: ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES),
         load_modes: options.load_modes,
         starts: options.set,
+        stations_along: options.stations_along,
         binaries,
         workspace: workspace::root().into(),
     };

@@ -4,7 +4,7 @@ use std::ffi::NulError;
 use std::io;
 use std::path::PathBuf;
 
-use flexible_aircraft::aircraft::{AircraftFileError, looked_for};
+use flexible_aircraft::aircraft::{AircraftFileError, StationsAlongError, looked_for};
 use flexible_aircraft::structure::StructureError;
 
 use crate::assignment::Mistake;
@@ -42,6 +42,14 @@ pub enum PackageError {
     /// A parameter cannot start so.
     #[error("--set {0}")]
     Start(#[from] Mistake),
+    /// There cannot be such stations along a component.
+    #[error("stations along {component}: {source}")]
+    StationsAlong {
+        /// The component.
+        component: String,
+        /// What is wrong.
+        source: StationsAlongError,
+    },
     /// Two libraries for one platform.
     #[error("found two shared libraries for {0}; an FMU has one per platform")]
     TwoBinaries(Platform),

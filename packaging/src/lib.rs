@@ -52,6 +52,8 @@ pub struct Package {
     pub load_modes: bool,
     /// Where parameters start, as `gust.shape=one_minus_cosine`; the others start as the aircraft's.
     pub starts: Vec<String>,
+    /// Components along which there are stations beside those of the file, and how many.
+    pub stations_along: Vec<(String, usize)>,
     /// The shared library of each platform.
     pub binaries: Vec<(Platform, PathBuf)>,
     /// The folder of flexible-aircraft's own workspace, where cargo finds out what is linked.
@@ -67,6 +69,11 @@ impl Package {
         let mut aircraft =
             Aircraft::read(&self.aircraft).map_err(|error| PackageError::Aircraft(Box::new(error)))?;
         aircraft.load_modes |= self.load_modes;
+        for (component, count) in &self.stations_along {
+            aircraft
+                .add_stations_along(component, *count)
+                .map_err(|source| PackageError::StationsAlong { component: component.clone(), source })?;
+        }
         let model = ReducedModel::new(&aircraft, self.mode_count)
             .map_err(|source| PackageError::Structure { aircraft: self.aircraft.clone(), source })?;
         let variables = VariableTable::new(&model);

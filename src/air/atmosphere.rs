@@ -11,11 +11,13 @@ const GAS_CONSTANT: f64 = 287.05287;
 /// Sea-level temperature, K.
 const SEA_LEVEL_TEMPERATURE: f64 = 288.15;
 /// Sea-level pressure, Pa.
-const SEA_LEVEL_PRESSURE: f64 = 101_325.0;
+pub const SEA_LEVEL_PRESSURE: f64 = 101_325.0;
 /// Temperature lapse rate of the troposphere, K/m.
 const LAPSE_RATE: f64 = 0.0065;
 /// Geopotential altitude of the tropopause, m.
 const TROPOPAUSE: f64 = 11_000.0;
+/// Sea-level density, kg/m³.
+pub const SEA_LEVEL_DENSITY: f64 = 1.225;
 /// Ratio of specific heats.
 const HEAT_RATIO: f64 = 1.4;
 
@@ -34,6 +36,10 @@ pub struct Air {
     pub density: f64,
     /// m/s.
     pub speed_of_sound: f64,
+    /// Pa.
+    pub pressure: f64,
+    /// K.
+    pub temperature: f64,
 }
 
 impl Air {
@@ -45,12 +51,23 @@ impl Air {
         if altitude > TROPOPAUSE {
             pressure *= libm::exp(-STANDARD_GRAVITY * (altitude - TROPOPAUSE) / (GAS_CONSTANT * temperature));
         }
-        Air { density: pressure / (GAS_CONSTANT * temperature), speed_of_sound: speed_of_sound(temperature) }
+        Air {
+            density: pressure / (GAS_CONSTANT * temperature),
+            speed_of_sound: speed_of_sound(temperature),
+            pressure,
+            temperature,
+        }
     }
 
     /// That of a wind tunnel [theory: air.tunnel].
     pub fn of_tunnel(air: &TunnelAir) -> Self {
-        Air { density: air.density, speed_of_sound: speed_of_sound(air.temperature) }
+        let TunnelAir { density, temperature } = *air;
+        Air {
+            density,
+            speed_of_sound: speed_of_sound(temperature),
+            pressure: density * GAS_CONSTANT * temperature,
+            temperature,
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::atmosphere::SEA_LEVEL_DENSITY;
 use super::out_of_range::OutOfRange;
 
 /// The shape of a single gust.
@@ -60,9 +61,6 @@ pub const CS25_GRADIENTS: std::ops::RangeInclusive<f64> = 9.144..=106.68;
 
 /// Reference gust velocities of CS 25.341(a)(5)(i) over altitude: m, and m/s of equivalent airspeed.
 const REFERENCE: [(f64, f64); 3] = [(0.0, 17.07), (4572.0, 13.41), (18_288.0, 6.36)];
-
-/// Of the standard atmosphere at sea level, kg/m³.
-const SEA_LEVEL_DENSITY: f64 = 1.225;
 
 impl Default for GustSettings {
     /// None; one that is switched on has H = 30 m, a peak of 10 m/s, and begins upwards a second after the flight.

@@ -8,6 +8,7 @@ mod out_of_range;
 mod turbulence;
 
 pub use atmosphere::{Air, STANDARD_GRAVITY};
+pub(crate) use atmosphere::{SEA_LEVEL_DENSITY, SEA_LEVEL_PRESSURE};
 pub use flow::UniformFlow;
 pub(crate) use flow::{MetAir, MetAt, UniformlyMet};
 pub use frozen::{Extent, FrozenGust, Track, TrackSeen};

@@ -10,13 +10,14 @@ use super::geometry::Side;
 use super::model::{AIRSPEEDS, Aircraft, Attachment, Beam, Engine, MassBay, Support};
 use super::schema::FileSpec;
 
-/// Controls, components (mirror images among them), engines and stations have names of their own.
+/// Controls, components (mirror images among them), engines, stations and cuts have names of their own.
 pub(super) fn names(file: &FileSpec, report: &Report) {
     let components = file.components.iter().flat_map(|c| std::iter::once(&c.name).chain(&c.mirror));
     distinct("component", components, report);
     distinct("control", file.controls.iter().map(|spec| &spec.name), report);
     distinct("engine", file.engines.iter().map(|engine| &engine.name), report);
     distinct("station", file.stations.iter().map(|station| &station.name), report);
+    distinct("cut", file.cuts.iter().map(|cut| &cut.name), report);
 }
 
 fn distinct<'s>(kind: &str, names: impl Iterator<Item = &'s Located<String>>, report: &Report) {

@@ -4,15 +4,17 @@
 use nalgebra::Vector3;
 
 use super::control::Mirroring;
+use super::cuts;
 use super::document::Located;
 use super::error::{Place, Problem, Report};
 use super::geometry::{Line, Side};
 use super::law::Laws;
 use super::masses::{self, LocatedBay};
-use super::model::{Aircraft, Attachment, Beam, Engine, Flap, MassBay, Station, Strip};
+use super::model::{Aircraft, Attachment, Beam, Component, Engine, Flap, MassBay, Station, Strip};
 use super::schema::{
     Along, ComponentSpec, ControlSpec, EngineSpec, FileSpec, Hand, MoveSpec, ParentSpec, StationSpec,
 };
+use super::stations_along::twist_axis;
 use super::surfaces::{self, PartStrip};
 
 /// The aircraft with the places of the file that its parts come from.
@@ -69,6 +71,8 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
             strips: Vec::new(),
             engines: Vec::new(),
             stations: Vec::new(),
+            components: Vec::new(),
+            cuts: Vec::new(),
         },
         beam_places: Vec::new(),
         bay_places: Vec::new(),
@@ -76,15 +80,14 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
     let mut placed = Vec::new();
     for part in &parts {
         let (name, mirror) = (&part.spec.name, part.spec.mirror.as_ref());
-        let root = attachment_node(part.spec, Side::AsWritten, &placed, &assembly, report);
+        let root = root(part.spec, Side::AsWritten, &placed, &assembly, report);
         let partner = mirror.map(|mirror| mirror.value.as_str());
-        let as_written =
-            assembly.place(part, (Side::AsWritten, root.unwrap_or(0)), &name.value, partner, &file.controls);
+        let as_written = (Side::AsWritten, root.unwrap_or(Root::ORIGIN));
+        let as_written = assembly.place(part, as_written, &name.value, partner, &file.controls);
         let image = mirror.map(|mirror| {
-            let root =
-                root.and_then(|_| attachment_node(part.spec, Side::Mirrored, &placed, &assembly, report));
-            let root = (Side::Mirrored, root.unwrap_or(0));
-            assembly.place(part, root, &mirror.value, Some(&name.value), &file.controls)
+            let image = root.and_then(|_| self::root(part.spec, Side::Mirrored, &placed, &assembly, report));
+            let image = (Side::Mirrored, image.unwrap_or(Root::ORIGIN));
+            assembly.place(part, image, &mirror.value, Some(&name.value), &file.controls)
         });
         placed.push(as_written);
         placed.extend(image);
@@ -94,6 +97,7 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
     let stations = file.stations.iter().filter_map(|s| station(s, &placed, &assembly.aircraft, report));
     let stations = stations.collect();
     assembly.aircraft.stations = stations;
+    assembly.aircraft.cuts = cuts::cuts(&file.cuts, &assembly.aircraft, report);
     Some(assembly)
 }
 
@@ -156,22 +160,44 @@ fn y_axis(spec: &ComponentSpec, line: &Line, element: usize, report: &Report) ->
     })
 }
 
+/// What a component hangs on.
+#[derive(Clone, Copy)]
+struct Root {
+    /// Of the airframe.
+    node: usize,
+    /// The component that has it, and its number there; `None`: O is no part of any.
+    parent: Option<(usize, usize)>,
+}
+
+impl Root {
+    const ORIGIN: Root = Root { node: 0, parent: None };
+
+    /// A node of a component.
+    fn of(placed: &[Placed], parent: usize, node: usize) -> Self {
+        match placed[parent].nodes[node] {
+            0 => Root::ORIGIN,
+            on_airframe => Root { node: on_airframe, parent: Some((parent, node)) },
+        }
+    }
+}
+
 /// The node that a component hangs on.
-fn attachment_node(
+fn root(
     spec: &ComponentSpec,
     side: Side,
     placed: &[Placed],
     assembly: &Assembly,
     report: &Report,
-) -> Option<usize> {
-    let ParentSpec::Component { name, at } = &spec.parent else { return Some(0) };
+) -> Option<Root> {
+    let ParentSpec::Component { name, at } = &spec.parent else { return Some(Root::ORIGIN) };
     let names: Vec<&str> = placed.iter().map(|other| other.name).collect();
-    let Some(parent) = placed.iter().find(|other| other.name == name.value) else {
+    let Some(index) = names.iter().position(|other| *other == name.value) else {
         let found = format!("found \"{}\", which is not a component above this one", name.value);
         let allowed = format!("allowed: \"origin\" or one of the components above: {}", names.join(", "));
         report.add(Problem::Disconnected, &name.place, found, allowed);
         return None;
     };
+    let parent = &placed[index];
     let Some(node) = parent.line.node_at(at.value) else {
         let elements = parent.line.elements();
         let found = format!("found {}, where \"{}\" has no node", at.value, name.value);
@@ -181,24 +207,24 @@ fn attachment_node(
         return None;
     };
     if side == Side::AsWritten {
-        return Some(parent.nodes[node]);
+        return Some(Root::of(placed, index, node));
     }
-    let image = parent.partner.and_then(|partner| placed.iter().find(|other| other.name == partner));
-    let node = image.unwrap_or(parent).nodes[node];
-    if image.is_none() && assembly.aircraft.nodes[node].y.abs() > 1e-9 {
+    let image = parent.partner.and_then(|partner| names.iter().position(|other| *other == partner));
+    let root = Root::of(placed, image.unwrap_or(index), node);
+    if image.is_none() && assembly.aircraft.nodes[root.node].y.abs() > 1e-9 {
         let found = format!("found \"{}\", which is off the plane y = 0 and has no mirror image", name.value);
         let allowed = "a mirrored component is allowed on a parent in the plane or one that is mirrored too";
         report.add(Problem::Disconnected, &name.place, found, allowed);
         return None;
     }
-    Some(node)
+    Some(root)
 }
 
 impl Assembly {
     fn place<'p>(
         &mut self,
         part: &'p Part,
-        (side, root): (Side, usize),
+        (side, Root { node: root, parent }): (Side, Root),
         name: &'p str,
         partner: Option<&'p str>,
         controls: &[ControlSpec],
@@ -240,6 +266,12 @@ impl Assembly {
                 ..strip.clone()
             });
         }
+        aircraft.components.push(Component {
+            name: name.to_owned(),
+            nodes: nodes.clone(),
+            first_beam,
+            parent,
+        });
         Placed { name, partner, line: &part.line, nodes, first_beam }
     }
 }
@@ -294,10 +326,6 @@ fn engine(spec: &EngineSpec, placed: &[Placed], report: &Report) -> Option<Engin
 
 fn station(spec: &StationSpec, placed: &[Placed], aircraft: &Aircraft, report: &Report) -> Option<Station> {
     let attachment = attach(&spec.component, &spec.along, placed, report)?;
-    let strip = aircraft.strips.iter().find(|strip| strip.attachment.beam == attachment.beam);
-    let [from, to] = aircraft.beams[attachment.beam].nodes.map(|node| aircraft.nodes[node]);
-    let twist_axis = strip.map(|strip| strip.span).or_else(|| surfaces::span_axis(to - from));
-    // A fuselage has no nose-up twist: forward, it rolls to the right.
-    let twist_axis = twist_axis.unwrap_or(Vector3::x());
+    let twist_axis = twist_axis(attachment, aircraft);
     Some(Station { name: spec.name.value.clone(), attachment, twist_axis })
 }

@@ -8,10 +8,12 @@
 //!
 //! | module | takes | gives |
 //! | --- | --- | --- |
-//! | `document`, `read`, `control_tables`, `limit_tables`, `model_tables`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
+//! | `document`, `read`, `control_tables`, `cut_tables`, `limit_tables`, `model_tables`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
 //! | `control`, `limits` | | what controls are, what trims should stay within |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
+//! | `cuts` | [`Aircraft`] | where it is cut in thought, what is outboard of a cut |
+//! | `stations_along` | [`Aircraft`] | stations that no file lists |
 //! | `fidelity` | | at which levels an aircraft can fly |
 //! | `flap` | | what a flap does to its section |
 //! | `branches` | the tree of beams | what is the mirror image of what |
@@ -29,6 +31,8 @@ mod check;
 mod control;
 mod control_check;
 mod control_tables;
+mod cut_tables;
+mod cuts;
 mod document;
 mod error;
 mod expand;
@@ -45,6 +49,7 @@ mod model_tables;
 mod read;
 mod roles;
 mod schema;
+mod stations_along;
 mod stretch;
 mod surfaces;
 mod tunnel;
@@ -64,9 +69,10 @@ pub use fidelity::Fidelity;
 pub use flap::FlapEffect;
 pub use limits::{Bound, Bounds, Limits};
 pub use model::{
-    AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Engine, Flap, MOST_INFLOW_STATES, MassBay, ModeBasis,
-    Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
+    AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Component, Cut, Engine, Flap, MOST_INFLOW_STATES,
+    MassBay, ModeBasis, Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
 };
+pub use stations_along::StationsAlongError;
 
 impl Aircraft {
     /// Reads and expands an aircraft file.

@@ -111,6 +111,10 @@ pub struct Aircraft {
     pub engines: Vec<Engine>,
     /// Named points of interest, whose deflections are outputs.
     pub stations: Vec<Station>,
+    /// What of it hangs on what.
+    pub components: Vec<Component>,
+    /// Where section loads are outputs.
+    pub cuts: Vec<Cut>,
 }
 
 /// A straight Euler–Bernoulli beam element with constant section [theory: structure.tree, structure.beam].
@@ -216,6 +220,36 @@ pub struct Engine {
     pub offset: Vector3<f64>,
     /// Unit vector of positive thrust, body axes.
     pub direction: Vector3<f64>,
+}
+
+/// A beam of several elements, and what it hangs on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Component {
+    /// That of its elements.
+    pub name: String,
+    /// Its nodes, from that on which it hangs.
+    pub nodes: Vec<usize>,
+    /// Its first element; the others follow.
+    pub first_beam: usize,
+    /// Which component it hangs on and at which of that one's nodes, counted from its root; `None`: at O.
+    pub parent: Option<(usize, usize)>,
+}
+
+/// A node of a component at which the airframe is cut in thought, to sum what acts outboard of it.
+///
+/// [theory: section-loads.outboard]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cut {
+    /// Its outputs are `loads.<name>.*`.
+    pub name: String,
+    /// The component that is cut.
+    pub component: String,
+    /// Where along it, as a fraction of its length.
+    pub at: f64,
+    /// The element outboard of the node and its beginning; at a component's end the last element and its end.
+    pub attachment: Attachment,
+    /// All elements outboard, ascending.
+    pub outboard: Vec<usize>,
 }
 
 /// A named point of the elastic axis whose deflection is an output.

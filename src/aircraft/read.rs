@@ -9,6 +9,7 @@ use super::allowed::{
     NEAR_THE_CHORD, POSITIVE_LENGTH, SHARE,
 };
 use super::control_tables::read_controls;
+use super::cut_tables::read_cuts;
 use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
 use super::law::Law;
@@ -42,6 +43,7 @@ const FILE: &[&str] = &[
     "component",
     "engine",
     "station",
+    "cut",
 ];
 const COMPONENT: &[&str] = &[
     "name",
@@ -134,6 +136,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         components: components.into_iter().flatten().collect(),
         engines: engines.into_iter().flatten().collect(),
         stations: stations.into_iter().flatten().collect(),
+        cuts: read_cuts(&table),
     })
 }
 

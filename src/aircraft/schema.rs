@@ -37,6 +37,7 @@ pub(super) struct FileSpec {
     pub(super) components: Vec<ComponentSpec>,
     pub(super) engines: Vec<EngineSpec>,
     pub(super) stations: Vec<StationSpec>,
+    pub(super) cuts: Vec<CutSpec>,
 }
 
 pub(super) struct ComponentSpec {
@@ -174,4 +175,11 @@ pub(super) struct StationSpec {
     pub(super) name: Located<String>,
     pub(super) component: Located<String>,
     pub(super) along: Along,
+}
+
+/// A node of a component at which section loads are summed: the nearest to a fraction of its length.
+pub(super) struct CutSpec {
+    pub(super) name: Located<String>,
+    pub(super) component: Located<String>,
+    pub(super) at: f64,
 }

@@ -28,7 +28,9 @@
 mod acting;
 mod around;
 mod assembly;
+mod centre_of_mass;
 mod controls;
+mod cuts;
 mod deformation;
 #[cfg(test)]
 pub(crate) mod evaluations;
@@ -39,10 +41,13 @@ mod mechanics;
 mod of_motion;
 mod propulsion;
 mod rates;
+mod section_loads;
 mod station_loads;
 mod workspace;
 
+pub(crate) use centre_of_mass::CentreOfMass;
 pub use controls::Controls;
+pub use cuts::SectionLoads;
 pub use fidelity::{Fidelity, Terms};
 pub use layout::StateLayout;
 pub use mechanics::Mechanics;

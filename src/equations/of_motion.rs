@@ -14,6 +14,7 @@ use crate::structure::{
     ElasticForces, ElasticScratch, ModalIntegrals, ReducedModel, ReducedStrip, StrainEnergy,
 };
 
+use super::cuts::Cuts;
 use super::fidelity::{Fidelity, Terms};
 use super::layout::StateLayout;
 use super::propulsion::Engines;
@@ -55,6 +56,7 @@ pub struct EquationsOfMotion {
     pub(super) controls: Vec<Control>,
     pub(super) engines: Engines,
     pub(super) station_loads: StationLoads,
+    pub(super) cuts: Cuts,
     pub(crate) inflow: PetersInflow,
     pub(crate) tunnel_flow: Vector3<f64>,
     /// `None`: the standard atmosphere.
@@ -132,6 +134,7 @@ impl EquationsOfMotion {
             controls: model.controls.clone(),
             engines: Engines::new(model),
             station_loads: StationLoads::default(),
+            cuts: Cuts::new(model),
             inflow,
             tunnel_flow: configuration.tunnel_flow,
             tunnel_air: model.tunnel_air.as_ref().map(Air::of_tunnel),

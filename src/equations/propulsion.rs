@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::kinematics::{GeneralisedVectorMut, Section, Sections};
+use crate::strips::Resultant;
 use crate::structure::ReducedModel;
 
 /// All engines of an aircraft.
@@ -21,6 +22,15 @@ impl Engines {
     /// Number of engines.
     pub fn len(&self) -> usize {
         self.directions.len()
+    }
+
+    /// What a newton of each engine's thrust does at its deformed place.
+    pub fn per_newton(&self, sections: &impl Sections) -> impl Iterator<Item = Resultant> {
+        sections.engines().zip(&self.directions).map(|(section, direction)| Resultant {
+            position: section.at_rest() + section.displacement(),
+            force: section.turned(direction),
+            moment: Vector3::zeros(),
+        })
     }
 
     /// Writes the generalised forces of a newton of each engine's thrust; with `deformed_arms` it acts at the deformed

@@ -5,6 +5,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::kinematics::{GeneralisedVectorMut, Section, Sections};
+use crate::strips::Resultant;
 
 /// What acts on the stations; nothing at first.
 #[derive(Clone, Debug, Default)]
@@ -37,6 +38,20 @@ impl StationLoads {
     /// Whether nothing acts.
     pub fn are_none(&self) -> bool {
         self.loads.iter().all(|load| *load == StationLoad::NONE)
+    }
+
+    /// What acts on each station that bears anything, at its deformed place, in body axes.
+    pub fn resultants(
+        &self,
+        sections: &impl Sections,
+        body_from_inertial: &Matrix3<f64>,
+    ) -> impl Iterator<Item = Resultant> {
+        let loads = self.loads.iter().zip(sections.stations());
+        loads.map(move |(StationLoad { force, moment }, section)| Resultant {
+            position: section.at_rest() + section.displacement(),
+            force: body_from_inertial * force,
+            moment: section.turned(moment),
+        })
     }
 
     /// Adds their generalised forces on ν; with `deformed_arms` they act about O from the deformed place.

@@ -16,6 +16,7 @@ mod neighbours;
 mod per_part;
 mod point;
 mod reading;
+mod section_loads;
 mod sensor_settings;
 mod sensors;
 mod settings;

@@ -27,6 +27,8 @@ pub struct Neighbours {
     /// Its plants.
     plants: Plants,
     tangents: TrimTangents,
+    /// Its course.
+    course: Course,
 }
 
 impl Neighbours {
@@ -35,7 +37,13 @@ impl Neighbours {
         let plants = flight.flying.plants().clone();
         let condition = settings.plant.along_course().trim_condition();
         let tangents = TrimTangents::new(plants.simplest(), &condition, &flight.trimmed);
-        Neighbours { model: Arc::clone(&flight.model), settings: settings.clone(), plants, tangents }
+        Neighbours {
+            model: Arc::clone(&flight.model),
+            settings: settings.clone(),
+            plants,
+            tangents,
+            course: flight.course,
+        }
     }
 
     /// Whether these are the settings of the flight in the middle.
@@ -45,11 +53,12 @@ impl Neighbours {
 
     /// What is read at the beginning of four flights under inputs and their rates. Airspeed, altitude, heading and
     /// stiffness of the flights lie along one change of the settings, by −1, −½, ½ and 1 of it; right to first order of
-    /// the change. `None` where the trim has no tangent.
+    /// the change. `with_loads` at the cuts, or without. `None` where the trim has no tangent.
     pub fn outputs(
         &self,
         changed: &[Settings; 4],
-        (inputs, rates): (&Inputs, &Inputs),
+        inputs: (&Inputs, &Inputs),
+        with_loads: bool,
     ) -> Option<[Instant; 4]> {
         let around = changed.each_ref().map(|settings| {
             (self.varied(self.plants.simplest(), settings), settings.plant.along_course().trim_condition())
@@ -57,16 +66,22 @@ impl Neighbours {
         let trims = self.tangents.neighbours(&around)?;
         Some(from_fn(|place| {
             let (trim, settings) = (&trims[place], &changed[place]);
-            self.instant_at(trim, settings, inputs, rates)
+            self.instant_at(trim, settings, inputs, with_loads)
         }))
     }
 
     /// At a trim under these settings.
-    fn instant_at(&self, trim: &Trim, settings: &Settings, inputs: &Inputs, rates: &Inputs) -> Instant {
+    fn instant_at(
+        &self,
+        trim: &Trim,
+        settings: &Settings,
+        (inputs, rates): (&Inputs, &Inputs),
+        with_loads: bool,
+    ) -> Instant {
         let plants = self.plants.map(|plant| self.varied(plant, settings));
         let mut steering = Steering::new(trim.point, settings, &self.model);
         steering.set(inputs, rates, Moment::START);
-        let course = Course::new(settings.plant.heading);
+        let course = Course::new(settings.plant.heading).beside(self.course);
         let sensors = Sensors::new(&self.model, &settings.sensors, || {
             let plant = plants.simplest();
             plant.outputs_along(course, &trim.state, &trim.controls, &mut plant.workspace())
@@ -75,6 +90,9 @@ impl Neighbours {
         let mut controls = plants.simplest().neutral_controls();
         steering.write_at(Moment::START, acting, &mut controls);
         let mut outputs = plants.outputs_at_trim(trim, &Acts::new(&steering, acting), &controls, course);
+        if with_loads {
+            plants.add_loads_at_trim(trim, &controls, &mut outputs);
+        }
         // The gust itself is still ahead.
         let density = plants.simplest().air(&trim.state).density;
         outputs.gust_peak_velocity = settings.gust.peak_velocity(settings.plant.altitude, density);

@@ -1,5 +1,6 @@
 //! What is read of a flight where it stands, by its user and by its sensors.
 
+use crate::equations::Controls;
 use crate::plant::Outputs;
 
 use super::actions::Acts;
@@ -8,6 +9,7 @@ use super::inputs::Inputs;
 use super::instant::Instant;
 use super::point::Point;
 use super::simulation::Simulation;
+use super::steering::Steering;
 
 impl Simulation {
     /// The outputs at the present time under the present inputs, without allocating.
@@ -49,13 +51,20 @@ impl Simulation {
     pub fn instant_under(&self, inputs: &Inputs, rates: &Inputs) -> Instant {
         let Simulation { flying, course, sensors, .. } = self;
         let Point { time, state, acting, .. } = &self.path.present;
-        let (mut steering, mut controls) = (self.steering.clone(), self.controls.clone());
-        steering.set(inputs, rates, *time);
-        steering.write_at(*time, acting, &mut controls);
+        let (steering, controls) = self.acting_under(inputs, rates);
         let outputs = flying.outputs_under(&Acts::new(&steering, acting), state, &controls, *course);
         let mut instant = Instant::new(outputs, self.trimmed.point, sensors.count());
         instant.write_devices(*time, (&steering, acting), sensors);
         instant
+    }
+
+    /// What would act at the present time under other inputs.
+    pub(super) fn acting_under(&self, inputs: &Inputs, rates: &Inputs) -> (Steering, Controls) {
+        let Point { time, acting, .. } = &self.path.present;
+        let (mut steering, mut controls) = (self.steering.clone(), self.controls.clone());
+        steering.set(inputs, rates, *time);
+        steering.write_at(*time, acting, &mut controls);
+        (steering, controls)
     }
 
     /// Writes the outputs at the present under the present inputs.

@@ -93,12 +93,13 @@ impl Simulation {
             None => plants,
         };
         let room = plants.most_states();
+        let attitude = plants.simplest().layout().attitude();
         let flying = FlyingPlant::new(plants, &found, |plant, trim| {
             let scale = ErrorScale { tolerance: settings.tolerance, floors: plant.magnitudes() };
             Integrator::new(plant.layout(), scale, plant.linear_part(trim))
         });
         let (course, steering) = (
-            Course::new(settings.plant.heading),
+            Course::new(settings.plant.heading).from(&trimmed.state[attitude]),
             Steering::new(trimmed.point, settings, &model).in_gust(gust_is_in_plane),
         );
         steering.check_trim(&model)?;

@@ -12,7 +12,9 @@ use crate::devices::{ActuatorSetting, EngineSetting};
 use crate::flight::{Instant, Neighbours};
 use crate::math::{WIDTHS, slope};
 use crate::plant::PlantSettings;
-use crate::variables::{GustSetting, InputSlot, OutputSlot, ParameterSlot, SensorSetting, Slot, Value};
+use crate::variables::{
+    GustSetting, InputSlot, OutputSlot, ParameterSlot, PathQuantity, SensorSetting, Slot, Value,
+};
 
 use super::instance::{Instance, Refusal};
 use super::life_cycle::State;
@@ -87,7 +89,12 @@ impl Instance {
             for (slot, component) in components {
                 *slot.of(&mut changed) += width * scale * component;
             }
-            values(outputs, &flight.instant_under(&changed, &rates))
+            let around = if want_loads(outputs) {
+                flight.instant_with_loads_under(&changed, &rates)
+            } else {
+                flight.instant_under(&changed, &rates)
+            };
+            values(outputs, &around)
         }))
     }
 
@@ -119,7 +126,11 @@ impl Instance {
                 Neighbours::new(self.flight()?, &settings)
             }
         };
-        let around = self.neighbours.insert(neighbours).outputs(&changed, (&self.inputs, &self.rates));
+        let around = self.neighbours.insert(neighbours).outputs(
+            &changed,
+            (&self.inputs, &self.rates),
+            want_loads(outputs),
+        );
         let sample = around.map(|around| around.map(|instant| values(outputs, &instant)));
         sample.ok_or_else(|| Refusal::error("the trim does not depend smoothly on these parameters"))
     }
@@ -197,6 +208,11 @@ fn usual_change(input: InputSlot) -> f64 {
     }
 }
 
+/// Whether some outputs are section loads.
+fn want_loads(outputs: &[OutputSlot]) -> bool {
+    outputs.iter().any(|slot| slot.is_section_load())
+}
+
 /// The values of some outputs.
 fn values(outputs: &[OutputSlot], instant: &Instant) -> Vec<f64> {
     outputs.iter().map(|slot| slot.number(instant)).collect()
@@ -217,7 +233,9 @@ fn add_slopes(derivatives: &mut [f64], outputs: &[OutputSlot], sample: &Sample, 
 /// Values of an output without the jumps of an angle by a whole turn.
 fn smooth(output: OutputSlot, values: [f64; 4]) -> [f64; 4] {
     match output {
-        OutputSlot::Attitude(_) => values.map(|angle| values[0] + libm::remainder(angle - values[0], TAU)),
+        OutputSlot::Attitude(_) | OutputSlot::Path(PathQuantity::Track) => {
+            values.map(|angle| values[0] + libm::remainder(angle - values[0], TAU))
+        }
         _ => values,
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Everything about a call is checked before anything is changed.
 
-use crate::flight::{Settings, Simulation};
+use crate::flight::Settings;
 use crate::variables::{InputSlot, ParameterSlot, Slot, Type, Value, Variable};
 
 use super::instance::{Instance, Refusal};
@@ -48,9 +48,12 @@ impl Instance {
         references: &[ValueReference],
         mut sink: impl FnMut(usize, Value),
     ) -> Result<(), Refusal> {
-        let mut any_output = false;
+        let (mut any_output, mut any_load) = (false, false);
         for reference in references {
-            any_output |= matches!(self.variable(*reference, numbers)?.slot, Slot::Output(_));
+            if let Slot::Output(slot) = self.variable(*reference, numbers)?.slot {
+                any_output = true;
+                any_load |= slot.is_section_load();
+            }
         }
         if any_output {
             self.flight()?;
@@ -58,7 +61,10 @@ impl Instance {
         let in_use = matches!(self.state, State::StepComplete | State::Terminated)
             .then(|| self.experiment.tolerance_in_use(&self.settings));
         let Instance { table, inputs, settings, flight, time, .. } = self;
-        let present = flight.as_mut().filter(|_| any_output).map(Simulation::instant);
+        let present = flight
+            .as_mut()
+            .filter(|_| any_output)
+            .map(|flight| if any_load { flight.instant_with_loads() } else { flight.instant() });
         let values = references.iter().filter_map(|reference| table.get(*reference)).map(|variable| {
             let value = match (variable.slot, &present) {
                 (Slot::Input(slot), _) => Value::Real(slot.get(inputs)),

@@ -19,5 +19,8 @@ pub(crate) use kind::{Coordinates, Inertia, Kinematics};
 pub(crate) use linear::Superposition;
 pub(crate) use of_kind::{AnyInertia, AnyKind, AnyMemory, OfKind, by_kind};
 pub use rigid_motion::RigidMotion;
-pub(crate) use sections::{Bias, Section, SectionMotion, Sections, SectionsInPlane, SectionsInSpace, Turn};
+pub(crate) use sections::{
+    Bias, Carried, CarriesMass, Pose, Section, SectionMotion, Sections, SectionsInPlane, SectionsInSpace,
+    Turn,
+};
 pub(crate) use velocities::{ASIDE, GeneralisedVector, GeneralisedVectorMut, IN_PLANE, velocities};

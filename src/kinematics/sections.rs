@@ -8,7 +8,7 @@
 //!
 //! In exact kinematics S q̇ is σ. The thesis' superposition keeps S = Ψᵠ while its sections turn by exp((Ψᵠq)×).
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::math::{Arithmetic, Eight, LaneVector, Lanes, PlaneRotation, PlaneVector, Rotation, Window};
 
@@ -25,6 +25,12 @@ pub trait Sections {
 
     /// Those of the stations.
     fn stations(&self) -> impl Iterator<Item = impl Section>;
+
+    /// Those of the masses.
+    fn masses(&self) -> impl Iterator<Item = impl CarriesMass>;
+
+    /// Where the cuts are, at the q of the instant.
+    fn cuts(&self, q: &[f64]) -> impl Iterator<Item = Pose>;
 
     /// How far each strip's section is from where it is on the undeformed aircraft, without those edge-on, m.
     fn strip_displacements(&self) -> impl Iterator<Item = Vector3<f64>>;
@@ -97,6 +103,39 @@ pub trait Section {
 
     /// Adds the generalised forces on each q of a force and a moment that act here: by w and by the true spin σ.
     fn add_generalised_load(&self, force: &Vector3<f64>, moment: &Vector3<f64>, generalised: &mut [f64]);
+}
+
+/// A section with mass around it.
+pub trait CarriesMass: Section {
+    /// How what it carries moves under given q̈.
+    fn carried(&self, q_ddot: &[f64]) -> Carried;
+}
+
+/// How what is fixed to a section at an offset o, m, is displaced relative to the body axes: it is at X + B o.
+pub struct Carried {
+    /// B.
+    pub now: Matrix3<f64>,
+    /// Ḃ, 1/s.
+    pub rate: Matrix3<f64>,
+    /// B̈, 1/s².
+    pub acceleration: Matrix3<f64>,
+}
+
+impl Carried {
+    /// By a section that turns as a rigid body, by E, at the spin σ, which changes at a rate.
+    pub fn rigidly(turn: Matrix3<f64>, spin: &Vector3<f64>, spin_rate: &Vector3<f64>) -> Self {
+        let (spin, spin_rate) = (spin.cross_matrix(), spin_rate.cross_matrix());
+        Carried { now: turn, rate: spin * turn, acceleration: (spin_rate + spin * spin) * turn }
+    }
+}
+
+/// Where a section is and how it is turned.
+#[derive(Clone, Copy, Debug)]
+pub struct Pose {
+    /// X, m.
+    pub position: Vector3<f64>,
+    /// E.
+    pub turn: Matrix3<f64>,
 }
 
 /// How sections turn vectors, of a kind `V`, that were fixed to them undeformed.

@@ -5,7 +5,7 @@
 
 mod masses;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use pulp::Scalar;
 
 use crate::math::{
@@ -15,7 +15,9 @@ use crate::structure::{ModalIntegrals, ModeShapes, ReducedModel, ReducedStrip};
 
 use super::freedom::RigidFreedom;
 use super::kind::{Coordinates, Kinematics};
-use super::sections::{Bias, Section, SectionMotion, Sections, SectionsInPlane, SectionsInSpace};
+use super::sections::{
+    Bias, Carried, CarriesMass, Pose, Section, SectionMotion, Sections, SectionsInPlane, SectionsInSpace,
+};
 use masses::Masses;
 
 /// c.
@@ -229,6 +231,14 @@ impl Sections for &Memory {
         self.stations.iter()
     }
 
+    fn masses(&self) -> impl Iterator<Item = impl CarriesMass> {
+        self.stations.iter()
+    }
+
+    fn cuts(&self, _: &[f64]) -> impl Iterator<Item = Pose> {
+        self.stations.iter().map(|at| Pose { position: at.position, turn: at.matrix() })
+    }
+
     fn strip_displacements(&self) -> impl Iterator<Item = Vector3<f64>> {
         self.strips.iter().map(|section| section.position - section.at_rest)
     }
@@ -305,6 +315,21 @@ impl SectionsInPlane for &EightWritten {
 impl Written {
     fn turn(&self) -> Rotation<Scalar> {
         Rotation::new(LaneVector::single(&(Vector3::y() * self.angle)))
+    }
+}
+
+impl Written {
+    fn matrix(&self) -> Matrix3<f64> {
+        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+        Matrix3::from_columns(&axes.map(|axis| self.turn().apply(&LaneVector::single(&axis)).vector()))
+    }
+}
+
+impl CarriesMass for &Written {
+    fn carried(&self, q_ddot: &[f64]) -> Carried {
+        let by_rates: f64 = self.rows.iter().zip(q_ddot).map(|(row, q_ddot)| row[4] * q_ddot).sum();
+        let spin_rate = Vector3::y() * (by_rates + self.angular_acceleration);
+        Carried::rigidly(self.matrix(), &(Vector3::y() * self.spin), &spin_rate)
     }
 }
 

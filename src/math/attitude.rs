@@ -53,6 +53,34 @@ pub fn quaternion_of_euler_angles(angles: &Vector3<f64>) -> [f64; 4] {
     ]
 }
 
+/// The quaternion (scalar first) of two turns, that on the right first.
+pub fn quaternion_product([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> [f64; 4] {
+    [
+        a * w - b * x - c * y - d * z,
+        a * x + b * w + c * z - d * y,
+        a * y - b * z + c * w + d * x,
+        a * z + b * y - c * x + d * w,
+    ]
+}
+
+/// The quaternion (scalar first, not negative) of a turn, from whichever of its parts is largest.
+pub fn quaternion_of_turn(turn: &Matrix3<f64>) -> [f64; 4] {
+    let [x, y, z] = [turn[(0, 0)], turn[(1, 1)], turn[(2, 2)]];
+    // Four times the square of each part.
+    let squares = [1.0 + x + y + z, 1.0 + x - y - z, 1.0 - x + y - z, 1.0 - x - y + z];
+    let largest = (1..4).fold(0, |best, part| if squares[part] > squares[best] { part } else { best });
+    let sum = |row: usize, column: usize| turn[(row, column)] + turn[(column, row)];
+    let difference = |row: usize, column: usize| turn[(row, column)] - turn[(column, row)];
+    let (wx, wy, wz) = (difference(2, 1), difference(0, 2), difference(1, 0));
+    let (xy, xz, yz) = (sum(0, 1), sum(0, 2), sum(1, 2));
+    let own = squares[largest];
+    // Four times the products of each part with the largest.
+    let products = [[own, wx, wy, wz], [wx, own, xy, xz], [wy, xy, own, yz], [wz, xz, yz, own]][largest];
+    let scale = 0.5 / libm::sqrt(own);
+    let scale = if products[0] < 0.0 { -scale } else { scale };
+    products.map(|product| product * scale)
+}
+
 /// Rate of a quaternion under the body-axis angular velocity [theory: frames.kinematics].
 pub fn quaternion_rate(quaternion: &[f64], rate: &Vector3<f64>) -> [f64; 4] {
     let (w, x, y, z) = (quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
@@ -73,6 +101,21 @@ mod tests {
         let angles = Vector3::new(0.4, -1.2, 2.8);
         let attitude = Attitude::from_quaternion(&quaternion_of_euler_angles(&angles));
         assert!((attitude.euler_angles() - angles).norm() < 1e-14);
+    }
+
+    #[test]
+    fn quaternions_of_turns_turn_so_whichever_part_is_largest() {
+        for angles in [[0.4, -1.2, 2.8], [3.0, 0.1, 0.2], [0.1, 1.5, -0.3], [0.1, -0.2, 3.1], [0.0, 0.0, 0.0]]
+        {
+            let quaternion = quaternion_of_euler_angles(&Vector3::from(angles));
+            let turn = Attitude::from_quaternion(&quaternion).body_from_inertial.transpose();
+            let found = quaternion_of_turn(&turn);
+            assert!(found[0] >= 0.0);
+            let again = Attitude::from_quaternion(&found).body_from_inertial.transpose();
+            assert!((again - turn).norm() < 1e-14, "{angles:?}");
+            let twice = Attitude::from_quaternion(&quaternion_product(found, quaternion));
+            assert!((twice.body_from_inertial.transpose() - turn * turn).norm() < 1e-14, "{angles:?}");
+        }
     }
 
     #[test]

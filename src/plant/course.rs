@@ -3,7 +3,11 @@
 //! Nothing depends on where north is but the wind and what one reads. Along the course, symmetric flight is exactly
 //! symmetric whatever the heading.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Matrix3, Vector3};
+
+use crate::math::quaternion_product;
 
 /// What differs by less than this share differs by rounding alone: that of an angle up to 2π, of its sine and cosine as
 /// another program computes them, and of products with them.
@@ -14,27 +18,53 @@ pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
 pub struct Course {
     sin: f64,
     cos: f64,
+    /// Scalar and vertical part of its quaternion.
+    quaternion: [f64; 2],
 }
 
 impl Course {
     /// To the north.
-    pub const NORTH: Course = Course { sin: 0.0, cos: 1.0 };
+    pub const NORTH: Course = Course { sin: 0.0, cos: 1.0, quaternion: [1.0, 0.0] };
 
     /// Along a heading, rad from north to east.
     pub fn new(heading: f64) -> Self {
         let (sin, cos) = libm::sincos(heading);
-        Course { sin, cos }
+        let (half_sin, half_cos) = libm::sincos(0.5 * libm::remainder(heading, TAU));
+        Course { sin, cos, quaternion: [half_cos, half_sin] }
+    }
+
+    /// The same, on which an aircraft begins at an attitude along it: its quaternion has a scalar part there that is not
+    /// negative.
+    pub(crate) fn from(self, attitude: &[f64]) -> Self {
+        let [scalar, vertical] = self.quaternion;
+        let is_negative = self.quaternion(attitude)[0] < 0.0;
+        if is_negative { Course { quaternion: [-scalar, -vertical], ..self } } else { self }
+    }
+
+    /// The same with that of its two quaternions which is nearer to another course's.
+    pub(crate) fn beside(self, other: Course) -> Self {
+        let [scalar, vertical] = self.quaternion;
+        let is_far = scalar * other.quaternion[0] + vertical * other.quaternion[1] < 0.0;
+        if is_far { Course { quaternion: [-scalar, -vertical], ..self } } else { self }
+    }
+
+    /// The unit quaternion (scalar first) that turns body components into north, east, down, of an attitude along the course.
+    pub(crate) fn quaternion(self, attitude: &[f64]) -> [f64; 4] {
+        let [scalar, vertical] = self.quaternion;
+        let [w, x, y, z] = [0, 1, 2, 3].map(|part| attitude[part]);
+        let length = libm::sqrt(w * w + x * x + y * y + z * z);
+        quaternion_product([scalar, 0.0, 0.0, vertical], [w, x, y, z]).map(|part| part / length)
     }
 
     /// North, east, down from forward, right, down.
     pub fn north_east_down(self, vector: &Vector3<f64>) -> Vector3<f64> {
-        let Course { sin, cos } = self;
+        let Course { sin, cos, .. } = self;
         Vector3::new(cos * vector.x - sin * vector.y, sin * vector.x + cos * vector.y, vector.z)
     }
 
     /// Forward, right, down from north, east, down; what is along the course but for rounding is along it.
     pub fn along(self, vector: &Vector3<f64>) -> Vector3<f64> {
-        let Course { sin, cos } = self;
+        let Course { sin, cos, .. } = self;
         let right = cos * vector.y - sin * vector.x;
         let is_rounding = right.abs() <= ROUNDING * vector.x.abs().max(vector.y.abs());
         let right = if is_rounding { 0.0 } else { right };
@@ -43,7 +73,7 @@ impl Course {
 
     /// The matrix of [`along`](Self::along), without its regard for rounding.
     pub fn matrix(self) -> Matrix3<f64> {
-        let Course { sin, cos } = self;
+        let Course { sin, cos, .. } = self;
         Matrix3::new(cos, sin, 0.0, -sin, cos, 0.0, 0.0, 0.0, 1.0)
     }
 }

@@ -3,15 +3,19 @@
 //!
 //! [theory: equations-of-motion.rows, outputs.sensors, trim.steady-flight, linearisation.state-matrix; thesis §5.1]
 
+mod air_data;
 mod amplitudes;
 mod course;
+mod cut_loads;
 mod free_modes;
 mod limits;
 mod linear_part;
 mod linearisation;
 mod load_steps;
 mod outputs;
+mod placement;
 mod point_loads;
+mod section_loads;
 mod sensors;
 mod settings;
 mod system;
@@ -20,13 +24,16 @@ mod trim_error;
 mod trim_search;
 mod trim_tangent;
 
+pub use air_data::{AirData, Path};
 pub use course::Course;
 pub(crate) use course::ROUNDING;
+pub use cut_loads::CutLoads;
 pub use limits::{LimitExceeded, LimitedQuantity};
 pub(crate) use linear_part::Diagonal;
 pub use linear_part::{LinearPart, Spectrum};
 pub use linearisation::{EigenvaluesNotFound, StateMatrix, Unknown};
-pub use outputs::{AirData, Deflection, Outputs};
+pub use outputs::{Deflection, Outputs};
+pub use placement::Placement;
 pub use point_loads::{PointLoad, PointLoadError};
 pub use sensors::{BodyMotion, Sensors};
 pub use settings::{ModeSelection, PlantSettings, SettingError};

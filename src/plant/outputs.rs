@@ -2,13 +2,16 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::air::{Air, STANDARD_GRAVITY};
-use crate::equations::{Controls, EquationsOfMotion, StateLayout, Workspace};
+use crate::air::STANDARD_GRAVITY;
+use crate::equations::{CentreOfMass, Controls, EquationsOfMotion, StateLayout, Workspace};
 use crate::kinematics::{GeneralisedVector, Kinematics, OfKind, Section, Sections, by_kind};
 use crate::math::Attitude;
 use crate::structure::{ModesInUse, ReducedStation};
 
+use super::air_data::{AirData, Path};
 use super::course::Course;
+use super::cut_loads::CutLoads;
+use super::placement::{BodyPlacement, Placement};
 use super::sensors::{BodyMotion, Sensors};
 
 /// All outputs at one instant.
@@ -32,14 +35,25 @@ pub struct Outputs {
     pub position: Vector3<f64>,
     /// Roll, pitch, yaw: 3-2-1 Euler angles, rad.
     pub attitude: Vector3<f64>,
+    /// The unit quaternion, scalar first, that turns body components into north, east, down; continuous, its scalar not
+    /// negative where the flight begins.
+    pub quaternion: [f64; 4],
     /// Inertial velocity of O, body axes, m/s.
     pub velocity: Vector3<f64>,
     /// Angular velocity, body axes, rad/s.
     pub rate: Vector3<f64>,
     /// v̇: rates of change of the body-axis velocity components, m/s².
     pub acceleration: Vector3<f64>,
+    /// ω̇, body axes, rad/s².
+    pub angular_acceleration: Vector3<f64>,
     /// (inertial acceleration − gravity)/g at O along x_b, y_b and −z_b.
     pub load_factor: Vector3<f64>,
+    /// The same at the momentary centre of mass.
+    pub load_factor_cg: Vector3<f64>,
+    /// That at O across the flow there: 1 in level flight.
+    pub lift_load_factor: f64,
+    /// Of O over the ground.
+    pub path: Path,
     /// Flow at O.
     pub air: AirData,
     /// Velocity of the air at O, all of it, north-east-down, m/s [theory: gusts.outputs].
@@ -50,6 +64,8 @@ pub struct Outputs {
     pub deflections: Vec<Deflection>,
     /// One per station of the model.
     pub sensors: Vec<Sensors>,
+    /// One per station of the model.
+    pub placements: Vec<Placement>,
     /// Generalised coordinates of all packaged modes; those not in use are 0.
     pub modal_q: Vec<f64>,
     /// Their rates, 1/s.
@@ -58,23 +74,8 @@ pub struct Outputs {
     pub controls: Vec<f64>,
     /// Absolute thrust acting per engine, N.
     pub thrust: Vec<f64>,
-}
-
-/// The undisturbed flow at O [theory: outputs.air-data].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct AirData {
-    /// True airspeed, m/s.
-    pub speed: f64,
-    /// Angle of attack of the body x axis, rad.
-    pub angle_of_attack: f64,
-    /// Sideslip angle, rad, positive with the wind from the right.
-    pub sideslip: f64,
-    /// Mach number.
-    pub mach: f64,
-    /// kg/m³.
-    pub density: f64,
-    /// Pa.
-    pub dynamic_pressure: f64,
+    /// One per cut of the model, where they were asked for.
+    pub loads: CutLoads,
 }
 
 /// Elastic displacement and twist of a station [theory: outputs.deflection].
@@ -87,24 +88,31 @@ pub struct Deflection {
 }
 
 impl Outputs {
-    /// All zero, for so many packaged modes, stations, controls and engines.
-    pub(super) fn zero(modes: usize, stations: usize, controls: usize, engines: usize) -> Self {
+    /// All zero, for so many packaged modes, stations, controls, engines and cuts.
+    pub(super) fn zero(modes: usize, stations: usize, [controls, engines, cuts]: [usize; 3]) -> Self {
         Outputs {
             position: Vector3::zeros(),
             attitude: Vector3::zeros(),
+            quaternion: [1.0, 0.0, 0.0, 0.0],
             velocity: Vector3::zeros(),
             rate: Vector3::zeros(),
             acceleration: Vector3::zeros(),
+            angular_acceleration: Vector3::zeros(),
             load_factor: Vector3::zeros(),
+            load_factor_cg: Vector3::zeros(),
+            lift_load_factor: 0.0,
+            path: Path::default(),
             air: AirData::default(),
             wind: Vector3::zeros(),
             gust_peak_velocity: 0.0,
             deflections: vec![Deflection::default(); stations],
             sensors: vec![Sensors::default(); stations],
+            placements: vec![Placement::ORIGIN; stations],
             modal_q: vec![0.0; modes],
             modal_q_dot: vec![0.0; modes],
             controls: vec![0.0; controls],
             thrust: vec![0.0; engines],
+            loads: CutLoads::unknown(cuts),
         }
     }
 
@@ -119,14 +127,28 @@ impl Outputs {
         let layout = equations.layout();
         let to_body = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial;
         let motion = equations.motion(state);
-        let acceleration = GeneralisedVector::of(workspace.accelerations()).translation;
+        let accelerations = GeneralisedVector::of(workspace.accelerations());
+        let (acceleration, angular) = (accelerations.translation, accelerations.rotation);
         self.position = course.north_east_down(&Vector3::from_column_slice(&state[layout.position()]));
         self.attitude = Attitude { body_from_inertial: to_body * course.matrix() }.euler_angles();
         self.velocity = motion.velocity;
         self.rate = motion.rate;
         self.acceleration = acceleration;
+        self.quaternion = course.quaternion(&state[layout.attitude()]);
+        self.angular_acceleration = angular;
+        self.path = Path::new(&course.north_east_down(&to_body.tr_mul(&motion.velocity)));
         let inertial = acceleration + motion.rate.cross(&motion.velocity);
         self.load_factor = load_factor(&inertial, &to_body, equations.gravity);
+        let centre = equations.centre_of_mass(state, workspace);
+        let at_centre = inertial + beside_origin(&centre, &motion.rate, &angular);
+        self.load_factor_cg = load_factor(&at_centre, &to_body, equations.gravity);
+    }
+
+    /// Writes the flow at O, across which the load factor counts as lift.
+    pub(super) fn write_air(&mut self, air: AirData) {
+        let (sin, cos) = libm::sincos(air.angle_of_attack);
+        self.lift_load_factor = self.load_factor.z * cos + self.load_factor.x * sin;
+        self.air = air;
     }
 
     /// Writes the coordinates of the packaged modes, of which these take part.
@@ -142,6 +164,7 @@ impl Outputs {
         equations: &EquationsOfMotion,
         state: &[f64],
         workspace: &Workspace,
+        course: Course,
     ) {
         let to_body = Attitude::from_quaternion(&state[equations.layout().attitude()]).body_from_inertial;
         let accelerations = GeneralisedVector::of(workspace.accelerations());
@@ -152,12 +175,20 @@ impl Outputs {
             gravity: to_body * Vector3::new(0.0, 0.0, equations.gravity),
             q_ddot: accelerations.modal,
         };
+        let layout = equations.layout();
+        let placement = BodyPlacement {
+            position: Vector3::from_column_slice(&state[layout.position()]),
+            to_body,
+            quaternion: course.quaternion(&state[layout.attitude()]),
+            course,
+        };
         let at = equations.coordinates(state);
         by_kind!(equations.kinematics.as_ref().with(workspace.kinematics().as_ref()), |(
             kinematics,
             memory,
         )| {
-            self.write_sections(kinematics.sections(at, memory).stations(), stations, &body);
+            let sections = kinematics.sections(at, memory);
+            self.write_sections(sections.stations(), stations, (&body, &placement));
         });
     }
 
@@ -166,13 +197,14 @@ impl Outputs {
         &mut self,
         sections: impl Iterator<Item = impl Section>,
         stations: &[ReducedStation],
-        body: &BodyMotion,
+        (body, placement): (&BodyMotion, &BodyPlacement),
     ) {
-        let places = self.deflections.iter_mut().zip(&mut self.sensors);
-        for (((deflection, sensors), station), section) in places.zip(stations).zip(sections) {
+        let places = self.deflections.iter_mut().zip(&mut self.sensors).zip(&mut self.placements);
+        for ((((deflection, sensors), place), station), section) in places.zip(stations).zip(sections) {
             let (displacement, twist) = (section.displacement(), section.twist(&station.twist_axis));
             *deflection = Deflection { displacement, twist };
             *sensors = Sensors::read(&section, body);
+            *place = Placement::of(&section, placement);
         }
     }
 
@@ -183,6 +215,15 @@ impl Outputs {
     }
 }
 
+/// By how much the inertial acceleration of a point that moves in the body axes exceeds that of O, m/s².
+fn beside_origin(
+    CentreOfMass { position, velocity, acceleration }: &CentreOfMass,
+    rate: &Vector3<f64>,
+    angular_acceleration: &Vector3<f64>,
+) -> Vector3<f64> {
+    angular_acceleration.cross(position) + rate.cross(&(rate.cross(position) + velocity * 2.0)) + acceleration
+}
+
 /// (inertial acceleration − gravity)/g along x_b, y_b, −z_b; without gravity, in units of standard gravity.
 ///
 /// [theory: outputs.load-factor]
@@ -190,19 +231,4 @@ fn load_factor(inertial: &Vector3<f64>, to_body: &Matrix3<f64>, gravity: f64) ->
     let unit = if gravity > 0.0 { gravity } else { STANDARD_GRAVITY };
     let specific_force = (inertial - to_body * Vector3::new(0.0, 0.0, gravity)) / unit;
     Vector3::new(specific_force.x, specific_force.y, -specific_force.z)
-}
-
-impl AirData {
-    /// From the velocity relative to the air, body axes, m/s.
-    pub(super) fn new(velocity: &Vector3<f64>, air: &Air) -> Self {
-        let speed = velocity.norm();
-        AirData {
-            speed,
-            angle_of_attack: libm::atan2(velocity.z, velocity.x),
-            sideslip: if speed > 0.0 { libm::asin((velocity.y / speed).clamp(-1.0, 1.0)) } else { 0.0 },
-            mach: speed / air.speed_of_sound,
-            density: air.density,
-            dynamic_pressure: 0.5 * air.density * speed * speed,
-        }
-    }
 }

@@ -14,8 +14,9 @@ use crate::aircraft::{Control, Support};
 use crate::equations::{Configuration, Controls, EquationsOfMotion, StateLayout, Workspace};
 use crate::structure::{ModesInUse, ReducedModel, ReducedStation};
 
+use super::air_data::AirData;
 use super::course::Course;
-use super::outputs::{AirData, Outputs};
+use super::outputs::Outputs;
 
 /// One aircraft under one set of equations, with the places at which it is watched.
 ///
@@ -44,7 +45,9 @@ pub struct Plant {
 pub(crate) struct Packaged {
     /// How many modes are packaged.
     pub mode_count: usize,
-    /// Which of them take part.
+    /// How many cuts.
+    pub cut_count: usize,
+    /// Which of the modes take part.
     pub modes: ModesInUse,
     /// Of each strip of the plant.
     pub strips: Vec<PackagedStrip>,
@@ -63,7 +66,8 @@ impl Packaged {
     /// A whole model with these of its modes.
     pub fn whole(model: &ReducedModel, modes: &ModesInUse) -> Self {
         let strips = (0..model.strips.len()).map(|strip| PackagedStrip::of(model, strip)).collect();
-        Packaged { mode_count: model.modes.len(), modes: modes.clone(), strips }
+        let (mode_count, cut_count) = (model.modes.len(), model.cuts.len());
+        Packaged { mode_count, cut_count, modes: modes.clone(), strips }
     }
 }
 
@@ -201,8 +205,8 @@ impl Plant {
 
     /// Room for [`rates_and_outputs`](Self::rates_and_outputs), all zero.
     pub fn room_for_outputs(&self) -> Outputs {
-        let (controls, engines) = (self.controls().len(), self.engine_count());
-        Outputs::zero(self.packaged.mode_count, self.stations.len(), controls, engines)
+        let acting = [self.controls().len(), self.engine_count(), self.packaged.cut_count];
+        Outputs::zero(self.packaged.mode_count, self.stations.len(), acting)
     }
 
     /// y at the state and under the controls of the last evaluation, in axes along a course.
@@ -216,11 +220,12 @@ impl Plant {
     ) {
         outputs.write_motion(&self.equations, state, workspace, course);
         outputs.write_modes(&self.packaged.modes, self.layout(), state);
-        outputs.write_stations(&self.stations, &self.equations, state, workspace);
+        outputs.write_stations(&self.stations, &self.equations, state, workspace, course);
         outputs.write_controls(controls);
-        outputs.air = self.air_data(state, controls);
+        outputs.write_air(self.air_data(state, controls));
         outputs.wind = course.north_east_down(&self.equations.air_motion(state, controls));
         outputs.gust_peak_velocity = self.equations.gust_peak_velocity();
+        outputs.loads.forget();
     }
 
     /// Speed of O relative to the air, m/s.

@@ -23,7 +23,7 @@ use super::sums::{Row, add_to};
 pub(crate) struct Group {
     pub(crate) forward: EightVectors,
     pub(crate) span: EightVectors,
-    width: Eight,
+    pub(super) width: Eight,
     /// √(πb²Δy) and √(πb⁴Δy/8): roots of apparent mass and inertia in air of unit density.
     root_mass: Eight,
     root_inertia: Eight,
@@ -34,9 +34,9 @@ pub(crate) struct Group {
     pub(crate) zero_lift_offset: Eight,
     pub(crate) aerofoil: Aerofoil,
     /// Coefficients of δ by the factors, by their places, that move any flap here.
-    gains: Vec<(usize, Eight)>,
+    pub(super) gains: Vec<(usize, Eight)>,
     /// Coefficients of δ², where it drags.
-    squared_gains: Vec<(usize, Eight)>,
+    pub(super) squared_gains: Vec<(usize, Eight)>,
     /// Whether motion and all strips stay in the mirror plane.
     pub(crate) in_plane: bool,
 }

@@ -16,13 +16,13 @@ use super::surroundings::Surroundings;
 
 /// How sections stand.
 pub(crate) struct SpaceMotion<S: Arithmetic> {
-    forward: LaneVector<S>,
-    span: LaneVector<S>,
-    normal: LaneVector<S>,
+    pub(super) forward: LaneVector<S>,
+    pub(super) span: LaneVector<S>,
+    pub(super) normal: LaneVector<S>,
     /// m.
-    zero_lift_normal: LaneVector<S>,
+    pub(super) zero_lift_normal: LaneVector<S>,
     /// X.
-    position: LaneVector<S>,
+    pub(super) position: LaneVector<S>,
 }
 
 impl Group {

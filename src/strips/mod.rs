@@ -14,6 +14,7 @@ mod in_space;
 mod inflow;
 mod inflow_layout;
 mod penetration;
+mod resultants;
 mod strip_loads;
 mod sums;
 mod surroundings;
@@ -25,6 +26,7 @@ pub(crate) use gust_at_strips::GustAtStrips;
 pub use inflow::{InflowStates, PetersInflow};
 pub use inflow_layout::{GroupInflow, InflowLayout};
 pub(crate) use penetration::Penetrate;
+pub(crate) use resultants::{Accelerated, Resultant};
 pub(crate) use sums::StripSums;
 pub(crate) use surroundings::Surroundings;
 

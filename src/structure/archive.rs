@@ -8,10 +8,10 @@ use nalgebra::Vector3;
 use crate::aircraft::{ALTITUDES, Flap, MOST_INFLOW_STATES, Support};
 use crate::sealed::hash;
 
-use super::{BeamSection, Carrier, ModeFamily, ModeShapes, ReducedModel, StructureError};
+use super::{BeamSection, Carrier, ModeFamily, ModeShapes, Outboard, ReducedModel, StructureError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXAIR06";
+const MAGIC: &[u8; 8] = b"FLXAIR07";
 
 /// Bytes before the payload.
 const HEADER: usize = 8 + 8 + 16;
@@ -105,6 +105,7 @@ impl ReducedModel {
             && self.strips.iter().filter_map(|strip| strip.flap.as_ref()).all(fits_controls)
             && self.engines.iter().all(|engine| fits(&engine.shapes))
             && self.stations.iter().all(|station| fits(&station.shapes))
+            && self.cuts.iter().all(|cut| fits(&cut.steps) && self.has(&cut.outboard))
     }
 
     /// Whether the first section is that of O, which is clamped, all others come after their parents, and all that is attached
@@ -117,9 +118,11 @@ impl ReducedModel {
         let comes_later = |(place, section): (usize, &BeamSection)| section.parent < place.max(1);
         let engines = self.engines.iter().map(|engine| engine.carrier);
         let stations = self.stations.iter().map(|station| station.carrier);
-        let carriers: Vec<Carrier> = engines.chain(stations).collect();
+        let masses = self.masses.iter().map(|mass| mass.carrier);
+        let carriers: Vec<Carrier> = engines.chain(stations).chain(masses).collect();
         let strips = self.strips.iter().map(|strip| strip.section);
-        let mut all = strips.chain(carriers.iter().map(|carrier| carrier.section));
+        let cuts = self.cuts.iter().map(|cut| cut.section);
+        let mut all = strips.chain(carriers.iter().map(|carrier| carrier.section)).chain(cuts);
         self.sections.first().is_some_and(is_clamped)
             && self.sections.iter().enumerate().all(comes_later)
             && all.all(|section| section < self.sections.len())
@@ -133,6 +136,13 @@ impl ReducedModel {
         [ModeFamily::Symmetric, ModeFamily::Antisymmetric, ModeFamily::Unsymmetric]
             .into_iter()
             .all(|family| loads(family) || !load_modes(family))
+    }
+
+    /// Whether there is all that is said to be outboard of a cut.
+    fn has(&self, Outboard { strips, engines, stations, masses }: &Outboard) -> bool {
+        let numbers = [strips, engines, stations, masses];
+        let counts = [self.strips.len(), self.engines.len(), self.stations.len(), self.masses.len()];
+        numbers.into_iter().zip(counts).all(|(numbers, count)| numbers.iter().all(|number| *number < count))
     }
 }
 

@@ -8,6 +8,8 @@ use serde::{Deserialize, Serialize};
 use crate::aircraft::{Aircraft, Control, Fidelity, Flap, Limits, Support, TrimRole, TunnelAir};
 
 use super::assembly::Structure;
+use super::carrier::Carrier;
+use super::cuts::{ReducedCut, ReducedMass, reduced_cuts, reduced_masses};
 use super::mode_count::ModeCount;
 use super::sections::SectionTree;
 use super::{
@@ -65,6 +67,10 @@ pub struct ReducedModel {
     pub engines: Vec<ReducedEngine>,
     /// Named points.
     pub stations: Vec<ReducedStation>,
+    /// All mass, bay by bay: what the sections carry, told apart.
+    pub masses: Vec<ReducedMass>,
+    /// Where section loads are outputs.
+    pub cuts: Vec<ReducedCut>,
 }
 
 /// A strip with the mode shapes at its attachment.
@@ -117,22 +123,6 @@ impl ReducedStrip {
         (position.y, forward.y) = (0.0, 0.0);
         *span = Vector3::new(0.0, span.y.signum(), 0.0);
         ModeShapes::ACROSS.into_iter().for_each(|row| shapes.row_mut(row).fill(0.0));
-    }
-}
-
-/// A section that carries something.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Carrier {
-    /// Which of the sections.
-    pub section: usize,
-    /// Whether that is the mirror image of what carries it, and moves so.
-    pub mirrored: bool,
-}
-
-impl Carrier {
-    /// The section itself.
-    pub(super) fn own(section: usize) -> Self {
-        Carrier { section, mirrored: false }
     }
 }
 
@@ -239,6 +229,8 @@ impl ReducedModel {
             strips: reduced_strips(structure, &tree, &basis.shapes),
             engines: reduced_engines(structure, &tree, &basis.shapes),
             stations: reduced_stations(structure, &tree, &basis.shapes),
+            masses: reduced_masses(structure, &tree),
+            cuts: reduced_cuts(structure, &tree, &basis.shapes),
             sections: tree.sections,
             modes: basis.modes,
         };
@@ -267,6 +259,7 @@ impl ReducedModel {
             && self.strips.iter().all(|strip| finite(&strip.shapes))
             && self.engines.iter().all(|engine| finite(&engine.shapes))
             && self.stations.iter().all(|station| finite(&station.shapes))
+            && self.cuts.iter().all(|cut| finite(&cut.steps))
     }
 
     /// The model with a choice of modes (ascending indices), all others held at rest. Load modes among them keep the loads that
@@ -322,7 +315,9 @@ impl ReducedModel {
         let engines = self.engines.iter_mut().map(|engine| &mut engine.shapes);
         let stations = self.stations.iter_mut().map(|station| &mut station.shapes);
         let sections = self.sections.iter_mut().map(|section| &mut section.steps);
-        self.strips.iter_mut().map(|strip| &mut strip.shapes).chain(engines).chain(stations).chain(sections)
+        let cuts = self.cuts.iter_mut().map(|cut| &mut cut.steps);
+        let strips = self.strips.iter_mut().map(|strip| &mut strip.shapes);
+        strips.chain(engines).chain(stations).chain(sections).chain(cuts)
     }
 }
 

@@ -52,7 +52,8 @@ impl RigidBody {
         inertia: Matrix3::new(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
     };
 
-    fn of(bay: &MassBay) -> Self {
+    /// The mass of a bay.
+    pub(super) fn of(bay: &MassBay) -> Self {
         RigidBody {
             mass: bay.mass,
             offset: bay.offset,
@@ -238,7 +239,7 @@ impl<'s> Growing<'s> {
 }
 
 /// Dλ and Dφ of two linear poses an arm apart [theory: geometrically-exact.sections].
-fn steps(parent: &ModeShapes, own: &ModeShapes, arm: &Vector3<f64>) -> ModeShapes {
+pub(super) fn steps(parent: &ModeShapes, own: &ModeShapes, arm: &Vector3<f64>) -> ModeShapes {
     let modes = own.modes();
     let mut steps = own.clone();
     for mode in 0..modes {

@@ -138,6 +138,22 @@ impl<M> FlyingPlant<M> {
         self.plants.outputs_under(self.form, actions, state, controls, course)
     }
 
+    /// Adds the section loads at a state of the plant that flies, which are those of the whole aircraft, to the outputs there.
+    /// Does not allocate.
+    pub fn write_loads(&mut self, state: &[f64], controls: &Controls, outputs: &mut Outputs) {
+        let [unfolded, rates] = &mut self.elsewhere;
+        let state = self.plants.unfolded(self.form, state, unfolded);
+        rates.resize(state.len(), 0.0);
+        let (plant, workspace) = (self.plants.whole(), &mut self.seats.of_mut(Form::WHOLE).workspace);
+        plant.rates(state, controls, rates, workspace);
+        plant.write_loads(state, controls, workspace, outputs);
+    }
+
+    /// Adds them to outputs. Allocates.
+    pub fn add_loads(&self, state: &[f64], controls: &Controls, outputs: &mut Outputs) {
+        self.plants.add_loads(self.form, state, controls, outputs);
+    }
+
     /// Keeps in mind which plant flies.
     pub fn keep(&mut self) {
         self.kept = self.form;

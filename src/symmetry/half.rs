@@ -77,7 +77,8 @@ impl SymmetricHalf {
         let half = |&strip: &usize| half_strip(&model.strips[strip], images[strip].is_in_plane, &controls);
         let lifting = lifting.iter().map(half).collect();
         let edge_on = edge_on.iter().map(|&strip| model.strips[strip].clone()).collect();
-        let mut model = ReducedModel { strips: lifting, ..model };
+        // Section loads are those of the whole aircraft.
+        let mut model = ReducedModel { strips: lifting, cuts: Vec::new(), ..model };
         HalfSections::of(&model.sections).take_place_in(&mut model);
         Some(SymmetricHalf { model, edge_on, modes, strips, stands_for, engines, controls })
     }

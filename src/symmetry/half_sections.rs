@@ -41,7 +41,8 @@ impl HalfSections {
     pub fn take_place_in(self, model: &mut ReducedModel) {
         let engines = model.engines.iter_mut().map(|engine| &mut engine.carrier);
         let stations = model.stations.iter_mut().map(|station| &mut station.carrier);
-        for carrier in engines.chain(stations) {
+        let masses = model.masses.iter_mut().map(|mass| &mut mass.carrier);
+        for carrier in engines.chain(stations).chain(masses) {
             if let Some(section) = self.images[carrier.section].filter(|_| self.is_left[carrier.section]) {
                 *carrier = Carrier { section, mirrored: !carrier.mirrored };
             }

@@ -96,6 +96,7 @@ impl Plants {
             let strips = half.stands_for.iter().map(|&strip| PackagedStrip::of(&reduced, strip));
             let packaged = Packaged {
                 mode_count: model.modes.len(),
+                cut_count: model.cuts.len(),
                 modes: modes.among(&half.modes),
                 strips: strips.collect(),
             };
@@ -189,6 +190,11 @@ impl Plants {
         self.outputs_under(self.simplest_form(), actions, &trim.state, controls, course)
     }
 
+    /// Adds the section loads there to outputs. Allocates.
+    pub(crate) fn add_loads_at_trim(&self, trim: &Trim, controls: &Controls, outputs: &mut Outputs) {
+        self.add_loads(self.simplest_form(), &trim.state, controls, outputs);
+    }
+
     /// The same at a state of some form.
     pub(super) fn outputs_under(
         &self,
@@ -202,6 +208,28 @@ impl Plants {
         let (form, state) = self.taken(form, state, actions, &mut unfolded);
         let plant = self.plants.of(form);
         plant.outputs_along(course, state, controls, &mut plant.workspace())
+    }
+
+    /// Adds the section loads at a state of some form, which are those of the whole aircraft, to outputs. Allocates.
+    ///
+    /// [theory: section-loads.half]
+    pub(super) fn add_loads(&self, form: Form, state: &[f64], controls: &Controls, outputs: &mut Outputs) {
+        let mut unfolded = Vec::new();
+        let state = self.unfolded(form, state, &mut unfolded);
+        let (whole, mut workspace) = (self.whole(), self.whole().workspace());
+        whole.rates(state, controls, &mut vec![0.0; state.len()], &mut workspace);
+        whole.write_loads(state, controls, &workspace, outputs);
+    }
+
+    /// A state of some form as one of the whole aircraft; `room` has place for that.
+    pub(super) fn unfolded<'s>(&self, form: Form, state: &'s [f64], room: &'s mut Vec<f64>) -> &'s [f64] {
+        match self.halving.as_ref().filter(|_| form == Form::HALF) {
+            Some(Halving { unfolding, .. }) => {
+                unfolding.unfold(state, room);
+                room
+            }
+            None => state,
+        }
     }
 
     /// Into which form what acts unfolds a state, and how; none where it may keep the one it has. The half is left where

@@ -4,14 +4,23 @@
 use crate::aircraft::TrimRole;
 use crate::devices::{ActuatorSetting, EngineSetting};
 
-use super::slot::{AirQuantity, Axis, InputSlot, OutputSlot, ParameterSlot, SensorSetting};
+use super::air_quantity::AirQuantity;
+use super::axis::Axis;
+use super::output_slot::{OutputSlot, PathQuantity, PlacementComponent};
+use super::slot::{InputSlot, ParameterSlot, SensorSetting};
 
 /// Whether an input acts on an output at the same instant: accelerations feel every force, by the apparent mass also
 /// the rate of the wind; the flow feels the wind alone; positions, velocities and deformations are states and follow only by integration.
 pub(super) fn direct(output: OutputSlot, input: InputSlot) -> bool {
     match output {
-        OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) | OutputSlot::SpecificForce { .. } => true,
-        OutputSlot::Air(AirQuantity::Density) => false,
+        OutputSlot::Acceleration(_)
+        | OutputSlot::LoadFactor(_)
+        | OutputSlot::SpecificForce { .. }
+        | OutputSlot::AngularAcceleration(_)
+        | OutputSlot::LoadFactorAtCentre(_)
+        | OutputSlot::LiftLoadFactor
+        | OutputSlot::SectionLoad { .. } => true,
+        OutputSlot::Air(AirQuantity::Density | AirQuantity::Pressure | AirQuantity::Temperature) => false,
         OutputSlot::Air(_) => matches!(input, InputSlot::Wind(_)),
         OutputSlot::Wind(Axis::Z) => input == InputSlot::Wind(Axis::Z),
         OutputSlot::Wind(_) => matches!(input, InputSlot::Wind(Axis::X | Axis::Y)),
@@ -37,10 +46,24 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Opt
         | OutputSlot::Rate(_)
         | OutputSlot::StationRate { .. }
         | OutputSlot::ModalRate(_) => false,
-        OutputSlot::Acceleration(_) | OutputSlot::LoadFactor(_) | OutputSlot::SpecificForce { .. } => {
+        OutputSlot::Acceleration(_)
+        | OutputSlot::LoadFactor(_)
+        | OutputSlot::SpecificForce { .. }
+        | OutputSlot::AngularAcceleration(_)
+        | OutputSlot::LoadFactorAtCentre(_)
+        | OutputSlot::LiftLoadFactor
+        | OutputSlot::SectionLoad { .. } => {
             !matches!(parameter, StructuralDamping | Tolerance | ParameterSlot::Sensor(_))
         }
-        OutputSlot::Air(AirQuantity::Density) => parameter == Altitude,
+        OutputSlot::Air(AirQuantity::Density | AirQuantity::Pressure | AirQuantity::Temperature) => {
+            parameter == Altitude
+        }
+        OutputSlot::Quaternion(_)
+        | OutputSlot::Path(PathQuantity::Track)
+        | OutputSlot::Placement {
+            component: PlacementComponent::Position(Axis::X | Axis::Y) | PlacementComponent::Quaternion(_),
+            ..
+        } => parameter == Heading || trims(parameter),
         OutputSlot::Air(_) => parameter == Heading || trims(parameter),
         OutputSlot::ActuatorRate(control)
         | OutputSlot::RateLimited(control)
@@ -56,6 +79,8 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Opt
         }
         OutputSlot::Attitude(_)
         | OutputSlot::Velocity(_)
+        | OutputSlot::Path(_)
+        | OutputSlot::Placement { .. }
         | OutputSlot::Deflection { .. }
         | OutputSlot::ModalCoordinate(_)
         | OutputSlot::TrimPitch

@@ -3,8 +3,9 @@
 use crate::flight::Channel;
 use crate::structure::ReducedModel;
 
+use super::output_slot::OutputSlot;
 use super::row::output;
-use super::slot::{OutputSlot, Slot};
+use super::slot::Slot;
 use super::unit::Unit;
 use super::variable::{Type, Variability, Variable};
 

@@ -2,10 +2,12 @@
 
 use crate::flight::Settings;
 
+use super::axis::Axis;
 use super::enumeration::EnumerationType;
 use super::gust_slot::{GustSetting, TurbulenceSetting};
+use super::output_slot::OutputSlot;
 use super::row::{output, parameter};
-use super::slot::{Axis, OutputSlot, ParameterSlot};
+use super::slot::ParameterSlot;
 use super::unit::Unit;
 use super::variable::{Type, Variability, Variable};
 

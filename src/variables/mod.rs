@@ -4,14 +4,20 @@
 //! from this table; nothing else lists a variable. A value reference is the row's index, one numbering for
 //! all types, so that a reference used with the wrong type is noticed.
 
+mod air_quantity;
+mod axis;
 mod dependence;
 mod devices;
 mod enumeration;
 mod gust_slot;
 mod gusts;
+mod load_component;
 mod nearest;
+mod output_slot;
 mod parameters;
+mod placements;
 mod row;
+mod section_loads;
 mod slot;
 mod surface_angle;
 mod table;
@@ -19,12 +25,14 @@ mod unit;
 mod value;
 mod variable;
 
+pub use air_quantity::AirQuantity;
+pub use axis::Axis;
 pub use enumeration::EnumerationType;
 pub use gust_slot::{GustSetting, TurbulenceSetting};
+pub use load_component::LoadComponent;
 pub use nearest::{nearest, probably_meant};
-pub use slot::{
-    AirQuantity, Axis, DeflectionComponent, InputSlot, OutputSlot, ParameterSlot, SensorSetting, Slot,
-};
+pub use output_slot::{DeflectionComponent, OutputSlot, PathQuantity, PlacementComponent};
+pub use slot::{InputSlot, ParameterSlot, SensorSetting, Slot};
 pub use surface_angle::instead_of_degrees;
 pub use unit::{BaseUnit, DisplayUnit, Unit};
 pub use value::Value;
@@ -62,7 +70,11 @@ impl VariableTable {
     /// The same where the parameters start elsewhere.
     pub fn starting(model: &ReducedModel, starts: &Settings) -> Self {
         let roles = model.controls.iter().map(|control| control.role).collect();
-        VariableTable { rows: table::rows(model, starts), roles }
+        let mut rows = table::rows(model, starts);
+        rows.extend(placements::of_aircraft());
+        rows.extend(placements::of_stations(model));
+        rows.extend(section_loads::rows(model));
+        VariableTable { rows, roles }
     }
 
     /// The variable with a value reference.

@@ -2,7 +2,8 @@
 
 use crate::flight::Settings;
 
-use super::slot::{InputSlot, OutputSlot, ParameterSlot, Slot};
+use super::output_slot::OutputSlot;
+use super::slot::{InputSlot, ParameterSlot, Slot};
 use super::unit::Unit;
 use super::value::Value;
 use super::variable::{Type, Variability, Variable};

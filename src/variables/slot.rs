@@ -1,58 +1,14 @@
 //! Where the value of a variable lives: a typed place in the inputs, the settings or the outputs.
 
-use crate::aircraft::TrimRole;
-use crate::devices::{ActuatorSetting, EngineSetting, Holding};
+use crate::devices::{ActuatorSetting, EngineSetting};
 use crate::equations::Fidelity;
-use crate::flight::{InputReference, Inputs, Instant, NoiseKind, SensorSettings, Settings};
+use crate::flight::{InputReference, Inputs, NoiseKind, SensorSettings, Settings};
 use crate::plant::ModeSelection;
 
+use super::axis::Axis;
 use super::gust_slot::{GustSetting, TurbulenceSetting};
+use super::output_slot::OutputSlot;
 use super::value::Value;
-
-/// A coordinate: x, y, z; north, east, down; or roll, pitch, yaw.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
-    /// x, north, roll.
-    X,
-    /// y, east, pitch.
-    Y,
-    /// z, down, yaw.
-    Z,
-}
-
-impl Axis {
-    /// All three.
-    pub const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
-
-    fn index(self) -> usize {
-        self as usize
-    }
-}
-
-/// A quantity of the flow at O.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "the quantities are documented in AirData")]
-#[non_exhaustive]
-pub enum AirQuantity {
-    Speed,
-    AngleOfAttack,
-    Sideslip,
-    Mach,
-    Density,
-    DynamicPressure,
-}
-
-/// A component of a station's deflection.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum DeflectionComponent {
-    /// Displacement along a body axis, m.
-    Along(Axis),
-    /// Displacement along −z, m.
-    Up,
-    /// rad.
-    Twist,
-}
 
 /// An input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,60 +65,6 @@ pub enum SensorSetting {
     Delay,
     Noise(NoiseKind),
     Seed,
-}
-
-/// An output.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "the quantities are documented in Outputs and TrimPoint")]
-#[non_exhaustive]
-pub enum OutputSlot {
-    Position(Axis),
-    Attitude(Axis),
-    Velocity(Axis),
-    Rate(Axis),
-    Acceleration(Axis),
-    LoadFactor(Axis),
-    Air(AirQuantity),
-    Wind(Axis),
-    GustPeakVelocity,
-    Deflection {
-        /// Index of the station.
-        station: usize,
-        component: DeflectionComponent,
-    },
-    /// What an accelerometer at the station with this index reads.
-    SpecificForce {
-        station: usize,
-        axis: Axis,
-    },
-    /// What a rate gyro at the station with this index reads.
-    StationRate {
-        station: usize,
-        axis: Axis,
-    },
-    /// Of the mode with this index.
-    ModalCoordinate(usize),
-    /// Of the mode with this index.
-    ModalRate(usize),
-    /// The acting angle of the control with this index.
-    Control(usize),
-    /// Of the engine with this index.
-    Thrust(usize),
-    TrimPitch,
-    /// The angle of the control with this role.
-    TrimControl(TrimRole),
-    TrimThrust,
-    TrimClimbAngle,
-    TrimRoll,
-    TrimSideslip,
-    /// Of the surface of the control with this index.
-    ActuatorRate(usize),
-    /// Whether the actuator of the control with this index moves as fast as it can.
-    RateLimited(usize),
-    /// Whether a stop holds the surface of the control with this index.
-    PositionLimited(usize),
-    /// What the channel with this index gives.
-    Sensor(usize),
 }
 
 /// Where the value of a variable lives. It implies the FMI causality.
@@ -305,65 +207,4 @@ impl SensorSetting {
 
 fn saturating(count: usize) -> i32 {
     i32::try_from(count).unwrap_or(i32::MAX)
-}
-
-impl OutputSlot {
-    /// The value at an instant of a flight of the model that the slot was made for.
-    pub fn get(self, instant: &Instant) -> Value {
-        match self {
-            OutputSlot::RateLimited(control) => {
-                Value::Boolean(instant.actuators[control].holding == Holding::Rate)
-            }
-            OutputSlot::PositionLimited(control) => {
-                Value::Boolean(instant.actuators[control].holding == Holding::Stop)
-            }
-            real => Value::Real(real.number(instant)),
-        }
-    }
-
-    /// The value as a number; of a Boolean 1 or 0.
-    pub fn number(self, instant: &Instant) -> f64 {
-        let Instant { outputs, trim, .. } = instant;
-        match self {
-            OutputSlot::Position(axis) => outputs.position[axis.index()],
-            OutputSlot::Attitude(axis) => outputs.attitude[axis.index()],
-            OutputSlot::Velocity(axis) => outputs.velocity[axis.index()],
-            OutputSlot::Rate(axis) => outputs.rate[axis.index()],
-            OutputSlot::Acceleration(axis) => outputs.acceleration[axis.index()],
-            OutputSlot::LoadFactor(axis) => outputs.load_factor[axis.index()],
-            OutputSlot::Wind(axis) => outputs.wind[axis.index()],
-            OutputSlot::GustPeakVelocity => outputs.gust_peak_velocity,
-            OutputSlot::Air(AirQuantity::Speed) => outputs.air.speed,
-            OutputSlot::Air(AirQuantity::AngleOfAttack) => outputs.air.angle_of_attack,
-            OutputSlot::Air(AirQuantity::Sideslip) => outputs.air.sideslip,
-            OutputSlot::Air(AirQuantity::Mach) => outputs.air.mach,
-            OutputSlot::Air(AirQuantity::Density) => outputs.air.density,
-            OutputSlot::Air(AirQuantity::DynamicPressure) => outputs.air.dynamic_pressure,
-            OutputSlot::Deflection { station, component } => {
-                let deflection = &outputs.deflections[station];
-                match component {
-                    DeflectionComponent::Along(axis) => deflection.displacement[axis.index()],
-                    DeflectionComponent::Up => 0.0 - deflection.displacement.z,
-                    DeflectionComponent::Twist => deflection.twist,
-                }
-            }
-            OutputSlot::SpecificForce { station, axis } => {
-                outputs.sensors[station].specific_force[axis.index()]
-            }
-            OutputSlot::StationRate { station, axis } => outputs.sensors[station].rate[axis.index()],
-            OutputSlot::ModalCoordinate(mode) => outputs.modal_q[mode],
-            OutputSlot::ModalRate(mode) => outputs.modal_q_dot[mode],
-            OutputSlot::Control(control) => outputs.controls[control],
-            OutputSlot::Thrust(engine) => outputs.thrust[engine],
-            OutputSlot::TrimPitch => trim.pitch,
-            OutputSlot::TrimControl(role) => trim.control(role),
-            OutputSlot::TrimThrust => trim.thrust,
-            OutputSlot::TrimClimbAngle => trim.climb_angle,
-            OutputSlot::TrimRoll => trim.roll,
-            OutputSlot::TrimSideslip => trim.sideslip,
-            OutputSlot::ActuatorRate(control) => instant.actuators[control].rate,
-            OutputSlot::Sensor(channel) => instant.sensors[channel],
-            OutputSlot::RateLimited(_) | OutputSlot::PositionLimited(_) => self.get(instant).number(),
-        }
-    }
 }

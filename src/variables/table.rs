@@ -4,11 +4,14 @@ use crate::aircraft::{Control, Support, TrimRole};
 use crate::flight::Settings;
 use crate::structure::{Mode, ModeFamily, ReducedModel};
 
+use super::air_quantity::AirQuantity;
+use super::axis::Axis;
 use super::devices::{actuators, sensor_channels};
 use super::gusts;
+use super::output_slot::{DeflectionComponent, OutputSlot};
 use super::parameters::parameters;
 use super::row::{input, output};
-use super::slot::{AirQuantity, Axis, DeflectionComponent, InputSlot, OutputSlot};
+use super::slot::InputSlot;
 use super::unit::Unit;
 use super::variable::{Variability, Variable};
 
@@ -104,6 +107,10 @@ fn flow() -> Vec<Variable> {
         ("mach", Unit::One, AirQuantity::Mach, "Mach number at O"),
         ("density", Unit::KilogramPerCubicMetre, AirQuantity::Density, "Air density at O"),
         ("dynamic_pressure", Unit::Pascal, AirQuantity::DynamicPressure, "Dynamic pressure at O"),
+        ("equivalent", Unit::MetrePerSecond, AirQuantity::Equivalent, "Equivalent airspeed at O"),
+        ("calibrated", Unit::MetrePerSecond, AirQuantity::Calibrated, "Calibrated airspeed at O"),
+        ("pressure", Unit::Pascal, AirQuantity::Pressure, "Static pressure at O"),
+        ("temperature", Unit::Kelvin, AirQuantity::Temperature, "Static temperature at O"),
     ];
     let rows = quantities.into_iter().map(|(name, unit, quantity, text)| {
         let row = output(format!("air.{name}"), unit, OutputSlot::Air(quantity), text.to_owned());
@@ -245,4 +252,4 @@ fn within_a_sentence(description: &str) -> String {
     }
 }
 
-const NORTH_EAST_DOWN: [&str; 3] = ["north", "east", "down"];
+pub(super) const NORTH_EAST_DOWN: [&str; 3] = ["north", "east", "down"];

@@ -154,16 +154,18 @@ fn names_are_unique_and_every_real_but_the_modal_coordinates_has_a_unit() {
 fn every_unit_is_a_product_of_integer_powers_that_is_what_its_name_says() {
     for unit in Unit::ALL {
         let mut product = BaseUnit::default();
-        for (sign, factors) in [1, -1].into_iter().zip(unit.name().split('/')) {
+        let sides = [1, -1].into_iter().zip(unit.name().split('/'));
+        for (sign, factors) in sides.flat_map(|(sign, side)| side.split('.').map(move |one| (sign, one))) {
             let symbol = factors.trim_end_matches(|c: char| c.is_ascii_digit());
             let power = sign * factors[symbol.len()..].parse::<i32>().unwrap_or(1);
-            let BaseUnit { kilogram, metre, second, radian } = match symbol {
+            let BaseUnit { kilogram, metre, second, radian, kelvin } = match symbol {
                 "kg" => BaseUnit { kilogram: 1, ..BaseUnit::default() },
                 "m" => BaseUnit { metre: 1, ..BaseUnit::default() },
                 "s" => BaseUnit { second: 1, ..BaseUnit::default() },
                 "rad" => BaseUnit { radian: 1, ..BaseUnit::default() },
-                "N" => BaseUnit { kilogram: 1, metre: 1, second: -2, radian: 0 },
-                "Pa" => BaseUnit { kilogram: 1, metre: -1, second: -2, radian: 0 },
+                "K" => BaseUnit { kelvin: 1, ..BaseUnit::default() },
+                "N" => BaseUnit { kilogram: 1, metre: 1, second: -2, ..BaseUnit::default() },
+                "Pa" => BaseUnit { kilogram: 1, metre: -1, second: -2, ..BaseUnit::default() },
                 "" => BaseUnit::default(),
                 other => panic!("{}: what is {other}?", unit.name()),
             };
@@ -171,6 +173,7 @@ fn every_unit_is_a_product_of_integer_powers_that_is_what_its_name_says() {
             product.metre += power * metre;
             product.second += power * second;
             product.radian += power * radian;
+            product.kelvin += power * kelvin;
         }
         assert_eq!(product, unit.base(), "{}", unit.name());
     }

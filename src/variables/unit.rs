@@ -17,14 +17,20 @@ pub enum Unit {
     Radian,
     /// rad/s, shown in degrees per second
     RadianPerSecond,
+    /// rad/s², shown in degrees per second squared
+    RadianPerSecondSquared,
     /// N
     Newton,
+    /// N·m
+    NewtonMetre,
     /// Pa
     Pascal,
     /// kg/m³
     KilogramPerCubicMetre,
     /// s
     Second,
+    /// K
+    Kelvin,
 }
 
 /// Integer exponents of the SI base units in a unit.
@@ -38,6 +44,8 @@ pub struct BaseUnit {
     pub second: i32,
     /// Of rad.
     pub radian: i32,
+    /// Of K.
+    pub kelvin: i32,
 }
 
 /// A unit for showing: its name and the factor from the unit to it.
@@ -53,17 +61,20 @@ const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
 
 impl Unit {
     /// All units, in the order of the model description.
-    pub const ALL: [Unit; 10] = [
+    pub const ALL: [Unit; 13] = [
         Unit::One,
         Unit::Metre,
         Unit::MetrePerSecond,
         Unit::MetrePerSecondSquared,
         Unit::Radian,
         Unit::RadianPerSecond,
+        Unit::RadianPerSecondSquared,
         Unit::Newton,
+        Unit::NewtonMetre,
         Unit::Pascal,
         Unit::KilogramPerCubicMetre,
         Unit::Second,
+        Unit::Kelvin,
     ];
 
     /// As written in the model description.
@@ -75,10 +86,13 @@ impl Unit {
             Unit::MetrePerSecondSquared => "m/s2",
             Unit::Radian => "rad",
             Unit::RadianPerSecond => "rad/s",
+            Unit::RadianPerSecondSquared => "rad/s2",
             Unit::Newton => "N",
+            Unit::NewtonMetre => "N.m",
             Unit::Pascal => "Pa",
             Unit::KilogramPerCubicMetre => "kg/m3",
             Unit::Second => "s",
+            Unit::Kelvin => "K",
         }
     }
 
@@ -92,10 +106,13 @@ impl Unit {
             Unit::MetrePerSecondSquared => BaseUnit { metre: 1, second: -2, ..one },
             Unit::Radian => BaseUnit { radian: 1, ..one },
             Unit::RadianPerSecond => BaseUnit { radian: 1, second: -1, ..one },
+            Unit::RadianPerSecondSquared => BaseUnit { radian: 1, second: -2, ..one },
             Unit::Newton => BaseUnit { kilogram: 1, metre: 1, second: -2, ..one },
+            Unit::NewtonMetre => BaseUnit { kilogram: 1, metre: 2, second: -2, ..one },
             Unit::Pascal => BaseUnit { kilogram: 1, metre: -1, second: -2, ..one },
             Unit::KilogramPerCubicMetre => BaseUnit { kilogram: 1, metre: -3, ..one },
             Unit::Second => BaseUnit { second: 1, ..one },
+            Unit::Kelvin => BaseUnit { kelvin: 1, ..one },
         }
     }
 
@@ -104,6 +121,7 @@ impl Unit {
         match self {
             Unit::Radian => Some(DisplayUnit { name: "deg", factor: DEGREES_PER_RADIAN }),
             Unit::RadianPerSecond => Some(DisplayUnit { name: "deg/s", factor: DEGREES_PER_RADIAN }),
+            Unit::RadianPerSecondSquared => Some(DisplayUnit { name: "deg/s2", factor: DEGREES_PER_RADIAN }),
             _ => None,
         }
     }

@@ -5,6 +5,7 @@ mod bad_airframes;
 mod bad_fields;
 mod basis;
 mod controls;
+mod cuts;
 mod good_files;
 mod jet;
 mod mirrors;

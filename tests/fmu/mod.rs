@@ -29,6 +29,7 @@ fn package() -> Package {
         mode_count: MODE_COUNT.into(),
         load_modes: false,
         starts: Vec::new(),
+        stations_along: Vec::new(),
         binaries: vec![(Platform::host().unwrap(), library)],
         workspace: env!("CARGO_MANIFEST_DIR").into(),
     }

@@ -85,6 +85,8 @@ impl Cantilever {
             strips: Vec::new(),
             engines: Vec::new(),
             stations: Vec::new(),
+            components: Vec::new(),
+            cuts: Vec::new(),
         }
     }
 }

@@ -5,7 +5,6 @@
 
 use std::f64::consts::PI;
 
-use flexible_aircraft::air::Air;
 use flexible_aircraft::equations::{Controls, EquationsOfMotion};
 use flexible_aircraft::math::Attitude;
 use flexible_aircraft::structure::ReducedStrip;
@@ -175,7 +174,7 @@ impl Instant<'_> {
             ..
         } = flow;
         let (b, d) = (strip.semichord, strip.elastic_axis_aft_of_midchord);
-        let rho = Air::at(self.equations.altitude(self.state)).density;
+        let rho = self.equations.air(self.state).density;
         let FlapLift { lift: c1_delta, moment: c4_delta } = self.flap_lift(strip);
 
         let circulatory =

@@ -155,5 +155,7 @@ fn model(strip: ReducedStrip) -> ReducedModel {
         controls: ["first", "second"].map(control).to_vec(),
         engines: Vec::new(),
         stations: Vec::new(),
+        masses: Vec::new(),
+        cuts: Vec::new(),
     }
 }

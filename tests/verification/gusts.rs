@@ -23,18 +23,18 @@ use super::record::Record;
 const SOURCE: &str = "prototype in numpy that shares nothing with this program; fourth-order steps of 5 ms";
 
 /// An upward gust of 10 m/s that the nose meets after half a second.
-fn gust(gradient: f64) -> GustSettings {
+pub fn gust(gradient: f64) -> GustSettings {
     GustSettings { shape: GustShape::OneMinusCosine, gradient, start: 0.5, ..GustSettings::default() }
 }
 
 /// The jet at a stiffness with twelve modes of both families before a gust and turbulence.
-fn flight(stiffness_scale: f64, gust: GustSettings, turbulence: TurbulenceSettings) -> Settings {
+pub fn flight(stiffness_scale: f64, gust: GustSettings, turbulence: TurbulenceSettings) -> Settings {
     let plant = PlantSettings { fidelity: Fidelity::Exact, stiffness_scale, ..PlantSettings::of(&jet()) };
     Settings { gust, turbulence, ..plant.into() }
 }
 
 /// Steps of the independent computation, s.
-const STEP: f64 = 0.005;
+pub const STEP: f64 = 0.005;
 
 /// Outputs at every step without a hand on the controls.
 fn hands_off(settings: &Settings, seconds: f64) -> Vec<Outputs> {

@@ -63,6 +63,8 @@ fn model(elements: usize) -> ReducedModel {
             twist_axis: Vector3::x(),
             shapes: ModeShapes { translation: at_tip(tip), rotation: at_tip(tip + 3) },
         }],
+        masses: Vec::new(),
+        cuts: Vec::new(),
     }
 }
 

@@ -2,6 +2,8 @@
 //! gradient and its Hessian are those of that integral, and its axial–bending coupling makes a stretched
 //! string sing [theory: strain-energy.polynomial, strain-energy.force; thesis §3.2].
 
+use std::path::Path;
+
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::structure::{ModalBasis, StrainEnergy, Structure};
 use nalgebra::{DMatrix, DVector, Matrix6xX, SymmetricEigen, Vector3};
@@ -106,7 +108,7 @@ fn moved(q: &DVector<f64>, mode: usize, step: f64) -> DVector<f64> {
 fn value_gradient_and_hessian_are_those_of_the_integral() {
     const MODES: usize = 12;
     const STEP: f64 = 10.0;
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/generic-business-jet.toml");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/generic-business-jet.toml");
     let aircraft = Aircraft::read(&path).unwrap();
     let structure = Structure::new(&aircraft).unwrap();
     let shapes = ModalBasis::new(&structure, MODES).unwrap().shapes;
@@ -254,5 +256,41 @@ fn a_stretched_string_sings_at_its_frequencies() {
     record.remark(&format!(
         "A string without bending stiffness would have {limit:.3} rad/s and its multiples."
     ));
+    record.finish();
+}
+
+/// Elastic forces balance the loads mode by mode, summed over the elements [theory: section-loads.not-by-modes].
+#[test]
+fn the_elastic_forces_of_all_elements_are_those_of_the_aircraft_mode_by_mode() {
+    let mut record = Record::new(
+        "strain-energy-by-element",
+        "∂U/∂q of Goland's wing, six modes, at a random deformation: largest difference to the sum over its elements, over the largest",
+        "each element by itself, all others without stiffness",
+    );
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/goland-wing.toml");
+    let aircraft = Aircraft::read(&path).unwrap();
+    let structure = Structure::new(&aircraft).unwrap();
+    let shapes = ModalBasis::new(&structure, 6).unwrap().shapes;
+    let mut next = random(5);
+    let q: Vec<f64> = (0..shapes.ncols()).map(|_| 3.0 * next()).collect();
+    let gradient = |aircraft: &Aircraft| {
+        let energy = StrainEnergy::new(&Structure::new(aircraft).unwrap(), &shapes);
+        let mut gradient = vec![0.0; q.len()];
+        energy.add_quadratic(&q, &mut gradient);
+        energy.add_cubic(&q, &mut gradient);
+        energy.add_quartic(&q, &mut gradient);
+        DVector::from_vec(gradient)
+    };
+    let alone = |element: usize| {
+        let mut aircraft = aircraft.clone();
+        for (_, beam) in aircraft.beams.iter_mut().enumerate().filter(|(other, _)| *other != element) {
+            (beam.axial_stiffness, beam.torsional_stiffness) = (0.0, 0.0);
+            (beam.bending_stiffness_y, beam.bending_stiffness_z) = (0.0, 0.0);
+        }
+        gradient(&aircraft)
+    };
+    let sum: DVector<f64> = (0..aircraft.beams.len()).map(alone).sum();
+    let expected = gradient(&aircraft);
+    record.rounding("six modes", 1e-12, (sum - &expected).amax() / expected.amax());
     record.finish();
 }

@@ -40,7 +40,7 @@ fn equations(model: &ReducedModel, fidelity: Fidelity) -> EquationsOfMotion {
 }
 
 /// A flight with sections turned by up to about 1 rad, and controls and wind that act everywhere.
-fn disturbed(equations: &EquationsOfMotion, seed: u64) -> (Vec<f64>, Controls) {
+pub fn disturbed(equations: &EquationsOfMotion, seed: u64) -> (Vec<f64>, Controls) {
     let layout = equations.layout();
     let mut next = random(seed);
     let mut state: Vec<f64> = (0..layout.len()).map(|_| next()).collect();

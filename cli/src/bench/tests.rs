@@ -29,9 +29,17 @@ fn jet() -> (tempfile::TempDir, Fmu) {
     let library = std::env::current_exe().unwrap().with_file_name(name);
     let binaries = vec![(Platform::host().unwrap(), library)];
     let aircraft = workspace.join("aircraft/generic-business-jet.toml");
-    Package { aircraft, mode_count: 26.into(), load_modes: false, starts: Vec::new(), binaries, workspace }
-        .write(&output)
-        .unwrap();
+    Package {
+        aircraft,
+        mode_count: 26.into(),
+        load_modes: false,
+        starts: Vec::new(),
+        stations_along: Vec::new(),
+        binaries,
+        workspace,
+    }
+    .write(&output)
+    .unwrap();
     let fmu = Fmu::open(&output).unwrap();
     (folder, fmu)
 }

@@ -76,7 +76,8 @@ impl<'s> Flight<'s> {
     ) -> Result<(), Interruption> {
         for Point { time, row } in self.schedule.points(step) {
             self.simulation.advance_to(time)?;
-            let instant = self.simulation.instant();
+            // All outputs are written, section loads among them.
+            let instant = self.simulation.instant_with_loads();
             let values = self.slots.iter().map(|slot| slot.number(instant));
             table.row(std::iter::once(time).chain(values))?;
             if let Some(row) = row {

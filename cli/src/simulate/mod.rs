@@ -20,7 +20,7 @@ use crate::{diagnostics, terminal, workspace};
 
 mod flight;
 mod header;
-mod schedule;
+pub mod schedule;
 
 use flight::{Flight, Interruption};
 use schedule::{Mistake, Schedule};
@@ -67,7 +67,7 @@ pub struct SimulateOptions {
     output: PathBuf,
 }
 
-fn step(text: &str) -> Result<f64, String> {
+pub fn step(text: &str) -> Result<f64, String> {
     let step = text.parse().ok().filter(|step: &f64| step.is_finite() && *step > 0.0);
     step.ok_or_else(|| "allowed is a number of seconds, greater than 0".to_owned())
 }
@@ -172,7 +172,7 @@ fn fly(
     Ok((table.into_sink()?, end))
 }
 
-fn read(inputs: &Path) -> Result<Vec<u8>, Error> {
+pub fn read(inputs: &Path) -> Result<Vec<u8>, Error> {
     let failed = |source| FileError { action: "read", path: inputs.to_owned(), source };
     let reader: Box<dyn Read> = if inputs == Path::new(STANDARD) {
         Box::new(io::stdin().lock())

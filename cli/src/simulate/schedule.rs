@@ -80,6 +80,12 @@ impl Schedule {
         Ok(Schedule { columns, rows })
     }
 
+    /// Nothing is touched for a time, s.
+    pub fn hands_off(duration: f64) -> Self {
+        let columns = vec![Column { name: "time".to_owned(), meaning: Meaning::Time }];
+        Schedule { columns, rows: vec![vec![0.0], vec![duration]] }
+    }
+
     /// The first communication point, s.
     pub fn start(&self) -> f64 {
         self.rows[0][0]

@@ -34,7 +34,13 @@ pub fn unit_definitions(xml: &mut Xml) -> io::Result<()> {
 fn define(xml: &mut Xml, unit: Unit) -> io::Result<()> {
     let base = unit.base();
     xml.create_element("Unit").with_attribute(("name", unit.name())).write_inner_content(|xml| {
-        let exponents = [("kg", base.kilogram), ("m", base.metre), ("s", base.second), ("rad", base.radian)];
+        let exponents = [
+            ("kg", base.kilogram),
+            ("m", base.metre),
+            ("s", base.second),
+            ("rad", base.radian),
+            ("K", base.kelvin),
+        ];
         let mut element = xml.create_element("BaseUnit");
         for (name, exponent) in exponents.into_iter().filter(|(_, exponent)| *exponent != 0) {
             element = element.with_attribute((name, exponent.to_string().as_str()));

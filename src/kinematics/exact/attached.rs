@@ -2,12 +2,12 @@
 //!
 //! Of an aircraft that is its own mirror image, one side alone is evaluated; what hangs on the other moves as its image.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::math::LANES;
 use crate::structure::Carrier;
 
-use super::super::sections::Section;
+use super::super::sections::{Carried, CarriesMass, Section};
 use super::moving::Moving;
 use super::tree::MovingTree;
 use super::twists::EightTwists;
@@ -145,6 +145,18 @@ impl Section for AttachedNow<'_> {
         for (mode, [slide, turn]) in self.twists() {
             generalised[mode] += slide.dot(&force) + turn.dot(&about_origin);
         }
+    }
+}
+
+impl CarriesMass for AttachedNow<'_> {
+    fn carried(&self, q_ddot: &[f64]) -> Carried {
+        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let turn = Matrix3::from_columns(&axes.map(|axis| self.turned(&axis)));
+        let mut spin_rate = self.moving.angular_acceleration;
+        for (mode, [_, turn]) in self.twists() {
+            spin_rate += turn * q_ddot[mode];
+        }
+        Carried::rigidly(turn, &self.axis(&self.moving.spin), &self.axis(&spin_rate))
     }
 }
 

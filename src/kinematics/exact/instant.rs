@@ -3,12 +3,13 @@
 use nalgebra::Vector3;
 
 use crate::math::{Arithmetic, LANES};
-use crate::structure::{BeamSection, Carrier, ModeShapes, ReducedModel, ReducedStrip};
+use crate::structure::{BeamSection, Carrier, ModeShapes, ReducedCut, ReducedModel, ReducedStrip};
 
 use super::super::kind::Coordinates;
-use super::super::sections::{Section, Sections, SectionsInPlane, SectionsInSpace};
+use super::super::sections::{CarriesMass, Pose, Section, Sections, SectionsInPlane, SectionsInSpace};
 use super::attached::Attached;
 use super::bodies::Bodies;
+use super::cut::CutBeyond;
 use super::eight::{EightSections, EightStrips};
 use super::tree::{MovingTree, Tree};
 
@@ -25,6 +26,8 @@ pub struct GeometricallyExact {
     edge_on: Vec<EightStrips>,
     engines: Vec<Attached>,
     stations: Vec<Attached>,
+    masses: Vec<Attached>,
+    cuts: Vec<CutBeyond>,
     /// Of any strip by a small unit coordinate, m and rad.
     largest: [f64; 2],
 }
@@ -64,6 +67,9 @@ impl GeometricallyExact {
             let at: Vec<usize> = strips.iter().map(|strip| place(strip.section)).collect();
             EightStrips::new(strips, &at, order, modes)
         };
+        let cut = |cut: &ReducedCut| {
+            CutBeyond::new(model, cut, |section| kept.has[section].then(|| place(section)))
+        };
         GeometricallyExact {
             modes,
             bodies: Bodies::new(&sections, order),
@@ -72,6 +78,8 @@ impl GeometricallyExact {
             edge_on: edge_on.chunks(LANES).map(strip).collect(),
             engines: model.engines.iter().map(|at| attached(at.position, at.carrier)).collect(),
             stations: model.stations.iter().map(|at| attached(at.position, at.carrier)).collect(),
+            masses: model.masses.iter().map(|at| attached(at.position, at.carrier)).collect(),
+            cuts: model.cuts.iter().map(cut).collect(),
             largest: [largest(&model.strips, &[0, 1, 2]), largest(&model.strips, &[0, 1, 2, 3, 4, 5])],
             tree,
         }
@@ -128,6 +136,8 @@ struct Kept {
     sections: Vec<usize>,
     /// Where each of all sections stands among them.
     places: Vec<usize>,
+    /// Whether it does.
+    has: Vec<bool>,
 }
 
 impl Kept {
@@ -148,7 +158,7 @@ impl Kept {
         for (place, &section) in sections.iter().enumerate() {
             places[section] = place;
         }
-        Kept { sections, places }
+        Kept { sections, places, has: needed }
     }
 }
 
@@ -199,6 +209,14 @@ impl Sections for Instant<'_> {
 
     fn stations(&self) -> impl Iterator<Item = impl Section> {
         self.kinematics.stations.iter().map(|place| place.now(&self.memory.tree))
+    }
+
+    fn masses(&self) -> impl Iterator<Item = impl CarriesMass> {
+        self.kinematics.masses.iter().map(|place| place.now(&self.memory.tree))
+    }
+
+    fn cuts(&self, q: &[f64]) -> impl Iterator<Item = Pose> {
+        self.kinematics.cuts.iter().map(|cut| cut.now(&self.memory.tree, q))
     }
 
     fn strip_displacements(&self) -> impl Iterator<Item = Vector3<f64>> {

@@ -7,6 +7,7 @@
 
 mod attached;
 mod bodies;
+mod cut;
 mod eight;
 mod helix;
 mod in_plane;

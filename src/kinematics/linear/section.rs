@@ -1,13 +1,13 @@
 //! A single section, displaced and turned by superposition.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use pulp::Scalar;
 
 use crate::math::{LaneVector, Rotation};
 use crate::structure::ModeShapes;
 
 use super::super::kind::Coordinates;
-use super::super::sections::Section;
+use super::super::sections::{Carried, CarriesMass, Pose, Section};
 
 /// A section and the mode shapes there.
 #[derive(Clone, Debug)]
@@ -97,6 +97,27 @@ impl Section for SuperposedSection<'_> {
             let [displacement, turn] = self.section.shapes.of_mode(mode);
             *generalised += displacement.dot(force) + turn.dot(&moment);
         }
+    }
+}
+
+/// Particles are displaced and do not turn: o by o + φ×o [theory: kinematics.superposition].
+impl CarriesMass for SuperposedSection<'_> {
+    fn carried(&self, q_ddot: &[f64]) -> Carried {
+        let rows = self.section.shapes.rotation_rows();
+        Carried {
+            now: Matrix3::identity() + self.rotation.cross_matrix(),
+            rate: combine(rows, self.q_dot).cross_matrix(),
+            acceleration: combine(rows, q_ddot).cross_matrix(),
+        }
+    }
+}
+
+impl SuperposedSection<'_> {
+    /// Where it is and how it is turned.
+    pub fn pose(&self) -> Pose {
+        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let turn = Matrix3::from_columns(&axes.map(|axis| self.turned(&axis)));
+        Pose { position: self.section.at_rest + self.displacement, turn }
     }
 }
 

@@ -6,10 +6,12 @@ use nalgebra::Vector3;
 use pulp::Scalar;
 
 use crate::math::{LANES, Window};
-use crate::structure::{ModeShapes, ReducedModel, ReducedStrip};
+use crate::structure::{
+    ModeShapes, ReducedCut, ReducedMass, ReducedModel, ReducedStrip, linear_pose_after, linear_poses,
+};
 
 use super::super::kind::Coordinates;
-use super::super::sections::{Section, Sections, SectionsInPlane, SectionsInSpace};
+use super::super::sections::{CarriesMass, Pose, Section, Sections, SectionsInPlane, SectionsInSpace};
 use super::eight::{EightEdgeOn, EightSections, Superposed};
 use super::section::{LinearSection, SuperposedSection};
 
@@ -21,6 +23,8 @@ pub struct Superposition {
     edge_on: Vec<EightEdgeOn>,
     engines: Vec<LinearSection>,
     stations: Vec<LinearSection>,
+    masses: Vec<LinearSection>,
+    cuts: Vec<LinearSection>,
 }
 
 /// The same at an instant.
@@ -36,12 +40,22 @@ impl Superposition {
     pub fn of(model: &ReducedModel, edge_on: &[ReducedStrip]) -> Self {
         let modes = model.modes.len();
         let section = |position, shapes: &ModeShapes| LinearSection::new(position, shapes.clone());
+        // Nobody asks what masses do where there are no cuts: their sums are constants.
+        let masses: &[ReducedMass] = if model.cuts.is_empty() { &[] } else { &model.masses };
+        let poses = if model.cuts.is_empty() { Vec::new() } else { linear_poses(&model.sections) };
+        let mass = |mass: &ReducedMass| section(mass.position, &poses[mass.carrier.section]);
+        let cut = |ReducedCut { section: at, steps, position, .. }: &ReducedCut| {
+            let arm = position - model.sections[*at].position;
+            LinearSection::new(*position, linear_pose_after(&poses[*at], steps, &arm))
+        };
         Superposition {
             strip_count: model.strips.len(),
             strips: model.strips.chunks(LANES).map(|strips| EightSections::new(strips, modes)).collect(),
             edge_on: edge_on.chunks(LANES).map(|strips| EightEdgeOn::new(strips, modes)).collect(),
             engines: model.engines.iter().map(|engine| section(engine.position, &engine.shapes)).collect(),
             stations: model.stations.iter().map(|place| section(place.position, &place.shapes)).collect(),
+            masses: masses.iter().map(mass).collect(),
+            cuts: model.cuts.iter().map(cut).collect(),
         }
     }
 
@@ -85,6 +99,14 @@ impl Sections for Instant<'_> {
 
     fn stations(&self) -> impl Iterator<Item = impl Section> {
         self.sections.stations.iter().map(|section| self.single(section))
+    }
+
+    fn masses(&self) -> impl Iterator<Item = impl CarriesMass> {
+        self.sections.masses.iter().map(|section| self.single(section))
+    }
+
+    fn cuts(&self, _: &[f64]) -> impl Iterator<Item = Pose> {
+        self.sections.cuts.iter().map(|section| self.single(section).pose())
     }
 
     fn strip_displacements(&self) -> impl Iterator<Item = Vector3<f64>> {

@@ -1,0 +1,99 @@
+//! Envelopes over the span of components, and bending against torsion at cuts.
+
+use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::structure::ReducedCut;
+use flexible_aircraft::variables::LoadComponent;
+
+use super::Analysis;
+use super::envelope::Envelope;
+use crate::chart::{Axis, Chart, Curve, Window};
+
+/// What is drawn over the span: the word in file names, and the component.
+pub const ALONG: [(&str, LoadComponent); 3] = [
+    ("shear", LoadComponent::Shear),
+    ("bending", LoadComponent::Bending),
+    ("torsion", LoadComponent::Torsion),
+];
+
+/// N and N·m are many.
+const KILO: f64 = 1e-3;
+
+/// The components that the file cuts, in its order; all where it cuts none.
+pub fn components(aircraft: &Aircraft) -> Vec<&str> {
+    let is_cut =
+        |name: &str| aircraft.cuts.is_empty() || aircraft.cuts.iter().any(|cut| cut.component == name);
+    aircraft.components.iter().map(|component| component.name.as_str()).filter(|name| is_cut(name)).collect()
+}
+
+/// Of each of them the envelopes of each quantity over its length.
+pub fn along(analysis: &Analysis, aircraft: &Aircraft) -> Vec<Chart> {
+    let charts = components(aircraft).into_iter().flat_map(|component| {
+        ALONG.map(|(quantity, load)| along_component(analysis, component, quantity, load))
+    });
+    charts.collect()
+}
+
+fn along_component(analysis: &Analysis, component: &str, quantity: &str, load: LoadComponent) -> Chart {
+    let place = LoadComponent::ALL.iter().position(|other| *other == load).unwrap_or_default();
+    let nodes = analysis.model.cuts.iter().enumerate().skip(analysis.named);
+    let nodes: Vec<(f64, &Envelope)> = nodes
+        .filter(|(_, cut)| cut.component == component)
+        .filter_map(|(index, cut)| Some((cut.at, analysis.envelopes.of(index)?)))
+        .collect();
+    let curve = |label: &str, value: &dyn Fn(&Envelope) -> f64| Curve {
+        label: label.to_owned(),
+        points: nodes.iter().map(|(at, envelope)| (*at, value(envelope) * KILO)).collect(),
+    };
+    let curves = vec![
+        curve("most", &|envelope| envelope.most[place].loads[place]),
+        curve("least", &|envelope| envelope.least[place].loads[place]),
+        curve("at the beginning", &|envelope| envelope.start[place]),
+    ];
+    let unit = if load == LoadComponent::Shear { "kN" } else { "kN m" };
+    Chart {
+        title: format!("{component}: {quantity} over the span"),
+        x: Axis::new("fraction of the length, from the root (1)", Window::new(0.0, 1.0)),
+        y: Axis::new(
+            &format!("{quantity} ({unit})"),
+            around(curves.iter().flat_map(|c| c.points.iter().map(|p| p.1))),
+        ),
+        curves,
+        marks: Vec::new(),
+        frame: None,
+    }
+}
+
+/// At each cut of the file: how bending and torsion go together in each flight.
+pub fn bending_over_torsion(analysis: &Analysis) -> Vec<Chart> {
+    let cuts = analysis.model.cuts.iter().enumerate().take(analysis.named);
+    let chart = |(index, cut): (usize, &ReducedCut)| {
+        let curve = |(case, name): (usize, &String)| {
+            let path = analysis.envelopes.path(index, case).into_iter();
+            Curve { label: name.clone(), points: path.map(|(x, y)| (x * KILO, y * KILO)).collect() }
+        };
+        let curves: Vec<Curve> = analysis.cases.iter().enumerate().map(curve).collect();
+        let points = || curves.iter().flat_map(|curve| curve.points.iter());
+        Chart {
+            title: format!("{}: bending against torsion", cut.name),
+            x: Axis::new("torsion (kN m)", around(points().map(|point| point.0))),
+            y: Axis::new("bending (kN m)", around(points().map(|point| point.1))),
+            curves,
+            marks: Vec::new(),
+            frame: None,
+        }
+    };
+    cuts.map(chart).collect()
+}
+
+/// A window around some values, and a little more; one around 0 where all are the same.
+fn around(values: impl Iterator<Item = f64>) -> Window {
+    let (least, most) = values
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)));
+    // Of what is nothing but rounding there is nothing to see.
+    let size = least.abs().max(most.abs());
+    if !size.is_finite() || size < 1e-9 {
+        return Window::new(-1.0, 1.0);
+    }
+    let margin = (0.08 * (most - least)).max(1e-3 * size);
+    Window::new(least - margin, most + margin)
+}
