@@ -35,7 +35,7 @@ PANELS = {
 }
 TITLES = {
     "hold": "Pitch-attitude hold, upward gust of 10 m/s for 4 s",
-    "alleviation": "Gust-load alleviation, upward gust of 10 m/s for 1 s",
+    "alleviation": "Gust-load alleviation, built-in gust of 10 m/s, 127 m long",
 }
 
 
@@ -48,7 +48,7 @@ def fly(system, names, closed):
     execution = read(str(system))
     index = {
         f"{name}.{variable.name.decode()}": (slave, variable.reference)
-        for name in ("aircraft", "law", "gust")
+        for name in ("aircraft", "law")
         for slave in [execution.slave_index_from_instance_name(name)]
         for variable in execution.slave_variables(slave)
     }

@@ -17,7 +17,9 @@ use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::sync::Arc;
 
+use flexible_aircraft::air::GustShape;
 use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::devices::Actuator;
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::plant::Outputs;
 use flexible_aircraft::structure::ReducedModel;
@@ -29,9 +31,17 @@ const STEPS: u32 = 1500;
 /// When the laws begin to act, s.
 const ENGAGE_TIME: f64 = 0.5;
 
-/// `vertical_gust.py`: beginning, s, and peak, m/s.
+/// `vertical_gust.py`: beginning and duration, s, and peak, m/s.
 const GUST_START: f64 = 1.0;
+const GUST_DURATION: f64 = 4.0;
 const GUST_PEAK: f64 = -10.0;
+
+/// The gust that is built in, H, m; it begins and peaks as its parameters start: after 1 s, with 10 m/s upwards.
+const GUST_GRADIENT: f64 = 63.5;
+
+/// Of the ailerons' actuator: rad/s and rad/s.
+const ACTUATOR_FREQUENCY: f64 = 40.0;
+const ACTUATOR_RATE_LIMIT: f64 = 0.7;
 
 /// Which wing tip is where among the stations.
 struct WingTips {
@@ -123,24 +133,24 @@ impl GustLoadAlleviation {
 }
 
 /// `vertical_gust.py`: velocity of the air mass downwards, m/s, at a time, s, and its rate, m/s².
-fn gust(time: f64, duration: f64) -> (f64, f64) {
-    let phase = (time - GUST_START) / duration;
+fn wind(time: f64) -> (f64, f64) {
+    let phase = (time - GUST_START) / GUST_DURATION;
     if phase <= 0.0 || phase >= 1.0 {
         return (0.0, 0.0);
     }
     let angle = 2.0 * PI * phase;
-    (0.5 * GUST_PEAK * (1.0 - angle.cos()), GUST_PEAK * PI / duration * angle.sin())
+    (0.5 * GUST_PEAK * (1.0 - angle.cos()), GUST_PEAK * PI / GUST_DURATION * angle.sin())
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    // The law, and how long the gust lasts, s.
-    let (law, gust_duration) = match arguments[..] {
-        ["pitch_attitude_hold"] => (Law::PitchAttitudeHold(PitchAttitudeHold::default()), 4.0),
-        ["gust_load_alleviation"] => (Law::GustLoadAlleviation(GustLoadAlleviation::default()), 1.0),
-        ["pitch_attitude_hold", "open"] => (Law::Open, 4.0),
-        ["gust_load_alleviation", "open"] => (Law::Open, 1.0),
+    // The law, and whether the gust is a wind from outside, which meets wing and tail at once, or built in.
+    let (law, is_wind) = match arguments[..] {
+        ["pitch_attitude_hold"] => (Law::PitchAttitudeHold(PitchAttitudeHold::default()), true),
+        ["gust_load_alleviation"] => (Law::GustLoadAlleviation(GustLoadAlleviation::default()), false),
+        ["pitch_attitude_hold", "open"] => (Law::Open, true),
+        ["gust_load_alleviation", "open"] => (Law::Open, false),
         _ => {
             return Err(
                 "expected `pitch_attitude_hold` or `gust_load_alleviation`, and perhaps `open`".into()
@@ -160,10 +170,21 @@ fn main() -> Result<(), Box<dyn Error>> {
             .control("aileron_symmetric")
             .ok_or("the aircraft has no aileron_symmetric")?,
     };
-    let aircraft = Simulation::new(Arc::clone(&model), &Settings::of(&model), 0.0)?;
+    let mut settings = Settings::of(&model);
+    if !is_wind {
+        settings.gust.shape = GustShape::OneMinusCosine;
+        settings.gust.gradient = GUST_GRADIENT;
+        let actuator = Actuator {
+            frequency: ACTUATOR_FREQUENCY,
+            rate_limit: ACTUATOR_RATE_LIMIT,
+            ..Actuator::default()
+        };
+        settings.actuators.set(moved.aileron_symmetric, actuator);
+    }
+    let aircraft = Simulation::new(Arc::clone(&model), &settings, 0.0)?;
     let still = Inputs::zero(&model);
     let table = &mut BufWriter::new(io::stdout().lock());
-    fly((aircraft, still), law, gust_duration, (&tips, &moved), table)?;
+    fly((aircraft, still), law, is_wind, (&tips, &moved), table)?;
     Ok(())
 }
 
@@ -171,7 +192,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn fly(
     (mut aircraft, still): (Simulation, Inputs),
     mut law: Law,
-    gust_duration: f64,
+    is_wind: bool,
     (tips, moved): (&WingTips, &Moved),
     table: &mut impl Write,
 ) -> Result<(), Box<dyn Error>> {
@@ -187,7 +208,9 @@ fn fly(
         aircraft.set_inputs(&inputs, &still);
         aircraft.advance_to(end)?;
         law.command(&mut inputs, moved);
-        (inputs.wind.z, inputs.wind_rate.z) = gust(end, gust_duration);
+        if is_wind {
+            (inputs.wind.z, inputs.wind_rate.z) = wind(end);
+        }
         write_line(table, end, aircraft.outputs(), tips, moved)?;
     }
     Ok(())

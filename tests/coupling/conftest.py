@@ -17,7 +17,15 @@ import pytest
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
 
-# Of each law: its FMU, the gust's duration, its connections. Names as in the README.
+# Where the aircraft's parameters start that flies through a gust of its own, as in the README.
+IN_GUST = [
+    "gust.shape=one_minus_cosine",
+    "gust.gradient=63.5",
+    "actuator.aileron_symmetric.frequency=40",
+    "actuator.aileron_symmetric.rate_limit=0.7",
+]
+
+# Of each law: its FMU, the duration of the gust that is a wind, its connections. Names as in the README.
 LAWS = {
     "pitch_attitude_hold": (
         "PitchAttitudeHold",
@@ -26,7 +34,7 @@ LAWS = {
     ),
     "gust_load_alleviation": (
         "GustLoadAlleviation",
-        1.0,
+        None,
         [
             "aircraft.station.wing_tip_right.specific_force.z=law.force_right",
             "aircraft.station.wing_tip_left.specific_force.z=law.force_left",
@@ -56,6 +64,16 @@ def flexair():
 
 
 @pytest.fixture(scope="session")
+def aircraft_in_gust(tmp_path_factory):
+    """Path of the aircraft's FMU whose parameters start in a gust, with an actuator."""
+    program = os.environ.get("FLEXAIR", ROOT / "target/release/flexair")
+    output = tmp_path_factory.mktemp("in_gust") / "InGust.fmu"
+    starts = [f"--set={start}" for start in IN_GUST]
+    subprocess.run([program, "package", "--no-check", "--output", output, *starts], cwd=ROOT, check=True)
+    return output
+
+
+@pytest.fixture(scope="session")
 def fmus(tmp_path_factory):
     """Folder with the FMUs of the laws and the gust, which pythonfmu makes."""
     folder = tmp_path_factory.mktemp("fmus")
@@ -66,19 +84,23 @@ def fmus(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def write_system(flexair, aircraft, fmus):
+def write_system(flexair, aircraft, aircraft_in_gust, fmus):
     """A function that writes a law's system into a folder: the .ssp and the OSP folder."""
 
     def write_system(law, folder, settings=()):
         fmu, duration, connections = LAWS[law]
         ssp, osp = folder / f"{law}.ssp", folder / "osp"
-        options = ["--component", f"law={fmus / fmu}.fmu", "--component", f"gust={fmus / 'VerticalGust.fmu'}"]
-        gust = [f"gust.{name}=aircraft.{name}" for name in ("wind_down", "wind_rate_down")]
+        options = ["--component", f"law={fmus / fmu}.fmu"]
+        gust, duration_of_gust = [], []
+        if duration:
+            options += ["--component", f"gust={fmus / 'VerticalGust.fmu'}"]
+            gust = [f"gust.{name}=aircraft.{name}" for name in ("wind_down", "wind_rate_down")]
+            duration_of_gust = [f"gust.duration={duration}"]
         for connection in [*connections, *gust]:
             options += ["--connect", connection]
-        for setting in [f"gust.duration={duration}", *settings]:
+        for setting in [*duration_of_gust, *settings]:
             options += ["--set", setting]
-        written = flexair(aircraft, *options, "--output", ssp, "--osp", osp)
+        written = flexair(aircraft if duration else aircraft_in_gust, *options, "--output", ssp, "--osp", osp)
         assert written.returncode == 0, written.stderr
         return ssp, osp
 

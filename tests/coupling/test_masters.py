@@ -32,10 +32,10 @@ def libcosim(system, law):
 
 def fmpy_ssp(system, law):
     """Histories from the end of the first step on. FMPy does not read the parameters that an SSP brings along."""
-    duration = ParameterSet(
-        name="start", parameters=[Parameter(name="gust.duration", type="Real", value=str(LAWS[law][1]))]
-    )
-    rows = fmpy.ssp.simulation.simulate_ssp(str(system), stop_time=15.0, step_size=0.01, parameter_set=duration)
+    duration = LAWS[law][1]
+    parameters = [Parameter(name="gust.duration", type="Real", value=str(duration))] if duration else []
+    start = ParameterSet(name="start", parameters=parameters)
+    rows = fmpy.ssp.simulation.simulate_ssp(str(system), stop_time=15.0, step_size=0.01, parameter_set=start)
     return {"time": rows["time"] + 0.01} | {name: rows[f"aircraft.{name}"] for name in OUTPUTS}
 
 
