@@ -193,10 +193,10 @@ fn section_loads_are_the_plain_sum_of_all_that_acts_outboard() {
         let (mut state, mut next) = (vec![0.0; layout.len()], random(3));
         state[layout.attitude()][0] = 1.0;
         for place in layout.coordinates() {
-            state[place] = 0.5 * next();
+            state[place] = 0.02 * next();
         }
         for place in layout.coordinate_rates() {
-            state[place] = 2.0 * next();
+            state[place] = 0.5 * next();
         }
         let mut controls = plant.neutral_controls();
         controls.wind = Vector3::new(-50.0, 1.0, -3.0);

@@ -19,6 +19,12 @@ fn lines() -> Vec<(&'static str, String, Option<&'static str>)> {
             "converge --modes 2,3 --from 100 --to 130 --points 2 --output converged".into(),
             Some("converged"),
         ),
+        ("loads", "loads --modes 2 --duration 0.1 --output carried".into(), Some("carried")),
+        (
+            "gust",
+            "gust --modes 2 --gradients 20:30:2 --duration 1.1 --step 0.05 --output gusts".into(),
+            Some("gusts"),
+        ),
         ("ssp", "ssp a.fmu --output a.ssp --set aircraft.model=rigid".into(), Some("a.ssp")),
         ("completions", "completions bash".into(), None),
         ("help", "help".into(), None),
