@@ -13,18 +13,22 @@ use crate::plan_view;
 const TEMPLATE: &str = include_str!("../../modelDescription/documentation.html");
 
 /// What the outputs that share the first part of their name are.
-const OUTPUT_GROUPS: [(&str, &str); 17] = [
+const OUTPUT_GROUPS: [(&str, &str); 21] = [
     ("position", "Position"),
     ("attitude", "Attitude"),
     ("velocity", "Velocity"),
     ("rate", "Angular velocity"),
     ("acceleration", "Rate of change of the velocity components"),
     ("load_factor", "Load factor"),
+    ("load_factor_cg", "Load factor at the centre of mass"),
+    ("angular_acceleration", "Rate of change of the angular velocity"),
+    ("path", "Path over the ground"),
+    ("loads", "What sections carry"),
     ("air", "Flow at O"),
     ("wind", "Velocity of the air at O"),
     ("gust", "The single gust"),
     ("deflection", "Deflections of the stations"),
-    ("station", "Accelerometers and rate gyros at the stations"),
+    ("station", "Accelerometers and rate gyros at the stations, where they are and how they stand"),
     ("modal", "Modal coordinates"),
     ("surface", "Acting surface angles"),
     ("engine", "Acting thrusts"),
