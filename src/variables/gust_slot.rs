@@ -66,7 +66,7 @@ impl GustSetting {
         match (self, value) {
             (GustSetting::Shape, Value::Integer(i)) => gust.shape = item(&SHAPES, i, gust.shape),
             (GustSetting::Criterion, Value::Integer(i)) => {
-                gust.criterion = item(&CRITERIA, i, gust.criterion)
+                gust.criterion = item(&CRITERIA, i, gust.criterion);
             }
             (GustSetting::Gradient, Value::Real(x)) => gust.gradient = x,
             (GustSetting::Peak, Value::Real(x)) => gust.peak = x,

@@ -198,7 +198,7 @@ impl SensorSetting {
             }
             (SensorSetting::Noise(kind), Value::Real(x)) => sensors.noise[kind as usize] = x,
             (SensorSetting::Seed, Value::Integer(i)) => {
-                sensors.seed = u32::try_from(i).unwrap_or(sensors.seed)
+                sensors.seed = u32::try_from(i).unwrap_or(sensors.seed);
             }
             _ => {}
         }

@@ -35,6 +35,9 @@ fn the_jet_has_exactly_the_variables_of_the_contract() {
         "velocity.x velocity.y velocity.z rate.x rate.y rate.z acceleration.x acceleration.y acceleration.z",
         "load_factor.x load_factor.y load_factor.z air.speed air.alpha air.beta air.mach air.density",
         "air.dynamic_pressure surface.elevator surface.aileron surface.rudder engine.left.thrust",
+        "air.equivalent air.calibrated air.pressure air.temperature load_factor.lift load_factor_cg.x load_factor_cg.y",
+        "load_factor_cg.z angular_acceleration.x angular_acceleration.y angular_acceleration.z path.climb_angle path.track",
+        "path.vertical_speed attitude.quaternion[1] attitude.quaternion[2] attitude.quaternion[3] attitude.quaternion[4]",
         "wind.north wind.east wind.down gust.shape gust.gradient gust.peak gust.direction gust.inclination gust.start",
         "gust.criterion gust.alleviation gust.maximum_operating_altitude gust.peak_velocity turbulence.spectrum",
         "turbulence.intensity turbulence.scale turbulence.seed turbulence.components turbulence.start",
@@ -47,9 +50,19 @@ fn the_jet_has_exactly_the_variables_of_the_contract() {
         expected.extend(["x", "y", "z", "up", "twist"].map(|c| format!("deflection.{station}.{c}")));
         expected.extend(["x", "y", "z"].map(|c| format!("station.{station}.specific_force.{c}")));
         expected.extend(["x", "y", "z"].map(|c| format!("station.{station}.rate.{c}")));
+        expected.extend(["north", "east", "down"].map(|c| format!("station.{station}.position.{c}")));
+        expected.extend([1, 2, 3, 4].map(|part| format!("station.{station}.quaternion[{part}]")));
     }
     for mode in 1..=ReducedModel::USUAL_MODES {
         expected.extend([format!("modal.q[{mode}]"), format!("modal.q_dot[{mode}]")]);
+    }
+    let sides = ["wing_root", "wing_mid", "htail_root"]
+        .into_iter()
+        .flat_map(|cut| ["right", "left"].map(|side| format!("{cut}_{side}")));
+    let others = ["vtail_root", "fuselage_aft", "fuselage_tail"].map(str::to_owned);
+    for cut in sides.chain(others) {
+        let forces = ["shear", "shear_chordwise", "axial", "torsion", "bending", "bending_chordwise"];
+        expected.extend(forces.map(|component| format!("loads.{cut}.{component}")));
     }
     for control in ["elevator", "aileron", "aileron_symmetric", "rudder"] {
         let suffixes = ["frequency", "damping", "rate_limit", "minimum", "maximum"].into_iter();

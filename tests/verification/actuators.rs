@@ -25,6 +25,8 @@ fn angle(commands: &[Asked], end: f64) -> f64 {
 fn step(value: f64) -> Command {
     Command { value, rate: 0.0 }
 }
+/// A name, what is asked for, and where the surface is at some times.
+type Case = (&'static str, &'static [Asked], &'static [(f64, f64)]);
 
 #[test]
 fn actuators_and_engines_move_as_in_another_program() {
@@ -35,7 +37,7 @@ fn actuators_and_engines_move_as_in_another_program() {
          20 kN, at most 30 kN [theory: actuators.events, actuators.engines]",
     );
     let (up, down) = (Command { value: 0.0, rate: 2.0 }, Command { value: 0.8, rate: -2.0 });
-    let cases: [(&str, &[Asked], &[(f64, f64)]); 3] = [
+    let cases: [Case; 3] = [
         (
             "step of 0.3 rad",
             &[(0.0, step(0.3))],

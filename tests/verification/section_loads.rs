@@ -95,6 +95,8 @@ fn hands_off(settings: &Settings, seconds: f64) -> Vec<Vec<SectionLoads>> {
     }
     history
 }
+/// A component of a section's loads, by name.
+type Quantity = (&'static str, fn(&SectionLoads) -> f64);
 
 #[test]
 fn a_gust_loads_sections_as_the_independent_computation_has_it() {
@@ -114,7 +116,7 @@ fn a_gust_loads_sections_as_the_independent_computation_has_it() {
         (0.1, 60.0, [834_058.0, 73_890.0, 29_281.0, 18_117.0]),
         (0.1, 107.0, [771_729.0, 73_639.0, 27_366.0, 16_404.0]),
     ];
-    let quantities: [(&str, fn(&SectionLoads) -> f64); 4] = [
+    let quantities: [Quantity; 4] = [
         ("wing_root_right", |loads| loads.bending),
         ("wing_root_right", |loads| loads.torsion),
         ("htail_root_right", |loads| loads.bending),

@@ -10,6 +10,7 @@ use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::{FileError, assignment};
 
+use crate::chart::Chart;
 use crate::files::{Drafts, Overwriting, named, refuse_overwriting};
 use crate::progress::Progress;
 use crate::simulate;
@@ -137,8 +138,8 @@ pub fn run(options: &LoadsOptions) -> Result<(), Error> {
     if options.all_nodes {
         contents.push(report::table(&analysis, analysis.named..analysis.model.cuts.len()));
     }
-    contents.extend(plots::along(&analysis, &aircraft).iter().map(|chart| chart.to_svg()));
-    contents.extend(plots::bending_over_torsion(&analysis).iter().map(|chart| chart.to_svg()));
+    contents.extend(plots::along(&analysis, &aircraft).iter().map(Chart::to_svg));
+    contents.extend(plots::bending_over_torsion(&analysis).iter().map(Chart::to_svg));
     drafts.keep(contents.iter().map(String::as_str))?;
     for path in &outputs {
         terminal::print(&format!("{}\n", path.display()))?;

@@ -54,7 +54,7 @@ fn along_component(analysis: &Analysis, component: &str, quantity: &str, load: L
         title: format!("{component}: {quantity} over the span"),
         x: Axis::new("fraction of the length, from the root (1)", Window::new(0.0, 1.0)),
         y: Axis::new(
-            &format!("{quantity} ({unit})"),
+            format!("{quantity} ({unit})"),
             around(curves.iter().flat_map(|c| c.points.iter().map(|p| p.1))),
         ),
         curves,
