@@ -274,8 +274,8 @@ mod tests {
             assert_eq!(turbulence.velocity(s), [0.0; 3]);
         }
         let half = turbulence.velocity(50.0);
-        for component in 0..3 {
-            assert!((half[component] - 0.5 * plain(&turbulence, component, 50.0)).abs() < 1e-12);
+        for (component, half) in half.into_iter().enumerate() {
+            assert!((half - 0.5 * plain(&turbulence, component, 50.0)).abs() < 1e-12);
         }
         assert!(!turbulence.is_in_plane());
     }

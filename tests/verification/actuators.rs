@@ -26,7 +26,7 @@ fn step(value: f64) -> Command {
     Command { value, rate: 0.0 }
 }
 /// A name, what is asked for, and where the surface is at some times.
-type Case = (&'static str, &'static [Asked], &'static [(f64, f64)]);
+type Case<'a> = (&'static str, &'a [Asked], &'a [(f64, f64)]);
 
 #[test]
 fn actuators_and_engines_move_as_in_another_program() {
