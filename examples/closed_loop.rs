@@ -74,7 +74,8 @@ struct PitchAttitudeHold {
 #[derive(Default)]
 struct GustLoadAlleviation {
     steady: Option<f64>,
-    filtered: f64,
+    slow: f64,
+    smooth: f64,
     aileron_symmetric: f64,
 }
 
@@ -117,9 +118,10 @@ impl PitchAttitudeHold {
 }
 
 impl GustLoadAlleviation {
-    const GAIN: f64 = 0.06;
+    const GAIN: f64 = 0.025;
     const HIGH_PASS_TIME: f64 = 2.0;
     const LOW_PASS_TIME: f64 = 0.5;
+    const ROLL_OFF_TIME: f64 = 0.05;
     const LIMIT: f64 = 0.35;
 
     fn step(&mut self, force_right: f64, force_left: f64) {
@@ -127,8 +129,9 @@ impl GustLoadAlleviation {
         let steady = self.steady.get_or_insert(upward);
         *steady += STEP / (Self::HIGH_PASS_TIME + STEP) * (upward - *steady);
         let fast = upward - *steady;
-        self.filtered += STEP / (Self::LOW_PASS_TIME + STEP) * (fast - self.filtered);
-        self.aileron_symmetric = (-Self::GAIN * self.filtered).clamp(-Self::LIMIT, Self::LIMIT);
+        self.slow += STEP / (Self::LOW_PASS_TIME + STEP) * (fast - self.slow);
+        self.smooth += STEP / (Self::ROLL_OFF_TIME + STEP) * (self.slow - self.smooth);
+        self.aileron_symmetric = (-Self::GAIN * self.smooth).clamp(-Self::LIMIT, Self::LIMIT);
     }
 }
 

@@ -20,6 +20,17 @@ pub struct Instant {
     pub sensors: Vec<f64>,
 }
 
+/// How much of what is read is that of the present under the present inputs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Freshness {
+    /// Nothing.
+    Stale,
+    /// What control laws read at every step.
+    Usual,
+    /// Everything but section loads, which tell themselves.
+    Complete,
+}
+
 impl Instant {
     /// Of these outputs, everything else at rest, with so many channels of sensors.
     pub(super) fn new(outputs: Outputs, trim: TrimPoint, channels: usize) -> Self {

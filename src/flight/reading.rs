@@ -6,7 +6,7 @@ use crate::plant::Outputs;
 use super::actions::Acts;
 use super::evaluation::refresh;
 use super::inputs::Inputs;
-use super::instant::Instant;
+use super::instant::{Freshness, Instant};
 use super::point::Point;
 use super::simulation::Simulation;
 use super::steering::Steering;
@@ -19,11 +19,23 @@ impl Simulation {
 
     /// All that is read at the present time under the present inputs, without allocating.
     pub fn instant(&mut self) -> &Instant {
-        if !self.instant_is_fresh {
-            self.write_outputs();
+        self.usual_instant();
+        if self.instant_is == Freshness::Usual {
+            let Simulation { flying, path, course, instant, .. } = self;
+            let (plant, _) = flying.active();
+            plant.write_further_outputs(&path.present.state, *course, &mut instant.outputs);
+            self.instant_is = Freshness::Complete;
+        }
+        &self.instant
+    }
+
+    /// What control laws read of that at every step; path, placements of stations, quaternions, the load factor at the centre of
+    /// mass and the calibrated airspeed are those of some instant before.
+    pub(crate) fn usual_instant(&mut self) -> &Instant {
+        if self.instant_is == Freshness::Stale {
+            self.instant_is = self.write_outputs();
             let Simulation { path, steering, sensors, instant, .. } = self;
             instant.write_devices(path.present.time, (steering, &path.present.acting), sensors);
-            self.instant_is_fresh = true;
         }
         &self.instant
     }
@@ -67,18 +79,20 @@ impl Simulation {
         (steering, controls)
     }
 
-    /// Writes the outputs at the present under the present inputs.
-    fn write_outputs(&mut self) {
+    /// Writes the outputs at the present under the present inputs; returns what has been written.
+    fn write_outputs(&mut self) -> Freshness {
         let Simulation { flying, path, steering, controls, evaluated_in, course, instant, .. } = self;
         let outputs = &mut instant.outputs;
         if flying.stays_under(&Acts::new(steering, &path.present.acting)) {
             let (mut plant, _) = flying.active();
             refresh(&mut path.present, &mut plant, steering, controls, evaluated_in);
-            plant.write_outputs(&path.present.state, controls, *course, outputs);
+            plant.write_usual_outputs(&path.present.state, controls, *course, outputs);
+            Freshness::Usual
         } else {
             let Point { time, state, acting, .. } = &path.present;
             steering.write_at(*time, acting, controls);
             flying.write_outputs_under(&Acts::new(steering, acting), state, controls, *course, outputs);
+            Freshness::Complete
         }
     }
 
@@ -86,6 +100,7 @@ impl Simulation {
     pub(super) fn take_samples(&mut self) {
         let now = self.path.present.time;
         if self.sensors.sample_at(now) {
+            self.instant_is = Freshness::Stale;
             self.write_outputs();
             self.sensors.take(now, &self.instant.outputs);
         }

@@ -12,7 +12,7 @@ use super::encounter::encounter;
 use super::error::SimulationError;
 use super::evaluation::{Wind, refresh};
 use super::inputs::Inputs;
-use super::instant::Instant;
+use super::instant::{Freshness, Instant};
 use super::integrator::{CellEnd, ErrorScale, Integrator, MAX_SUBSTEPS};
 use super::moment::{LATEST, LONGEST_STEP, Moment, ON_GRID, resolution};
 use super::point::{Path, Point};
@@ -68,8 +68,8 @@ pub struct Simulation {
     pub(super) evaluated_in: Option<Wind>,
     pub(super) sensors: Sensors,
     pub(super) instant: Instant,
-    /// Whether it is the present under the present inputs.
-    pub(super) instant_is_fresh: bool,
+    /// How much of it is the present under the present inputs.
+    pub(super) instant_is: Freshness,
     /// Of the trim.
     limits_exceeded: Vec<LimitExceeded>,
 }
@@ -117,7 +117,7 @@ impl Simulation {
             controls: flying.plant().neutral_controls(),
             evaluated_in: None,
             instant: Instant::new(flying.plant().room_for_outputs(), trimmed.point, sensors.count()),
-            instant_is_fresh: false,
+            instant_is: Freshness::Stale,
             sensors,
             limits_exceeded: LimitExceeded::find(&model.limits, flying.plant(), &trimmed),
             flying,
@@ -168,7 +168,7 @@ impl Simulation {
     /// Has the present evaluated anew under the inputs that act now.
     fn take_inputs(&mut self) {
         self.path.present.slope_is_fresh = false;
-        self.instant_is_fresh = false;
+        self.instant_is = Freshness::Stale;
     }
 
     /// Flies to `end` (s, ≥ [`time`](Self::time)), without allocating.
@@ -216,7 +216,7 @@ impl Simulation {
             self.sensors.keep();
         }
         self.flying.keep();
-        self.instant_is_fresh = false;
+        self.instant_is = Freshness::Stale;
         self.take_actions(reference_airspeed);
         let flown = self.fly(end);
         if flown.is_err() {
@@ -256,7 +256,7 @@ impl Simulation {
     /// Has the equations evaluated anew when they are next asked.
     pub(super) fn forget_evaluation(&mut self) {
         self.evaluated_in = None;
-        self.instant_is_fresh = false;
+        self.instant_is = Freshness::Stale;
         for point in self.path.points_mut() {
             point.forget_slope();
         }

@@ -48,10 +48,11 @@ impl Instance {
         references: &[ValueReference],
         mut sink: impl FnMut(usize, Value),
     ) -> Result<(), Refusal> {
-        let (mut any_output, mut any_load) = (false, false);
+        let (mut any_output, mut any_further, mut any_load) = (false, false, false);
         for reference in references {
             if let Slot::Output(slot) = self.variable(*reference, numbers)?.slot {
                 any_output = true;
+                any_further |= !slot.is_usual();
                 any_load |= slot.is_section_load();
             }
         }
@@ -61,10 +62,11 @@ impl Instance {
         let in_use = matches!(self.state, State::StepComplete | State::Terminated)
             .then(|| self.experiment.tolerance_in_use(&self.settings));
         let Instance { table, inputs, settings, flight, time, .. } = self;
-        let present = flight
-            .as_mut()
-            .filter(|_| any_output)
-            .map(|flight| if any_load { flight.instant_with_loads() } else { flight.instant() });
+        let present = flight.as_mut().filter(|_| any_output).map(|flight| match (any_load, any_further) {
+            (true, _) => flight.instant_with_loads(),
+            (false, true) => flight.instant(),
+            (false, false) => flight.usual_instant(),
+        });
         let values = references.iter().filter_map(|reference| table.get(*reference)).map(|variable| {
             let value = match (variable.slot, &present) {
                 (Slot::Input(slot), _) => Value::Real(slot.get(inputs)),

@@ -46,14 +46,14 @@ pub struct Path {
 }
 
 impl AirData {
-    /// From the velocity relative to the air, body axes, m/s.
-    pub(super) fn new(velocity: &Vector3<f64>, air: &Air) -> Self {
+    /// From the velocity relative to the air, body axes, m/s; the calibrated airspeed is left at 0.
+    pub(super) fn uncalibrated(velocity: &Vector3<f64>, air: &Air) -> Self {
         let speed = velocity.norm();
         let mach = speed / air.speed_of_sound;
         AirData {
             speed,
             equivalent: speed * libm::sqrt(air.density / SEA_LEVEL_DENSITY),
-            calibrated: calibrated(mach, air.pressure),
+            calibrated: 0.0,
             angle_of_attack: libm::atan2(velocity.z, velocity.x),
             sideslip: if speed > 0.0 { libm::asin((velocity.y / speed).clamp(-1.0, 1.0)) } else { 0.0 },
             mach,
@@ -62,6 +62,11 @@ impl AirData {
             temperature: air.temperature,
             dynamic_pressure: 0.5 * air.density * speed * speed,
         }
+    }
+
+    /// Finds the calibrated airspeed.
+    pub(super) fn calibrate(&mut self) {
+        self.calibrated = calibrated(self.mach, self.pressure);
     }
 }
 
@@ -88,13 +93,19 @@ impl Path {
 mod tests {
     use super::*;
 
+    fn flow(velocity: &Vector3<f64>, air: &Air) -> AirData {
+        let mut data = AirData::uncalibrated(velocity, air);
+        data.calibrate();
+        data
+    }
+
     /// Values of the independent computation with which the outputs were specified.
     #[test]
     fn airspeeds_are_those_that_instruments_read() {
         for (speed, equivalent, calibrated, mach) in
             [(127.0, 85.0159, 86.1233, 0.410115), (177.8, 119.0223, 122.0162, 0.574161)]
         {
-            let data = AirData::new(&Vector3::new(speed, 0.0, 0.0), &Air::at(7620.0));
+            let data = flow(&Vector3::new(speed, 0.0, 0.0), &Air::at(7620.0));
             assert!((data.equivalent - equivalent).abs() < 1e-4, "{data:?}");
             assert!((data.calibrated - calibrated).abs() < 1e-4, "{data:?}");
             assert!((data.mach - mach).abs() < 1e-6, "{data:?}");
@@ -103,10 +114,10 @@ mod tests {
 
     #[test]
     fn airspeeds_are_one_at_sea_level() {
-        let data = AirData::new(&Vector3::new(60.0, 0.0, 10.0), &Air::at(0.0));
+        let data = flow(&Vector3::new(60.0, 0.0, 10.0), &Air::at(0.0));
         assert!((data.equivalent / data.speed - 1.0).abs() < 1e-6);
         assert!((data.calibrated / data.speed - 1.0).abs() < 1e-5);
-        assert_eq!(AirData::new(&Vector3::zeros(), &Air::at(0.0)).calibrated, 0.0);
+        assert_eq!(flow(&Vector3::zeros(), &Air::at(0.0)).calibrated, 0.0);
     }
 
     #[test]

@@ -128,20 +128,59 @@ impl Outputs {
         let to_body = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial;
         let motion = equations.motion(state);
         let accelerations = GeneralisedVector::of(workspace.accelerations());
-        let (acceleration, angular) = (accelerations.translation, accelerations.rotation);
+        let acceleration = accelerations.translation;
         self.position = course.north_east_down(&Vector3::from_column_slice(&state[layout.position()]));
         self.attitude = Attitude { body_from_inertial: to_body * course.matrix() }.euler_angles();
         self.velocity = motion.velocity;
         self.rate = motion.rate;
         self.acceleration = acceleration;
-        self.quaternion = course.quaternion(&state[layout.attitude()]);
-        self.angular_acceleration = angular;
-        self.path = Path::new(&course.north_east_down(&to_body.tr_mul(&motion.velocity)));
+        self.angular_acceleration = accelerations.rotation;
         let inertial = acceleration + motion.rate.cross(&motion.velocity);
         self.load_factor = load_factor(&inertial, &to_body, equations.gravity);
+    }
+
+    /// Writes the load factor at the centre of mass.
+    pub(super) fn write_load_factor_cg(
+        &mut self,
+        equations: &EquationsOfMotion,
+        state: &[f64],
+        workspace: &Workspace,
+    ) {
+        let to_body = Attitude::from_quaternion(&state[equations.layout().attitude()]).body_from_inertial;
         let centre = equations.centre_of_mass(state, workspace);
-        let at_centre = inertial + beside_origin(&centre, &motion.rate, &angular);
+        let of_origin = self.acceleration + self.rate.cross(&self.velocity);
+        let at_centre = of_origin + beside_origin(&centre, &self.rate, &self.angular_acceleration);
         self.load_factor_cg = load_factor(&at_centre, &to_body, equations.gravity);
+    }
+
+    /// Writes attitudes as quaternions, where stations are, and the path, in axes along a course.
+    pub(super) fn write_placements(
+        &mut self,
+        equations: &EquationsOfMotion,
+        state: &[f64],
+        workspace: &Workspace,
+        course: Course,
+    ) {
+        let layout = equations.layout();
+        let to_body = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial;
+        self.quaternion = course.quaternion(&state[layout.attitude()]);
+        self.path = Path::new(&course.north_east_down(&to_body.tr_mul(&self.velocity)));
+        let body = BodyPlacement {
+            position: Vector3::from_column_slice(&state[layout.position()]),
+            to_body,
+            quaternion: self.quaternion,
+            course,
+        };
+        let at = equations.coordinates(state);
+        by_kind!(equations.kinematics.as_ref().with(workspace.kinematics().as_ref()), |(
+            kinematics,
+            memory,
+        )| {
+            for (place, section) in self.placements.iter_mut().zip(kinematics.sections(at, memory).stations())
+            {
+                *place = Placement::of(&section, &body);
+            }
+        });
     }
 
     /// Writes the flow at O, across which the load factor counts as lift.
@@ -164,7 +203,6 @@ impl Outputs {
         equations: &EquationsOfMotion,
         state: &[f64],
         workspace: &Workspace,
-        course: Course,
     ) {
         let to_body = Attitude::from_quaternion(&state[equations.layout().attitude()]).body_from_inertial;
         let accelerations = GeneralisedVector::of(workspace.accelerations());
@@ -175,20 +213,13 @@ impl Outputs {
             gravity: to_body * Vector3::new(0.0, 0.0, equations.gravity),
             q_ddot: accelerations.modal,
         };
-        let layout = equations.layout();
-        let placement = BodyPlacement {
-            position: Vector3::from_column_slice(&state[layout.position()]),
-            to_body,
-            quaternion: course.quaternion(&state[layout.attitude()]),
-            course,
-        };
         let at = equations.coordinates(state);
         by_kind!(equations.kinematics.as_ref().with(workspace.kinematics().as_ref()), |(
             kinematics,
             memory,
         )| {
             let sections = kinematics.sections(at, memory);
-            self.write_sections(sections.stations(), stations, (&body, &placement));
+            self.write_sections(sections.stations(), stations, &body);
         });
     }
 
@@ -197,14 +228,13 @@ impl Outputs {
         &mut self,
         sections: impl Iterator<Item = impl Section>,
         stations: &[ReducedStation],
-        (body, placement): (&BodyMotion, &BodyPlacement),
+        body: &BodyMotion,
     ) {
-        let places = self.deflections.iter_mut().zip(&mut self.sensors).zip(&mut self.placements);
-        for ((((deflection, sensors), place), station), section) in places.zip(stations).zip(sections) {
+        let places = self.deflections.iter_mut().zip(&mut self.sensors);
+        for (((deflection, sensors), station), section) in places.zip(stations).zip(sections) {
             let (displacement, twist) = (section.displacement(), section.twist(&station.twist_axis));
             *deflection = Deflection { displacement, twist };
             *sensors = Sensors::read(&section, body);
-            *place = Placement::of(&section, placement);
         }
     }
 

@@ -218,14 +218,41 @@ impl Plant {
         course: Course,
         outputs: &mut Outputs,
     ) {
+        self.write_usual_outputs(state, controls, workspace, course, outputs);
+        self.write_further_outputs(state, workspace, course, outputs);
+    }
+
+    /// That of y which control laws read at every step, without [the rest](Self::write_further_outputs), which stays as it is.
+    pub(crate) fn write_usual_outputs(
+        &self,
+        state: &[f64],
+        controls: &Controls,
+        workspace: &Workspace,
+        course: Course,
+        outputs: &mut Outputs,
+    ) {
         outputs.write_motion(&self.equations, state, workspace, course);
         outputs.write_modes(&self.packaged.modes, self.layout(), state);
-        outputs.write_stations(&self.stations, &self.equations, state, workspace, course);
+        outputs.write_stations(&self.stations, &self.equations, state, workspace);
         outputs.write_controls(controls);
-        outputs.write_air(self.air_data(state, controls));
+        outputs.write_air(self.uncalibrated_air_data(state, controls));
         outputs.wind = course.north_east_down(&self.equations.air_motion(state, controls));
         outputs.gust_peak_velocity = self.equations.gust_peak_velocity();
         outputs.loads.forget();
+    }
+
+    /// Beside the [usual outputs](Self::write_usual_outputs): path, attitudes as quaternions, where stations are, the load factor
+    /// at the centre of mass, calibrated airspeed.
+    pub(crate) fn write_further_outputs(
+        &self,
+        state: &[f64],
+        workspace: &Workspace,
+        course: Course,
+        outputs: &mut Outputs,
+    ) {
+        outputs.write_placements(&self.equations, state, workspace, course);
+        outputs.write_load_factor_cg(&self.equations, state, workspace);
+        outputs.air.calibrate();
     }
 
     /// Speed of O relative to the air, m/s.
@@ -235,7 +262,14 @@ impl Plant {
 
     /// The flow at O.
     pub fn air_data(&self, state: &[f64], controls: &Controls) -> AirData {
-        AirData::new(&self.equations.air_velocity(state, controls), &self.equations.air(state))
+        let mut air = self.uncalibrated_air_data(state, controls);
+        air.calibrate();
+        air
+    }
+
+    /// The same without the calibrated airspeed, which takes powers.
+    fn uncalibrated_air_data(&self, state: &[f64], controls: &Controls) -> AirData {
+        AirData::uncalibrated(&self.equations.air_velocity(state, controls), &self.equations.air(state))
     }
 
     /// How far each strip is in a state from where it is on the undeformed aircraft, without those edge-on, m. Allocates.

@@ -195,9 +195,20 @@ impl ActivePlant<'_> {
         self.plant.steer(controls, rates, self.workspace);
     }
 
-    /// The outputs at the state and under the controls of the last evaluation, in axes along a course.
-    pub fn write_outputs(&self, state: &[f64], controls: &Controls, course: Course, outputs: &mut Outputs) {
-        self.plant.write_outputs(state, controls, self.workspace, course, outputs);
+    /// As [`Plant::write_usual_outputs`], of the last evaluation.
+    pub fn write_usual_outputs(
+        &self,
+        state: &[f64],
+        controls: &Controls,
+        course: Course,
+        outputs: &mut Outputs,
+    ) {
+        self.plant.write_usual_outputs(state, controls, self.workspace, course, outputs);
+    }
+
+    /// As [`Plant::write_further_outputs`], of the last evaluation.
+    pub fn write_further_outputs(&self, state: &[f64], course: Course, outputs: &mut Outputs) {
+        self.plant.write_further_outputs(state, self.workspace, course, outputs);
     }
 
     /// As [`Plant::reversed_strip`].

@@ -114,6 +114,19 @@ pub enum OutputSlot {
 }
 
 impl OutputSlot {
+    /// Whether control laws read it at every step: a flight has it at hand without further work.
+    pub(crate) fn is_usual(self) -> bool {
+        !matches!(
+            self,
+            OutputSlot::Quaternion(_)
+                | OutputSlot::Path(_)
+                | OutputSlot::Placement { .. }
+                | OutputSlot::LoadFactorAtCentre(_)
+                | OutputSlot::Air(AirQuantity::Calibrated)
+                | OutputSlot::SectionLoad { .. }
+        )
+    }
+
     /// Whether it is one of the section loads, which only outputs have that were asked for them.
     pub fn is_section_load(self) -> bool {
         matches!(self, OutputSlot::SectionLoad { .. })
