@@ -26,6 +26,14 @@ pub fn fixed(number: f64, places: usize) -> String {
     if is_zero { text.trim_start_matches('-').to_owned() } else { text.replace('-', "−") }
 }
 
+/// With six digits; what is less than nine places show is 0.
+pub fn rounded(number: f64) -> String {
+    if number.abs() < 5e-10 {
+        return "0".to_owned();
+    }
+    fixed(number, (5.0 - number.abs().log10().floor()).clamp(0.0, 9.0) as usize)
+}
+
 /// A table on its way to where it is written.
 pub struct NumberTable<W: Write> {
     writer: csv::Writer<W>,
@@ -102,6 +110,12 @@ mod tests {
     #[test]
     fn what_the_places_do_not_show_has_no_sign() {
         assert_eq!([fixed(-1e-9, 4), fixed(-0.25, 4), fixed(12.0, 0)], ["0.0000", "−0.2500", "12"]);
+    }
+
+    #[test]
+    fn six_digits_are_enough_for_people() {
+        let rounded = [123456.7, -12.34567, 1e-3, -1e-10].map(rounded);
+        assert_eq!(rounded, ["123457", "−12.3457", "0.00100000", "0"]);
     }
 
     #[test]

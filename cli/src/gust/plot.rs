@@ -7,10 +7,18 @@ use crate::chart::{Axis, Chart, Curve, Window};
 /// Curves that a plot bears.
 const MOST_CURVES: usize = 8;
 
-/// The greatest increments of the outputs, in parts of the greatest of any gust, over the gradient.
+/// The greatest increments of the outputs, in parts of the greatest of any gust, over the gradient; bending moments first, and of
+/// curves that coincide the first.
 pub fn increments(name: &str, watched: &[Watched], sweep: &Sweep) -> Chart {
-    let curves: Vec<Curve> =
-        watched.iter().enumerate().filter_map(|(place, output)| curve(place, output, sweep)).collect();
+    let mut places: Vec<usize> = (0..watched.len()).collect();
+    places.sort_by_key(|place| rank(&watched[*place].name));
+    let mut curves: Vec<Curve> = Vec::new();
+    for curve in places.into_iter().filter_map(|place| curve(place, watched, sweep)) {
+        // Of a symmetric gust left and right answer alike.
+        if !curves.iter().any(|other| coincide(other, &curve)) {
+            curves.push(curve);
+        }
+    }
     let gradients = || sweep.flights.iter().map(|flown| flown.case.gradient);
     let [first, last] = [gradients().fold(f64::INFINITY, f64::min), gradients().fold(0.0, f64::max)];
     Chart {
@@ -23,9 +31,21 @@ pub fn increments(name: &str, watched: &[Watched], sweep: &Sweep) -> Chart {
     }
 }
 
+/// What is drawn first: what breaks a wing, then what it feels like.
+fn rank(name: &str) -> usize {
+    let is_bending = name.starts_with("loads.") && name.ends_with(".bending");
+    let order = [is_bending, name == "load_factor.lift", name.starts_with("deflection.")];
+    order.iter().position(|is_first| *is_first).unwrap_or(order.len())
+}
+
+/// Whether two curves cannot be told from each other.
+fn coincide(one: &Curve, other: &Curve) -> bool {
+    one.points.iter().zip(&other.points).all(|(a, b)| (a.1 - b.1).abs() < 1e-3)
+}
+
 /// Of an output that any gust moves.
-fn curve(place: usize, output: &Watched, sweep: &Sweep) -> Option<Curve> {
-    let trim = sweep.trim[place];
+fn curve(place: usize, watched: &[Watched], sweep: &Sweep) -> Option<Curve> {
+    let (output, trim) = (&watched[place], sweep.trim[place]);
     let increment = |Extremes { least, greatest }: &Extremes| (greatest.0 - trim).max(trim - least.0);
     // Of both senses of a gust the worse one.
     let mut points: Vec<(f64, f64)> = Vec::new();
@@ -37,7 +57,16 @@ fn curve(place: usize, output: &Watched, sweep: &Sweep) -> Option<Curve> {
         }
     }
     let greatest = points.iter().fold(0.0, |greatest: f64, point| greatest.max(point.1));
-    let is_moved = greatest > 1e-9 * trim.abs().max(1e-6);
+    let is_moved = greatest > 1e-9 * largest(&output.unit, watched, sweep);
     points.iter_mut().for_each(|point| point.1 *= 100.0 / greatest);
     is_moved.then(|| Curve { label: output.name.clone(), points })
+}
+
+/// The largest size of any watched output of a unit.
+fn largest(unit: &str, watched: &[Watched], sweep: &Sweep) -> f64 {
+    let of_unit = |place: &usize| watched[*place].unit == unit;
+    let sizes = |extremes: &Extremes| extremes.greatest.0.abs().max(extremes.least.0.abs());
+    let all = (0..watched.len()).filter(of_unit);
+    let all = all.flat_map(|place| sweep.flights.iter().map(move |flown| sizes(&flown.extremes[place])));
+    all.fold(0.0, f64::max)
 }

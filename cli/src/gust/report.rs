@@ -7,7 +7,7 @@ use flexible_aircraft::structure::ReducedModel;
 use super::sweep::{Flown, Sweep};
 use super::table::Worst;
 use super::watched::Watched;
-use crate::numbers::Plain;
+use crate::numbers::{Plain, rounded};
 
 /// What was flown, how long that took, and the worst of each output.
 pub fn text(
@@ -77,14 +77,4 @@ fn peaks(settings: &Settings, sweep: &Sweep) -> String {
 fn side((flown, (value, time)): (&Flown, (f64, f64))) -> String {
     let sense = if flown.case.sense == "positive" { "+" } else { "−" };
     format!("{} ({time:.3}, {:.1} {sense})", rounded(value), flown.case.gradient)
-}
-
-/// With six digits.
-fn rounded(number: f64) -> String {
-    if number == 0.0 {
-        return "0".to_owned();
-    }
-    let digits = 5 - number.abs().log10().floor() as i32;
-    let text = format!("{number:.*}", digits.clamp(0, 9) as usize);
-    text.replace('-', "−")
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use flexible_aircraft::flight::{Settings, Simulation};
+use flexible_aircraft::flight::{Instant, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 use rayon::prelude::*;
 
@@ -74,7 +74,7 @@ impl Sweep {
         times: [f64; 2],
     ) -> Result<Self, Error> {
         let mut trimmed = Simulation::new(Arc::clone(model), settings, 0.0)?;
-        let instant = trimmed.instant();
+        let instant = look(&mut trimmed, watched);
         let trim = watched.iter().map(|output| output.slot.number(instant)).collect();
         let progress = Progress::new(cases.len(), "gusts");
         let flight = |case: &Case| {
@@ -99,7 +99,7 @@ fn fly(
     let mut settings = settings.clone();
     (settings.gust.gradient, settings.gust.direction) = (case.gradient, case.direction);
     let mut flight = Simulation::new(Arc::clone(model), &settings, 0.0).map_err(failed)?;
-    let instant = flight.instant();
+    let instant = look(&mut flight, watched);
     let peak = instant.outputs.gust_peak_velocity;
     let mut extremes: Vec<Extremes> =
         watched.iter().map(|output| Extremes::at(output.slot.number(instant), 0.0)).collect();
@@ -107,10 +107,19 @@ fn fly(
     for place in 1..=steps {
         let time = (place as f64 * step).min(duration);
         flight.advance_to(time).map_err(failed)?;
-        let instant = flight.instant();
+        let instant = look(&mut flight, watched);
         for (extremes, output) in extremes.iter_mut().zip(watched) {
             extremes.take(output.slot.number(instant), time);
         }
     }
     Ok(Flown { case: *case, peak, extremes })
+}
+
+/// What is read at the present; section loads cost as much as a step, and are found only where they are watched.
+fn look<'f>(flight: &'f mut Simulation, watched: &[Watched]) -> &'f Instant {
+    if watched.iter().any(|output| output.slot.is_section_load()) {
+        flight.instant_with_loads()
+    } else {
+        flight.instant()
+    }
 }

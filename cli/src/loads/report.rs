@@ -7,7 +7,7 @@ use flexible_aircraft::variables::LoadComponent;
 
 use super::Analysis;
 use super::envelope::{Envelope, Extreme};
-use crate::numbers::Plain;
+use crate::numbers::{Plain, rounded};
 
 /// For people: each component's least and most at the cuts of the file, and when.
 pub fn text(analysis: &Analysis) -> String {
@@ -22,7 +22,9 @@ pub fn text(analysis: &Analysis) -> String {
                 } else {
                     String::new()
                 };
-                format!("{:>12.0} at {:.3} s{case}", extreme.loads[place], extreme.time)
+                let load = extreme.loads[place];
+                let load = if load.abs() < nothing(envelope) { 0.0 } else { load };
+                format!("{:>12} at {:.3} s{case}", rounded(load), extreme.time)
             };
             let (least, most) = (extreme(&envelope.least[place]), extreme(&envelope.most[place]));
             let unit = component.unit().name();
@@ -31,6 +33,13 @@ pub fn text(analysis: &Analysis) -> String {
         }
     }
     text
+}
+
+/// Less than this is rounding beside what a cut carries.
+fn nothing(envelope: &Envelope) -> f64 {
+    let extremes = envelope.least.iter().chain(&envelope.most);
+    let most = extremes.flat_map(|extreme| extreme.loads).fold(0.0, |most: f64, load| most.max(load.abs()));
+    1e-9 * most
 }
 
 /// The cuts of the file with their envelopes.
