@@ -5,12 +5,27 @@ import subprocess
 import sys
 
 import numpy as np
+import pathsim_fmi.blocks
 import pytest
 from pathsim import Connection, Simulation
 from pathsim.blocks import Source
 from pathsim_fmi import CoSimulationFMU
+from pathsim_fmi.wrapper import FMUWrapper
 
 from flights import ENUMERATIONS, MANOEUVRE, PARAMETERS, STRAIGHT
+
+
+class RealFMU(FMUWrapper):
+    """Without the outputs that are not Real: PathSim reads all as if they were, which the FMU refuses."""
+
+    def _build_variable_maps(self):
+        super()._build_variable_maps()
+        self.output_refs = {name: ref for name, ref in self.output_refs.items() if self.variable_map[name].type == "Real"}
+
+
+@pytest.fixture(autouse=True)
+def real_outputs(monkeypatch):
+    monkeypatch.setattr(pathsim_fmi.blocks, "FMUWrapper", RealFMU)
 
 
 class Recorded(CoSimulationFMU):
@@ -45,6 +60,13 @@ def fly(fmu, flight, outputs):
 @pytest.mark.parametrize("flight", [STRAIGHT, MANOEUVRE, PARAMETERS], ids=lambda flight: flight.name)
 def test_a_flight_is_that_of_the_rust_library(fmu, description, agrees, flight):
     agrees("PathSim-FMI", flight, fly(fmu, flight, description.outputs))
+
+
+def test_pathsim_reads_booleans_as_reals(fmu):
+    """A version that reads them as what they are makes this fail, and COMPATIBILITY.md wrong."""
+    script = "import sys, pathsim_fmi; pathsim_fmi.CoSimulationFMU(sys.argv[1])"
+    run = subprocess.run([sys.executable, "-c", script, str(fmu)], capture_output=True, text=True)
+    assert run.returncode != 0 and "_limited" in run.stdout + run.stderr, run.stdout + run.stderr
 
 
 def test_pathsim_has_no_enumerations(fmu):

@@ -52,6 +52,8 @@ FLIGHTS = [STRAIGHT, MANOEUVRE, PARAMETERS, ENUMERATIONS]
 def test_a_flight_is_that_of_the_rust_library(fmu, agrees, flight):
     """It reads the outputs after it has set the inputs of the next step: those are compared that do not see them."""
     outputs = fmpy.read_model_description(str(fmu)).outputs
+    # Actuators are off: what they say in Booleans is compared elsewhere.
+    outputs = [output for output in outputs if output.variable.type == "Real"]
     names = [output.variable.name for output in outputs if not (flight.inputs and output.dependencies)]
     assert len(names) > 80
     agrees("sofirpy", flight, fly(fmu, flight, names))
