@@ -45,6 +45,10 @@ impl Actions for Acts<'_> {
         Motion { values: [self.acting.thrusts[engine], asked.value, 0.0], rate: asked.rate }
     }
 
+    fn lag(&self) -> bool {
+        self.steering.lags()
+    }
+
     fn controls_move_alike(&self, terms: &[(usize, f64)]) -> bool {
         let actuator = |control: usize| &self.steering.actuators[control];
         let are_equal = terms.windows(2).all(|pair| actuator(pair[0].0) == actuator(pair[1].0));

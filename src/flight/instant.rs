@@ -45,7 +45,17 @@ impl Instant {
         (steering, acting): (&Steering, &Acting),
         sensors: &Sensors,
     ) {
+        self.write_actuators(time, steering, acting);
+        self.write_sensors(time, sensors);
+    }
+
+    /// Of them the actuators.
+    pub(super) fn write_actuators(&mut self, time: Moment, steering: &Steering, acting: &Acting) {
         steering.write_actuators(time, acting, &mut self.actuators);
+    }
+
+    /// Of them the sensors.
+    pub(super) fn write_sensors(&mut self, time: Moment, sensors: &Sensors) {
         sensors.write(time, &self.outputs, &mut self.sensors);
     }
 }

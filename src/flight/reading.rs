@@ -21,21 +21,25 @@ impl Simulation {
     pub fn instant(&mut self) -> &Instant {
         self.usual_instant();
         if self.instant_is == Freshness::Usual {
-            let Simulation { flying, path, course, instant, .. } = self;
+            let Simulation { flying, path, course, sensors, instant, .. } = self;
             let (plant, _) = flying.active();
             plant.write_further_outputs(&path.present.state, *course, &mut instant.outputs);
+            instant.write_sensors(path.present.time, sensors);
             self.instant_is = Freshness::Complete;
         }
         &self.instant
     }
 
     /// What control laws read of that at every step; path, placements of stations, quaternions, the load factor at the centre of
-    /// mass and the calibrated airspeed are those of some instant before.
+    /// mass, the calibrated airspeed and the channels of sensors are those of some instant before.
     pub(crate) fn usual_instant(&mut self) -> &Instant {
         if self.instant_is == Freshness::Stale {
             self.instant_is = self.write_outputs();
             let Simulation { path, steering, sensors, instant, .. } = self;
-            instant.write_devices(path.present.time, (steering, &path.present.acting), sensors);
+            instant.write_actuators(path.present.time, steering, &path.present.acting);
+            if self.instant_is == Freshness::Complete {
+                instant.write_sensors(path.present.time, sensors);
+            }
         }
         &self.instant
     }

@@ -117,7 +117,7 @@ impl Steering {
         if is_steady && self.inputs == *inputs {
             return false;
         }
-        self.air_travel = self.air_travel_after(time.since(self.since));
+        self.air_travel = self.air_travel_after(self.winds(), time.since(self.since));
         self.inputs.clone_from(inputs);
         self.rates.clone_from(rates);
         self.since = time;
@@ -135,18 +135,18 @@ impl Steering {
         let elapsed = time.since(self.since);
         let mut values = self.inputs.values().zip(self.rates.values());
         values.all(|(value, rate)| (value + elapsed * rate).is_finite())
-            && self.winds_after(elapsed).iter().all(|wind| wind.iter().all(|number| number.is_finite()))
+            && Steering::winds_after(self.winds(), elapsed)
+                .iter()
+                .all(|wind| wind.iter().all(|number| number.is_finite()))
     }
 
     /// Along the course: the wind a time (s) after it was set, m/s, and its rate, m/s².
-    fn winds_after(&self, elapsed: f64) -> [Vector3<f64>; 2] {
-        let [wind, rate, change] = self.winds();
+    fn winds_after([wind, rate, change]: [Vector3<f64>; 3], elapsed: f64) -> [Vector3<f64>; 2] {
         [wind + (rate + change * (0.5 * elapsed)) * elapsed, rate + change * elapsed]
     }
 
-    /// Along the course: how far the air has gone a time (s) after the inputs were set, m.
-    fn air_travel_after(&self, elapsed: f64) -> Vector3<f64> {
-        let [wind, rate, change] = self.winds();
+    /// Along the course: how far the air has gone a time (s) after the inputs were set, m, in these winds.
+    fn air_travel_after(&self, [wind, rate, change]: [Vector3<f64>; 3], elapsed: f64) -> Vector3<f64> {
         let mean = self.tunnel_flow + wind + (rate * 0.5 + change * (elapsed / 6.0)) * elapsed;
         self.air_travel + mean * elapsed
     }
@@ -172,6 +172,11 @@ impl Steering {
         let [wind, given, input, change] =
             [inputs.wind, rates.wind, inputs.wind_rate, rates.wind_rate].map(|wind| course.along(&wind));
         [wind, given + input, change]
+    }
+
+    /// Whether any actuator or engine lags.
+    pub(super) fn lags(&self) -> bool {
+        self.actuators.iter().any(Actuator::lags) || self.engines.iter().any(EngineLag::lags)
     }
 
     /// Whether what is frozen in the air blows in the mirror plane.
@@ -225,8 +230,9 @@ impl Steering {
                 lag.at_once(self.thrust_asked(engine, elapsed)).value
             };
         }
-        [controls.wind, controls.wind_rate] = self.winds_after(elapsed);
-        controls.air_travel = self.air_travel_after(elapsed);
+        let winds = self.winds();
+        [controls.wind, controls.wind_rate] = Steering::winds_after(winds, elapsed);
+        controls.air_travel = self.air_travel_after(winds, elapsed);
     }
 
     /// Has what lags move on over a time (s) from a point, the inputs set so much (s) before it.

@@ -77,6 +77,9 @@ pub trait Actions {
     fn angle(&self, control: usize) -> Motion;
     /// Of an engine, N.
     fn thrust(&self, engine: usize) -> Motion;
+    /// Whether any control or engine follows what is asked of it later; where none does, the first of a [`Motion`]'s values tells
+    /// the others.
+    fn lag(&self) -> bool;
     /// Whether actuators keep controls to Σ factor · angle = 0 as long as their [`Motion`]s keep to it.
     fn controls_move_alike(&self, terms: &[(usize, f64)]) -> bool;
     /// Whether two engines give the same while their [`Motion`]s are the same.
@@ -273,7 +276,8 @@ impl Halving {
         let mut rates = self.controls.sums(|control| actions.angle(control).rate);
         // A radian is much, whatever the angles: of rates nothing is.
         let cancel = |[sum, size]: [f64; 2], much: f64| sum.abs() <= ROUNDING * size.max(much);
-        [0, 1, 2].into_iter().all(|place| angles_of(place).all(|sum| cancel(sum, 1.0)))
+        let places = if actions.lag() { 0..3 } else { 0..1 };
+        places.into_iter().all(|place| angles_of(place).all(|sum| cancel(sum, 1.0)))
             && rates.all(|sum| cancel(sum, 0.0))
             && self.controls.terms().all(|terms| actions.controls_move_alike(terms))
             && actions.gust_is_in_plane()
@@ -307,6 +311,9 @@ mod tests {
         }
         fn thrust(&self, engine: usize) -> Motion {
             self.thrusts[engine]
+        }
+        fn lag(&self) -> bool {
+            true
         }
         fn controls_move_alike(&self, _: &[(usize, f64)]) -> bool {
             !self.part

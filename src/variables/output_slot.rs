@@ -124,6 +124,7 @@ impl OutputSlot {
                 | OutputSlot::LoadFactorAtCentre(_)
                 | OutputSlot::Air(AirQuantity::Calibrated)
                 | OutputSlot::SectionLoad { .. }
+                | OutputSlot::Sensor(_)
         )
     }
 
