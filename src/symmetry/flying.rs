@@ -3,8 +3,9 @@
 use crate::equations::{Controls, Workspace};
 use crate::plant::{Course, Outputs, PackagedStrip, Plant, Trim};
 
+use super::actions::Actions;
 use super::forms::{Form, Forms};
-use super::plants::{Actions, Plants, Trimmed};
+use super::plants::{Plants, Trimmed};
 
 /// The plants of an aircraft, of which one flies, each with a workspace and with `M`, what marches it.
 #[derive(Clone, Debug)]

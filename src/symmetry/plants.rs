@@ -3,8 +3,6 @@
 //! An aircraft with a mirror plane that nothing has ever moved out of symmetry needs half its strips, half its modes
 //! and half its rigid motion. As soon as something acts on one side alone, the whole aircraft takes over for good.
 
-use nalgebra::Vector3;
-
 use crate::equations::{Configuration, Controls, EquationsOfMotion};
 use crate::math::are_alike;
 use crate::plant::{
@@ -13,6 +11,7 @@ use crate::plant::{
 };
 use crate::structure::{ModesInUse, ReducedModel};
 
+use super::actions::Actions;
 use super::even_controls::EvenControls;
 use super::forms::{Form, Forms};
 use super::half::SymmetricHalf;
@@ -60,34 +59,6 @@ pub struct Trimmed {
     pub form: Form,
     /// In each form.
     pub trims: Forms<Trim>,
-}
-
-/// What decides how a control or an engine acts from an instant on, where its actuator and its limits are known.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Motion {
-    /// What acts, what is asked for, and the rate of what acts, times the time in which that changes; rad or N.
-    pub values: [f64; 3],
-    /// Of what is asked for, per second.
-    pub rate: f64,
-}
-
-/// What acts on an aircraft from an instant on.
-pub trait Actions {
-    /// Of a control, rad.
-    fn angle(&self, control: usize) -> Motion;
-    /// Of an engine, N.
-    fn thrust(&self, engine: usize) -> Motion;
-    /// Whether any control or engine follows what is asked of it later; where none does, the first of a [`Motion`]'s values tells
-    /// the others.
-    fn lag(&self) -> bool;
-    /// Whether actuators keep controls to Σ factor · angle = 0 as long as their [`Motion`]s keep to it.
-    fn controls_move_alike(&self, terms: &[(usize, f64)]) -> bool;
-    /// Whether two engines give the same while their [`Motion`]s are the same.
-    fn engines_move_alike(&self, engine: usize, image: usize) -> bool;
-    /// Along the course: the wind, m/s, its rate, m/s², and the rate of that, m/s³.
-    fn winds(&self) -> [Vector3<f64>; 3];
-    /// Whether what is frozen in the air blows in the mirror plane.
-    fn gust_is_in_plane(&self) -> bool;
 }
 
 impl Plants {
@@ -293,7 +264,10 @@ impl Halving {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Vector3;
+
     use super::*;
+    use crate::symmetry::actions::Motion;
 
     /// What acts on two controls that are to move together and two engines.
     #[derive(Clone, Default)]
