@@ -1,6 +1,9 @@
 //! A gust of the shape 1 − cos, by its peak or by the criterion of CS-25 [theory: gusts.one-minus-cosine].
 
 use std::f64::consts::PI;
+use std::ops::RangeInclusive;
+
+use crate::math::ROUNDING;
 
 use super::atmosphere::SEA_LEVEL_DENSITY;
 use super::out_of_range::OutOfRange;
@@ -56,8 +59,17 @@ pub struct GustSettings {
     pub maximum_operating_altitude: f64,
 }
 
+/// Gradients that a gust may have, m.
+pub const GUST_GRADIENTS: RangeInclusive<f64> = 0.01..=1e6;
+
+/// When a gust or turbulence may begin, s after the flight does.
+pub const GUST_STARTS: RangeInclusive<f64> = 0.0..=1e6;
+
+/// Altitudes at which F_g may be 1, m.
+pub const MAXIMUM_OPERATING_ALTITUDES: RangeInclusive<f64> = 1.0..=1e5;
+
 /// Gradients that CS 25.341(a) speaks of, m.
-pub const CS25_GRADIENTS: std::ops::RangeInclusive<f64> = 9.144..=106.68;
+pub const CS25_GRADIENTS: RangeInclusive<f64> = 9.144..=106.68;
 
 /// Reference gust velocities of CS 25.341(a)(5)(i) over altitude: m, and m/s of equivalent airspeed.
 const REFERENCE: [(f64, f64); 3] = [(0.0, 17.07), (4572.0, 13.41), (18_288.0, 6.36)];
@@ -105,15 +117,16 @@ impl GustSettings {
     /// Names the first that is outside.
     pub fn check(&self) -> Result<(), OutOfRange> {
         let GustSettings { gradient, peak, direction, inclination, start, criterion, .. } = *self;
-        OutOfRange::unless("gust.gradient", gradient, gradient > 0.0, "a finite number > 0 (m)")?;
+        OutOfRange::unless("gust.gradient", gradient, GUST_GRADIENTS.contains(&gradient), "0.01 to 1e6 (m)")?;
         OutOfRange::unless("gust.peak", peak, true, "a finite number (m/s)")?;
         OutOfRange::unless("gust.direction", direction, true, "a finite number (rad)")?;
         OutOfRange::unless("gust.inclination", inclination, true, "a finite number (rad)")?;
-        OutOfRange::unless("gust.start", start, start >= 0.0, "a finite number >= 0 (s)")?;
+        OutOfRange::unless("gust.start", start, GUST_STARTS.contains(&start), "0 to 1e6 (s)")?;
         let (alleviation, altitude) = (self.alleviation, self.maximum_operating_altitude);
         OutOfRange::unless("gust.alleviation", alleviation, (0.0..=1.0).contains(&alleviation), "0 to 1")?;
         let setting = "gust.maximum_operating_altitude";
-        OutOfRange::unless(setting, altitude, altitude > 0.0, "a finite number > 0 (m)")?;
+        let inside = MAXIMUM_OPERATING_ALTITUDES.contains(&altitude);
+        OutOfRange::unless(setting, altitude, inside, "1 to 1e5 (m)")?;
         let is_of_cs25 = criterion != GustCriterion::Peak && self.shape != GustShape::None;
         let allowed = "9.144 to 106.68 (m) with a criterion of CS-25";
         OutOfRange::unless(
@@ -152,7 +165,7 @@ impl OneMinusCosine {
         }
         let (sin, cos) = libm::sincos(settings.direction);
         // Half a turn is down: of its sine nothing is left but rounding.
-        let right = if sin.abs() <= 16.0 * f64::EPSILON { 0.0 } else { sin };
+        let right = if sin.abs() <= ROUNDING { 0.0 } else { sin };
         let (along, across) = libm::sincos(settings.inclination);
         let peak = settings.peak_velocity(altitude, density);
         Some(OneMinusCosine {
@@ -254,7 +267,7 @@ mod tests {
             "gust.gradient: found 5, allowed is 9.144 to 106.68 (m) with a criterion of CS-25"
         );
         assert!(GustSettings { gradient: 5.0, shape: GustShape::None, ..base }.check().is_ok());
-        assert!(refused(GustSettings { gradient: 0.0, ..base }).contains("> 0 (m)"));
+        assert!(refused(GustSettings { gradient: 0.0, ..base }).contains("allowed is 0.01 to 1e6 (m)"));
         assert!(refused(GustSettings { start: -1.0, ..base }).starts_with("gust.start: found -1"));
         assert!(refused(GustSettings { peak: f64::NAN, ..base }).contains("(m/s)"));
         assert!(refused(GustSettings { alleviation: 1.5, ..base }).contains("0 to 1"));

@@ -13,5 +13,7 @@ pub use flow::UniformFlow;
 pub(crate) use flow::{MetAir, MetAt, UniformlyMet};
 pub use frozen::{Extent, FrozenGust, Track, TrackSeen};
 pub use gust::{CS25_GRADIENTS, GustCriterion, GustSettings, GustShape};
+pub(crate) use gust::{GUST_GRADIENTS, GUST_STARTS, MAXIMUM_OPERATING_ALTITUDES};
 pub use out_of_range::OutOfRange;
+pub(crate) use turbulence::TURBULENCE_SCALES;
 pub use turbulence::{Spectrum, TurbulenceComponents, TurbulenceSettings};

@@ -5,12 +5,14 @@
 //! The field is a sum of harmonics over a length N Δx, evaluated as a periodic cubic spline whose coefficients are found once.
 
 use std::f64::consts::{PI, TAU};
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use nalgebra::Complex;
 
 use crate::math::{GOLDEN, sum_of_harmonics, unit_number};
 
+use super::gust::GUST_STARTS;
 use super::out_of_range::OutOfRange;
 
 /// The spectrum of the turbulence.
@@ -23,6 +25,9 @@ pub enum Spectrum {
     /// Of MIL-F-8785C and CS 25.341(b).
     VonKarman,
 }
+
+/// Length scales that the field's waves of 8 m to 262 km have room for, m [theory: gusts.realisation].
+pub const TURBULENCE_SCALES: RangeInclusive<f64> = 30.0..=2e4;
 
 /// Which components of the turbulence blow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -79,9 +84,10 @@ impl TurbulenceSettings {
             intensity >= 0.0,
             "a finite number >= 0 (m/s)",
         )?;
-        let allowed = "a finite number > 0 (m), or 0 for that of the spectrum";
-        OutOfRange::unless("turbulence.scale", scale, scale >= 0.0, allowed)?;
-        OutOfRange::unless("turbulence.start", start, start >= 0.0, "a finite number >= 0 (s)")
+        let inside = scale == 0.0 || TURBULENCE_SCALES.contains(&scale);
+        let allowed = "30 to 2e4 (m), or 0 for that of the spectrum";
+        OutOfRange::unless("turbulence.scale", scale, inside, allowed)?;
+        OutOfRange::unless("turbulence.start", start, GUST_STARTS.contains(&start), "0 to 1e6 (s)")
     }
 
     /// L, m.
@@ -243,6 +249,22 @@ mod tests {
     }
 
     #[test]
+    fn the_harmonics_hold_nearly_all_of_the_variance_at_any_scale_that_is_allowed() {
+        let step = TAU / (COUNT as f64 * SPACING);
+        for (spectrum, scale) in [Spectrum::Dryden, Spectrum::VonKarman].into_iter().flat_map(|spectrum| {
+            [(spectrum, *TURBULENCE_SCALES.start()), (spectrum, *TURBULENCE_SCALES.end())]
+        }) {
+            let settings = TurbulenceSettings { spectrum, scale, ..TurbulenceSettings::default() };
+            for is_along in [true, false] {
+                let share = |k: usize| if k == 1 { 1.5 } else { 1.0 };
+                let term = |k: usize| share(k) * settings.density(k as f64 * step, is_along) * step;
+                let rms = libm::sqrt((1..=HARMONICS).map(term).sum());
+                assert!((0.9..1.01).contains(&rms), "{spectrum:?} {scale} m, along {is_along}: {rms}");
+            }
+        }
+    }
+
+    #[test]
     fn the_field_has_the_variance_of_its_harmonics_and_other_seeds_give_others() {
         let settings = TurbulenceSettings {
             spectrum: Spectrum::VonKarman,
@@ -288,7 +310,13 @@ mod tests {
             refused(TurbulenceSettings { intensity: -1.0, ..base })
                 .contains("found -1, allowed is a finite number >= 0 (m/s)")
         );
-        assert!(refused(TurbulenceSettings { scale: f64::INFINITY, ..base }).starts_with("turbulence.scale"));
+        for scale in [f64::INFINITY, 29.0, -1.0] {
+            let refusal = refused(TurbulenceSettings { scale, ..base });
+            assert!(
+                refusal.starts_with("turbulence.scale") && refusal.contains("30 to 2e4 (m)"),
+                "{refusal}"
+            );
+        }
         assert!(refused(TurbulenceSettings { start: -0.1, ..base }).contains("(s)"));
     }
 }

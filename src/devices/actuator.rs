@@ -79,6 +79,11 @@ impl Actuator {
         self.frequency > 0.0
     }
 
+    /// Whether the surface is the command, whatever that is.
+    pub fn is_direct(&self) -> bool {
+        !self.lags() && self.stops() == [f64::NEG_INFINITY, f64::INFINITY]
+    }
+
     /// Minimum and maximum, rad, infinite where there is none.
     pub fn stops(&self) -> [f64; 2] {
         acting_limits(self.minimum, self.maximum)

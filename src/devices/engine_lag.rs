@@ -26,6 +26,11 @@ impl EngineLag {
         self.time_constant > 0.0
     }
 
+    /// Whether the thrust is the command, whatever that is.
+    pub fn is_direct(&self) -> bool {
+        !self.lags() && self.limits() == [f64::NEG_INFINITY, f64::INFINITY]
+    }
+
     /// Minimum and maximum, N, infinite where there is none.
     pub fn limits(&self) -> [f64; 2] {
         acting_limits(self.minimum, self.maximum)

@@ -28,6 +28,10 @@ impl<'a> Acts<'a> {
 }
 
 impl Actions for Acts<'_> {
+    fn are_direct(&self) -> bool {
+        self.steering.is_direct()
+    }
+
     fn angle(&self, control: usize) -> Motion {
         let (asked, actuator) = (self.steering.angle_asked(control, 0.0), self.steering.actuators[control]);
         if !actuator.lags() {

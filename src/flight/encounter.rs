@@ -21,30 +21,30 @@ pub(super) fn encounter(
 ) -> Option<Arc<FrozenGust>> {
     let layout = plant.layout();
     let position = Vector3::from_column_slice(&trim.state[layout.position()]);
-    let velocity = match model.support {
+    let attitude = Attitude::from_quaternion(&trim.state[layout.attitude()]);
+    let (velocity, ahead) = match model.support {
         Support::Free => {
-            let attitude = Attitude::from_quaternion(&trim.state[layout.attitude()]);
             let velocity = Vector3::from_column_slice(&trim.state[layout.velocity()]);
-            attitude.body_from_inertial.tr_mul(&velocity)
+            (attitude.body_from_inertial.tr_mul(&velocity), Vector3::x())
         }
-        Support::Clamped => -settings.plant.along_course().configuration(model.support).tunnel_flow,
+        // Along the first axis of the earth; the mount may hold the aircraft in any attitude.
+        Support::Clamped => (
+            -settings.plant.along_course().configuration(model.support).tunnel_flow,
+            attitude.body_from_inertial * Vector3::x(),
+        ),
     };
-    let track = Track::new(&position, &along_the_course(velocity), extent(model));
+    let track = Track::new(&position, &velocity, extent(model, &ahead));
     let density = plant.air(&trim.state).density;
     FrozenGust::new(track, (&settings.gust, &settings.turbulence), settings.plant.altitude, density)
         .map(Arc::new)
 }
 
-/// A velocity, without what rounding leaves of it across the course.
-fn along_the_course(velocity: Vector3<f64>) -> Vector3<f64> {
-    let is_rounding = velocity.y.abs() <= 16.0 * f64::EPSILON * velocity.x.abs();
-    Vector3::new(velocity.x, if is_rounding { 0.0 } else { velocity.y }, velocity.z)
-}
-
-/// How far an aircraft reaches: no strip is ever twice as far from O as on the undeformed aircraft.
-fn extent(model: &ReducedModel) -> Extent {
+/// How far an aircraft reaches, `ahead` in a direction of body axes; no strip is ever twice as far from O as on the undeformed
+/// aircraft.
+fn extent(model: &ReducedModel, ahead: &Vector3<f64>) -> Extent {
     let edges = model.strips.iter().map(|strip| {
-        (strip.position + strip.forward * (strip.elastic_axis_aft_of_midchord + strip.semichord)).x
+        let chordwise = strip.forward * (strip.elastic_axis_aft_of_midchord + strip.semichord);
+        ahead.dot(&(strip.position + chordwise))
     });
     let reach = |strip: &ReducedStrip| {
         2.0 * strip.position.norm() + strip.elastic_axis_aft_of_midchord.abs() + strip.semichord
@@ -63,7 +63,7 @@ mod tests {
     #[test]
     fn the_jet_meets_a_gust_with_the_leading_edge_of_its_nose() {
         // From an independent computation: 10.4143 m before O.
-        let Extent { nose, reach } = extent(jet());
+        let Extent { nose, reach } = extent(jet(), &Vector3::x());
         assert!((nose - 10.4143).abs() < 5e-5 && reach > nose, "{nose} {reach}");
     }
 }

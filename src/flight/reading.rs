@@ -85,9 +85,10 @@ impl Simulation {
 
     /// Writes the outputs at the present under the present inputs; returns what has been written.
     fn write_outputs(&mut self) -> Freshness {
+        let stays = self.plant_stays();
         let Simulation { flying, path, steering, controls, evaluated_in, course, instant, .. } = self;
         let outputs = &mut instant.outputs;
-        if flying.stays_under(&Acts::new(steering, &path.present.acting)) {
+        if stays {
             let (mut plant, _) = flying.active();
             refresh(&mut path.present, &mut plant, steering, controls, evaluated_in);
             plant.write_usual_outputs(&path.present.state, controls, *course, outputs);

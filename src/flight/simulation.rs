@@ -70,6 +70,8 @@ pub struct Simulation {
     pub(super) instant: Instant,
     /// How much of it is the present under the present inputs.
     pub(super) instant_is: Freshness,
+    /// Whether the plant that flies does so on under what acts, where that is known and does not change with time.
+    pub(super) stays: Option<bool>,
     /// Of the trim.
     limits_exceeded: Vec<LimitExceeded>,
 }
@@ -87,7 +89,7 @@ impl Simulation {
         let found = plants.trim(&along_course.trim_condition())?;
         let trimmed = found.trim().clone();
         let gust = encounter(&model, settings, plants.simplest(), &trimmed);
-        let gust_is_in_plane = gust.as_ref().is_none_or(|gust| gust.is_in_plane());
+        let gust_is_in_plane = gust.as_ref().map(|gust| gust.is_in_plane());
         let plants = match gust {
             Some(gust) => plants.map(|plant| plant.clone().in_gust(&gust)),
             None => plants,
@@ -118,6 +120,7 @@ impl Simulation {
             evaluated_in: None,
             instant: Instant::new(flying.plant().room_for_outputs(), trimmed.point, sensors.count()),
             instant_is: Freshness::Stale,
+            stays: None,
             sensors,
             limits_exceeded: LimitExceeded::find(&model.limits, flying.plant(), &trimmed),
             flying,
@@ -169,6 +172,7 @@ impl Simulation {
     fn take_inputs(&mut self) {
         self.path.present.slope_is_fresh = false;
         self.instant_is = Freshness::Stale;
+        self.stays = None;
     }
 
     /// Flies to `end` (s, ≥ [`time`](Self::time)), without allocating.
@@ -209,7 +213,7 @@ impl Simulation {
         let reference_airspeed = self.flying.marcher().reference_airspeed();
         // What stands now stays until a second cell is flown.
         let turns_back = self.path.begins_here()
-            && self.flying.stays_under(&Acts::new(&self.steering, &self.path.present.acting))
+            && self.plant_stays()
             && end.since(self.path.present.time.cell_end()) < ON_GRID;
         if !turns_back {
             self.path.keep();
@@ -227,6 +231,7 @@ impl Simulation {
                 self.sensors.restore_kept();
             }
             self.flying.restore_kept();
+            self.stays = None;
             self.forget_evaluation();
             self.take_reference_airspeed(reference_airspeed);
         }
@@ -235,11 +240,22 @@ impl Simulation {
 
     /// Has that plant fly on that can under what acts now.
     fn take_actions(&mut self, reference_airspeed: f64) {
+        if self.plant_stays() {
+            return;
+        }
+        self.stays = None;
         let (acting, states) = self.path.acting_and_states();
         if self.flying.take_actions(&Acts::new(&self.steering, acting), states) {
             self.forget_evaluation();
             self.take_reference_airspeed(reference_airspeed);
         }
+    }
+
+    /// Whether the same plant flies on under what acts now.
+    pub(super) fn plant_stays(&mut self) -> bool {
+        let known = self.stays.filter(|_| !self.steering.lags());
+        let acts = Acts::new(&self.steering, &self.path.present.acting);
+        *self.stays.insert(known.unwrap_or_else(|| self.flying.stays_under(&acts)))
     }
 
     /// Whether the motion has been symmetric and is computed so.

@@ -140,6 +140,8 @@ impl Simulation {
         for number in self.steering.inputs.values_mut().chain(self.steering.rates.values_mut()) {
             *number = next();
         }
+        self.steering.know_winds();
+        self.stays = None;
         let [present_point, anchor_point] = self.path.points_mut();
         for point in [&mut *present_point, &mut *anchor_point] {
             point.resize(recorded.states());

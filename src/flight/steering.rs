@@ -15,6 +15,17 @@ use super::inputs::Inputs;
 use super::moment::Moment;
 use super::settings::{InputReference, Settings};
 
+/// How what acts follows what is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Following {
+    /// It is that.
+    Directly,
+    /// It is that within limits.
+    WithinLimits,
+    /// Some of it lags.
+    Later,
+}
+
 /// What the inputs add to: the trim, or nothing.
 #[derive(Clone, Debug)]
 struct Reference {
@@ -32,24 +43,39 @@ pub struct Steering {
     reference: Reference,
     /// The controls' wind is along it.
     course: Course,
+    /// Along the course: the wind when it was set, m/s, its rate, m/s², and the rate of that, m/s³.
+    winds: [Vector3<f64>; 3],
     /// Values at the time they were set.
     pub inputs: Inputs,
     /// Per second.
     pub rates: Inputs,
     /// When they were set.
     pub(super) since: Moment,
-    /// Along the course: how far the air had gone then, m.
+    /// Along the course: how far the air had gone then, m; of account in a gust alone.
     pub(super) air_travel: Vector3<f64>,
     /// Of a wind tunnel, along the course, m/s.
     tunnel_flow: Vector3<f64>,
-    /// Whether what is frozen in the air blows in the mirror plane.
-    gust_is_in_plane: bool,
+    /// Whether what is frozen in the air blows in the mirror plane; none where nothing is.
+    gust_is_in_plane: Option<bool>,
+    following: Following,
     /// One per control.
     pub(super) actuators: Vec<Actuator>,
     /// One per engine.
     pub(super) engines: Vec<EngineLag>,
     /// At the trim.
     at_rest: Acting,
+}
+
+impl Following {
+    fn of(actuators: &[Actuator], engines: &[EngineLag]) -> Self {
+        if actuators.iter().any(Actuator::lags) || engines.iter().any(EngineLag::lags) {
+            Following::Later
+        } else if actuators.iter().all(Actuator::is_direct) && engines.iter().all(EngineLag::is_direct) {
+            Following::Directly
+        } else {
+            Following::WithinLimits
+        }
+    }
 }
 
 impl Steering {
@@ -64,24 +90,30 @@ impl Steering {
         let reference = Reference { angles: point.angles(&model.controls).collect(), thrust: point.thrust };
         let tunnel_flow = settings.plant.along_course().configuration(model.support).tunnel_flow;
         let surfaces = trim.angles(&model.controls).map(|angle| Surface { angle, rate: 0.0 });
+        let actuators: Vec<Actuator> =
+            (0..model.controls.len()).map(|control| settings.actuators.get(control)).collect();
+        let engines: Vec<EngineLag> =
+            (0..model.engines.len()).map(|engine| settings.engines.get(engine)).collect();
         Steering {
             trim,
             reference,
             course,
+            winds: [Vector3::zeros(); 3],
             inputs,
             rates,
             since: Moment::START,
             air_travel: Vector3::zeros(),
             tunnel_flow,
-            gust_is_in_plane: true,
-            actuators: (0..model.controls.len()).map(|control| settings.actuators.get(control)).collect(),
-            engines: (0..model.engines.len()).map(|engine| settings.engines.get(engine)).collect(),
+            gust_is_in_plane: None,
+            following: Following::of(&actuators, &engines),
+            actuators,
+            engines,
             at_rest: Acting { surfaces: surfaces.collect(), thrusts: vec![trim.thrust; model.engines.len()] },
         }
     }
 
-    /// The same in a gust that blows in the mirror plane, or not.
-    pub(super) fn in_gust(self, gust_is_in_plane: bool) -> Self {
+    /// The same in a gust that blows in the mirror plane, or not, if there is one.
+    pub(super) fn in_gust(self, gust_is_in_plane: Option<bool>) -> Self {
         Steering { gust_is_in_plane, ..self }
     }
 
@@ -117,11 +149,21 @@ impl Steering {
         if is_steady && self.inputs == *inputs {
             return false;
         }
-        self.air_travel = self.air_travel_after(self.winds(), time.since(self.since));
+        self.air_travel = self.air_travel_after(time.since(self.since));
         self.inputs.clone_from(inputs);
         self.rates.clone_from(rates);
         self.since = time;
+        self.know_winds();
         true
+    }
+
+    /// Finds the winds along the course from the inputs.
+    pub(super) fn know_winds(&mut self) {
+        let Steering { inputs, rates, course, .. } = self;
+        // Each by itself, for the rounding of a sum may be more than a part of the sum.
+        let [wind, given, input, change] =
+            [inputs.wind, rates.wind, inputs.wind_rate, rates.wind_rate].map(|wind| course.along(&wind));
+        self.winds = [wind, given + input, change];
     }
 
     /// Writes the inputs as they stand at a time: what was set, and what its rates have made of it.
@@ -135,18 +177,21 @@ impl Steering {
         let elapsed = time.since(self.since);
         let mut values = self.inputs.values().zip(self.rates.values());
         values.all(|(value, rate)| (value + elapsed * rate).is_finite())
-            && Steering::winds_after(self.winds(), elapsed)
-                .iter()
-                .all(|wind| wind.iter().all(|number| number.is_finite()))
+            && self.winds_after(elapsed).iter().all(|wind| wind.iter().all(|number| number.is_finite()))
     }
 
     /// Along the course: the wind a time (s) after it was set, m/s, and its rate, m/s².
-    fn winds_after([wind, rate, change]: [Vector3<f64>; 3], elapsed: f64) -> [Vector3<f64>; 2] {
+    fn winds_after(&self, elapsed: f64) -> [Vector3<f64>; 2] {
+        let [wind, rate, change] = self.winds;
         [wind + (rate + change * (0.5 * elapsed)) * elapsed, rate + change * elapsed]
     }
 
-    /// Along the course: how far the air has gone a time (s) after the inputs were set, m, in these winds.
-    fn air_travel_after(&self, [wind, rate, change]: [Vector3<f64>; 3], elapsed: f64) -> Vector3<f64> {
+    /// Along the course: how far the air has gone a time (s) after the inputs were set, m.
+    fn air_travel_after(&self, elapsed: f64) -> Vector3<f64> {
+        if self.gust_is_in_plane.is_none() {
+            return self.air_travel;
+        }
+        let [wind, rate, change] = self.winds;
         let mean = self.tunnel_flow + wind + (rate * 0.5 + change * (elapsed / 6.0)) * elapsed;
         self.air_travel + mean * elapsed
     }
@@ -167,21 +212,22 @@ impl Steering {
 
     /// Along the course, m/s, m/s², m/s³.
     pub(super) fn winds(&self) -> [Vector3<f64>; 3] {
-        let Steering { inputs, rates, course, .. } = self;
-        // Each by itself, for the rounding of a sum may be more than a part of the sum.
-        let [wind, given, input, change] =
-            [inputs.wind, rates.wind, inputs.wind_rate, rates.wind_rate].map(|wind| course.along(&wind));
-        [wind, given + input, change]
+        self.winds
     }
 
     /// Whether any actuator or engine lags.
     pub(super) fn lags(&self) -> bool {
-        self.actuators.iter().any(Actuator::lags) || self.engines.iter().any(EngineLag::lags)
+        self.following == Following::Later
     }
 
-    /// Whether what is frozen in the air blows in the mirror plane.
+    /// Whether what acts is what is asked for.
+    pub(super) fn is_direct(&self) -> bool {
+        self.following == Following::Directly
+    }
+
+    /// Whether what is frozen in the air, if anything is, blows in the mirror plane.
     pub(super) fn gust_is_in_plane(&self) -> bool {
-        self.gust_is_in_plane
+        self.gust_is_in_plane != Some(false)
     }
 
     /// What acts at a time at which what lags is there.
@@ -216,6 +262,17 @@ impl Steering {
         lagging_angle: impl Fn(usize) -> f64,
         lagging_thrust: impl Fn(usize) -> f64,
     ) {
+        [controls.wind, controls.wind_rate] = self.winds_after(elapsed);
+        controls.air_travel = self.air_travel_after(elapsed);
+        if self.is_direct() {
+            for (control, angle) in controls.angles.iter_mut().enumerate() {
+                *angle = self.angle_asked(control, elapsed).value;
+            }
+            for (engine, thrust) in controls.thrust.iter_mut().enumerate() {
+                *thrust = self.thrust_asked(engine, elapsed).value;
+            }
+            return;
+        }
         for (control, (angle, actuator)) in controls.angles.iter_mut().zip(&self.actuators).enumerate() {
             *angle = if actuator.lags() {
                 lagging_angle(control)
@@ -230,13 +287,13 @@ impl Steering {
                 lag.at_once(self.thrust_asked(engine, elapsed)).value
             };
         }
-        let winds = self.winds();
-        [controls.wind, controls.wind_rate] = Steering::winds_after(winds, elapsed);
-        controls.air_travel = self.air_travel_after(winds, elapsed);
     }
 
     /// Has what lags move on over a time (s) from a point, the inputs set so much (s) before it.
     pub(super) fn move_on(&self, times: (f64, f64), from: &Acting, to: &mut Acting) {
+        if !self.lags() {
+            return;
+        }
         for (control, surface) in
             to.surfaces.iter_mut().enumerate().filter(|(c, _)| self.actuators[*c].lags())
         {
@@ -258,6 +315,12 @@ impl Steering {
 
     /// Writes what the actuators do at a time.
     pub(super) fn write_actuators(&self, time: Moment, acting: &Acting, readings: &mut [ActuatorReading]) {
+        if self.is_direct() {
+            for (reading, rate) in readings.iter_mut().zip(&self.rates.controls) {
+                *reading = ActuatorReading { rate: *rate, ..ActuatorReading::AT_REST };
+            }
+            return;
+        }
         let elapsed = time.since(self.since);
         for (control, (reading, actuator)) in readings.iter_mut().zip(&self.actuators).enumerate() {
             let (asked, surface) = (self.angle_asked(control, elapsed), acting.surfaces[control]);

@@ -1,5 +1,9 @@
 //! How large numbers are, and how much alike.
 
+/// What differs by less than this share differs by rounding alone: that of an angle up to 2π, of its sine and cosine as
+/// another program computes them, and of products with them.
+pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// The largest magnitude, 0 of none; not-a-number is passed over.
 pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0_f64, |largest, value| largest.max(value.abs()))

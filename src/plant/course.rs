@@ -7,11 +7,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::math::quaternion_product;
-
-/// What differs by less than this share differs by rounding alone: that of an angle up to 2π, of its sine and cosine as
-/// another program computes them, and of products with them.
-pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
+use crate::math::{ROUNDING, quaternion_product};
 
 /// A turn about the vertical.
 #[derive(Clone, Copy, Debug, PartialEq)]

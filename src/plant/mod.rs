@@ -26,7 +26,6 @@ mod trim_tangent;
 
 pub use air_data::{AirData, Path};
 pub use course::Course;
-pub(crate) use course::ROUNDING;
 pub use cut_loads::CutLoads;
 pub use limits::{LimitExceeded, LimitedQuantity};
 pub(crate) use linear_part::Diagonal;

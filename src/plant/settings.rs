@@ -47,7 +47,7 @@ pub struct PlantSettings {
     pub fidelity: Fidelity,
     /// Trimmed airspeed, m/s, within [`Support::airspeeds`].
     pub airspeed: f64,
-    /// Trimmed altitude, m, within [`ALTITUDES`]; of no account in a tunnel with air of its own.
+    /// Trimmed altitude, m, within [`ALTITUDES`]; of no account in a tunnel with air of its own but for gusts of CS-25.
     pub altitude: f64,
     /// Initial yaw angle, rad.
     pub heading: f64,

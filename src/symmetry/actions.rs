@@ -13,6 +13,8 @@ pub struct Motion {
 
 /// What acts on an aircraft from an instant on.
 pub trait Actions {
+    /// Whether what acts is what is asked for: all controls and engines then move alike that are asked to.
+    fn are_direct(&self) -> bool;
     /// Of a control, rad.
     fn angle(&self, control: usize) -> Motion;
     /// Of an engine, N.

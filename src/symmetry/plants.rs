@@ -4,10 +4,10 @@
 //! and half its rigid motion. As soon as something acts on one side alone, the whole aircraft takes over for good.
 
 use crate::equations::{Configuration, Controls, EquationsOfMotion};
-use crate::math::are_alike;
+use crate::math::{ROUNDING, are_alike};
 use crate::plant::{
-    Course, Outputs, Packaged, PackagedStrip, Plant, PlantSettings, ROUNDING, SettingError, Trim,
-    TrimCondition, TrimError,
+    Course, Outputs, Packaged, PackagedStrip, Plant, PlantSettings, SettingError, Trim, TrimCondition,
+    TrimError,
 };
 use crate::structure::{ModesInUse, ReducedModel};
 
@@ -247,17 +247,17 @@ impl Halving {
         let mut rates = self.controls.sums(|control| actions.angle(control).rate);
         // A radian is much, whatever the angles: of rates nothing is.
         let cancel = |[sum, size]: [f64; 2], much: f64| sum.abs() <= ROUNDING * size.max(much);
-        let places = if actions.lag() { 0..3 } else { 0..1 };
+        let (is_direct, places) = (actions.are_direct(), if actions.lag() { 0..3 } else { 0..1 });
         places.into_iter().all(|place| angles_of(place).all(|sum| cancel(sum, 1.0)))
             && rates.all(|sum| cancel(sum, 0.0))
-            && self.controls.terms().all(|terms| actions.controls_move_alike(terms))
+            && (is_direct || self.controls.terms().all(|terms| actions.controls_move_alike(terms)))
             && actions.gust_is_in_plane()
             && actions.winds().into_iter().all(|wind| wind.y == 0.0)
             && engines.all(|(engine, &image)| {
                 let (one, other) = (actions.thrust(engine), actions.thrust(image));
                 let mut pairs = one.values.into_iter().zip(other.values).chain([(one.rate, other.rate)]);
                 pairs.all(|(thrust, other)| are_alike(thrust, other, ROUNDING))
-                    && actions.engines_move_alike(engine, image)
+                    && (is_direct || actions.engines_move_alike(engine, image))
             })
     }
 }
@@ -280,6 +280,9 @@ mod tests {
     }
 
     impl Actions for Acting {
+        fn are_direct(&self) -> bool {
+            false
+        }
         fn angle(&self, control: usize) -> Motion {
             self.angles[control]
         }

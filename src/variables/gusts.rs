@@ -1,5 +1,6 @@
 //! The rows of gusts and turbulence, parameters and outputs.
 
+use crate::air::{GUST_GRADIENTS, GUST_STARTS, MAXIMUM_OPERATING_ALTITUDES, TURBULENCE_SCALES};
 use crate::flight::Settings;
 
 use super::axis::Axis;
@@ -51,7 +52,7 @@ fn gust(start: &Settings) -> Vec<Variable> {
             Unit::Metre,
             "From where the gust begins to where it peaks; 9.144 to 106.68 m with CS-25",
         )
-        .at_least(0.01),
+        .within(GUST_GRADIENTS),
         real(
             "peak",
             G::Peak,
@@ -71,7 +72,7 @@ fn gust(start: &Settings) -> Vec<Variable> {
             "Inclination of the gust from across the track to along it",
         ),
         real("start", G::Start, Unit::Second, "When the foremost strip meets the gust, after the start")
-            .between(0.0, 1e6),
+            .within(GUST_STARTS),
         choice(
             row("criterion", G::Criterion, "What the peak of the gust follows from"),
             EnumerationType::GustCriterion,
@@ -89,7 +90,7 @@ fn gust(start: &Settings) -> Vec<Variable> {
             Unit::Metre,
             "Altitude at which F_g is 1",
         )
-        .between(1.0, 1e5)
+        .within(MAXIMUM_OPERATING_ALTITUDES)
         .nominal(10_000.0),
     ]
 }
@@ -118,7 +119,7 @@ fn turbulence(start: &Settings) -> Vec<Variable> {
             Unit::Metre,
             "Length scale L of the turbulence; 0 stands for 533.4 m (dryden) or 762 m (von_karman)",
         )
-        .between(0.0, 1e5),
+        .between(0.0, *TURBULENCE_SCALES.end()),
         Variable { kind: Type::Integer, ..row("seed", T::Seed, "Which of all fields of turbulence") },
         choice(
             row("components", T::Components, "Components of the turbulence that blow"),
@@ -130,7 +131,7 @@ fn turbulence(start: &Settings) -> Vec<Variable> {
             Unit::Second,
             "When the foremost strip meets the turbulence, after the start",
         )
-        .between(0.0, 1e6),
+        .within(GUST_STARTS),
     ]
 }
 

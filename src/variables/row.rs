@@ -1,5 +1,7 @@
 //! How a row of the table is made.
 
+use std::ops::RangeInclusive;
+
 use crate::flight::Settings;
 
 use super::output_slot::OutputSlot;
@@ -60,6 +62,10 @@ impl Variable {
 
     pub(super) fn between(self, min: f64, max: f64) -> Self {
         Variable { min: Some(min), max: Some(max), ..self }
+    }
+
+    pub(super) fn within(self, range: RangeInclusive<f64>) -> Self {
+        self.between(*range.start(), *range.end())
     }
 
     pub(super) fn nominal(self, nominal: f64) -> Self {
