@@ -12,6 +12,18 @@ use crate::plan_view;
 
 const TEMPLATE: &str = include_str!("../../modelDescription/documentation.html");
 
+/// What positive section loads do.
+const SIGNS_OF_LOADS: &str = "<li><code>loads.*</code> are force and moment of all that acts outboard of a cut, in the axes of its \
+     deformed section. <code>shear</code> is positive upwards (on a fin to the left), <code>shear_chordwise</code> forward (of a body to \
+     the right), <code>axial</code> outboard; <code>torsion</code> nose-up (on a fin nose-left, of a body about its forward axis), \
+     <code>bending</code> raises the tip, <code>bending_chordwise</code> moves it forward.</li>\n";
+
+/// How far they go.
+const LIMITS_OF_LOADS: &str = "<li>Strips and bays are lumps: near the root of a beam section loads jump from one to the next. They are \
+     sums of what acts, not stress resultants of the modes, which converge slowly with the number of modes. Where components \
+     meet at O they sum to zero, but with <code>consistently_linearised</code> in manoeuvres and with \
+     <code>ruthlessly_linearised</code>, which do not balance there.</li>\n";
+
 /// What the outputs that share the first part of their name are.
 const OUTPUT_GROUPS: [(&str, &str); 21] = [
     ("position", "Position"),
@@ -54,6 +66,8 @@ pub(crate) fn page(aircraft: &Aircraft, model: &ReducedModel, starts: &Settings)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{support}}", &support(aircraft))
         .replace("{{controls}}", &controls(aircraft))
+        .replace("{{loads}}", if model.cuts.is_empty() { "" } else { SIGNS_OF_LOADS })
+        .replace("{{limits_of_loads}}", if model.cuts.is_empty() { "" } else { LIMITS_OF_LOADS })
         .replace("{{level}}", starts.plant.fidelity.name())
         .replace("{{facts}}", &facts(aircraft, model))
         .replace("{{plan_view}}", &plan_view::svg(aircraft))
@@ -266,6 +280,28 @@ mod tests {
         assert!(free.contains("flies trimmed") && !free.contains("wind tunnel"));
         assert!(clamped.contains("wind tunnel") && !clamped.contains("flies trimmed"));
         assert!(!free.contains("{{") && !clamped.contains("{{"));
+    }
+
+    #[test]
+    fn the_page_says_what_gusts_actuators_sensors_and_loads_mean_and_how_far_they_go() {
+        let mut aircraft = jet();
+        let with_cuts = page_of(&aircraft);
+        for said in [
+            "<code>gust.shape = one_minus_cosine</code>",
+            "<code>turbulence.seed</code>",
+            "<code>actuator.*.frequency</code>",
+            "<code>sensor.enabled</code>",
+            "waves down to πc/2",
+            "below waves of 8&nbsp;m",
+            "not for a flap that several controls move",
+            "<code>torsion</code> nose-up",
+            "section loads jump",
+        ] {
+            assert!(with_cuts.contains(said), "{said}");
+        }
+        aircraft.cuts.clear();
+        let without = page_of(&aircraft);
+        assert!(!without.contains("<code>loads.*</code>") && !without.contains("section loads"));
     }
 
     #[test]
