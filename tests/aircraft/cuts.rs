@@ -98,12 +98,12 @@ fn a_wing_with_a_winglet_is_cut_as_a_wing_and_its_winglet_as_a_fin() {
 
 #[test]
 fn a_cut_where_no_strips_are_has_the_axes_of_those_nearby_but_not_of_those_beyond_a_kink() {
+    const EVERYWHERE: &str = "[[component.surface]]\nelastic_axis = 0.35\nlift_slope_per_rad = 5.5";
     let surface = |from: f64| {
         format!(
             "[[component.surface]]\nfrom = {from}\nincidence_deg = 10\nelastic_axis = 0.35\nlift_slope_per_rad = 5.5"
         )
     };
-    const EVERYWHERE: &str = "[[component.surface]]\nelastic_axis = 0.35\nlift_slope_per_rad = 5.5";
     // The leading edge is up where the surface is.
     let cut = axes_in(&[(EVERYWHERE, &surface(0.5))], "wing_right", 0.0);
     assert!((cut.chordwise.z + f64::to_radians(10.0).sin()).abs() < 1e-12, "{cut:?}");
