@@ -1,7 +1,7 @@
 //! Where the airframe can be cut in thought, and what is outboard of a cut [theory: section-loads.outboard].
 
-use super::document::Located;
-use super::error::{Problem, Report};
+use super::components::component_named;
+use super::error::Report;
 use super::model::{Aircraft, Attachment, Component, Cut};
 use super::schema::CutSpec;
 
@@ -11,21 +11,12 @@ const EQUALLY_NEAR: f64 = 1e-9;
 /// The cuts of a file; what hangs on no component is reported.
 pub(super) fn cuts(specs: &[CutSpec], aircraft: &Aircraft, report: &Report) -> Vec<Cut> {
     let cut = |spec: &CutSpec| {
-        let component = component_named(&spec.component, aircraft, report)?;
+        let names = aircraft.components.iter().map(|component| component.name.as_str());
+        let component = component_named(&spec.component, names, report)?;
         let node = aircraft.node_nearest(component, spec.at);
-        Some(aircraft.cut(&spec.name.value, component, node))
+        Some(Cut { asked: spec.at, ..aircraft.cut(&spec.name.value, component, node) })
     };
     specs.iter().filter_map(cut).collect()
-}
-
-fn component_named(name: &Located<String>, aircraft: &Aircraft, report: &Report) -> Option<usize> {
-    let found = aircraft.components.iter().position(|component| component.name == name.value);
-    if found.is_none() {
-        let names: Vec<&str> = aircraft.components.iter().map(|other| other.name.as_str()).collect();
-        let found = format!("found \"{}\", which is not a component", name.value);
-        report.add(Problem::UnknownName, &name.place, found, format!("allowed: {}", names.join(", ")));
-    }
-    found
 }
 
 impl Aircraft {
@@ -64,16 +55,11 @@ impl Aircraft {
             Attachment { beam: cut.first_beam + elements - 1, fraction: 1.0 }
         };
         let distances = self.distances(cut);
+        let at = distances[node] / distances[elements];
         let mut outboard = Vec::new();
         self.add_outboard(component, node, &mut outboard);
         outboard.sort_unstable();
-        Cut {
-            name: name.to_owned(),
-            component: cut.name.clone(),
-            at: distances[node] / distances[elements],
-            attachment,
-            outboard,
-        }
+        Cut { name: name.to_owned(), component: cut.name.clone(), at, asked: at, attachment, outboard }
     }
 
     /// Adds the elements of a component beyond one of its nodes, and those of all that hangs there or beyond.

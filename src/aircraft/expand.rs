@@ -3,6 +3,7 @@
 
 use nalgebra::Vector3;
 
+use super::components::component_named;
 use super::control::Mirroring;
 use super::cuts;
 use super::document::Located;
@@ -301,12 +302,7 @@ fn gains_on((side, hand): (Side, Hand), moves: &[&MoveSpec], controls: &[Control
 
 /// One place on a component, mirror images included.
 fn attach(name: &Located<String>, along: &Along, placed: &[Placed], report: &Report) -> Option<Attachment> {
-    let Some(component) = placed.iter().find(|other| other.name == name.value) else {
-        let names: Vec<&str> = placed.iter().map(|other| other.name).collect();
-        let found = format!("found \"{}\", which is not a component", name.value);
-        report.add(Problem::UnknownName, &name.place, found, format!("allowed: {}", names.join(", ")));
-        return None;
-    };
+    let component = &placed[component_named(name, placed.iter().map(|other| other.name), report)?];
     let local = match component.line.locate(along, report)?.as_slice() {
         [one] => *one,
         several => {

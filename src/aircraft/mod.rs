@@ -12,6 +12,7 @@
 //! | `control`, `limits` | | what controls are, what trims should stay within |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
+//! | `components` | a name | the component that has it |
 //! | `cuts` | [`Aircraft`] | where it is cut in thought, what is outboard of a cut |
 //! | `stations_along` | [`Aircraft`] | stations that no file lists |
 //! | `fidelity` | | at which levels an aircraft can fly |
@@ -28,6 +29,7 @@
 mod allowed;
 mod branches;
 mod check;
+mod components;
 mod control;
 mod control_check;
 mod control_tables;
@@ -73,6 +75,7 @@ pub use model::{
     MassBay, ModeBasis, Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
 };
 pub use stations_along::StationsAlongError;
+pub(crate) use surfaces::CROSSING;
 
 impl Aircraft {
     /// Reads and expands an aircraft file.

@@ -244,8 +244,10 @@ pub struct Cut {
     pub name: String,
     /// The component that is cut.
     pub component: String,
-    /// Where along it, as a fraction of its length.
+    /// Where along it, as a fraction of its length: at a node.
     pub at: f64,
+    /// The fraction that was asked for.
+    pub asked: f64,
     /// The element outboard of the node and its beginning; at a component's end the last element and its end.
     pub attachment: Attachment,
     /// All elements outboard, ascending.

@@ -109,8 +109,8 @@ pub(super) fn do_not_overlap(specs: &[SurfaceSpec], line: &Line, report: &Report
     none
 }
 
-/// Cosine of the least angle between the span axes of surfaces that may share a stretch: 45°, and rounding.
-const CROSSING: f64 = std::f64::consts::FRAC_1_SQRT_2 + 1e-9;
+/// Cosine of the angle from which on directions cross, so that surfaces with these spans may share a stretch: 45°, and rounding.
+pub(crate) const CROSSING: f64 = std::f64::consts::FRAC_1_SQRT_2 + 1e-9;
 
 /// Complains that a stretch holds no part of any element.
 fn nothing_between(stretch: &Stretch, place: &Place, report: &Report) {

@@ -17,17 +17,17 @@ pub struct SectionLoads {
     pub force: Vector3<f64>,
     /// About the cut's deformed place, body axes, N·m.
     pub moment: Vector3<f64>,
-    /// Upwards; on a fin to the left, N.
+    /// Upwards; on a fin to the left, on an upright body forwards, N.
     pub shear: f64,
-    /// Forwards; on a body to the right, N.
+    /// Forwards; on a lengthwise or upright body to the right, N.
     pub shear_chordwise: f64,
     /// Outboard along the beam, N.
     pub axial: f64,
-    /// Nose-up; on a fin nose-left; of a body about its forward axis, N·m.
+    /// Nose-up; on a fin or an upright body nose-left; of a lengthwise body about its forward axis, N·m.
     pub torsion: f64,
-    /// Raises the tip, N·m.
+    /// Moves the tip as positive shear does: raises it, N·m.
     pub bending: f64,
-    /// Moves the tip forwards, N·m.
+    /// Moves the tip as positive chordwise shear does: forwards, N·m.
     pub bending_chordwise: f64,
 }
 

@@ -33,6 +33,11 @@ pub enum TrimFailure {
     },
     /// A clamped aircraft finds no shape at rest.
     NoRest,
+    /// A clamped aircraft under point loads finds no shape at rest to which more of its load leads.
+    NoRestUnderLoad {
+        /// Of all loads, at which it still rests.
+        share: f64,
+    },
 }
 
 /// A trim that was not found, and where the search ended.
@@ -120,6 +125,10 @@ impl TrimError {
                  stay unbalanced"
             ),
             TrimFailure::NoRest => "no deformation at rest found in the wind tunnel".to_owned(),
+            TrimFailure::NoRestUnderLoad { share } => format!(
+                "no deformation at rest found in the wind tunnel to which more than {:.1} % of the load leads",
+                100.0 * share
+            ),
         }
     }
 

@@ -8,10 +8,11 @@ use nalgebra::Vector3;
 use crate::aircraft::{ALTITUDES, Flap, MOST_INFLOW_STATES, Support};
 use crate::sealed::hash;
 
-use super::{BeamSection, Carrier, ModeFamily, ModeShapes, Outboard, ReducedModel, StructureError};
+use super::cuts::{ROUNDING, is_unit};
+use super::{BeamSection, Carrier, ModeFamily, ModeShapes, ReducedMass, ReducedModel, StructureError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXAIR07";
+const MAGIC: &[u8; 8] = b"FLXAIR08";
 
 /// Bytes before the payload.
 const HEADER: usize = 8 + 8 + 16;
@@ -53,6 +54,9 @@ impl ReducedModel {
         if !model.is_finite() || !model.is_physical() {
             return Err(StructureError::Bytes("it holds numbers that no aircraft has"));
         }
+        if let Some(fault) = model.fault_of_section_loads() {
+            return Err(StructureError::Bytes(fault));
+        }
         Ok(model)
     }
 
@@ -66,7 +70,7 @@ impl ReducedModel {
         postcard::to_allocvec(self).expect("a reduced model is serialisable")
     }
 
-    /// Whether masses, frequencies, strips, flaps and inflow are such as an aircraft has and its file allows.
+    /// Whether masses, frequencies, strips, flaps, directions and inflow are such as an aircraft has and its file allows.
     fn is_physical(&self) -> bool {
         let positive = |x: f64| x.is_finite() && x > 0.0;
         positive(self.integrals.mass)
@@ -84,10 +88,15 @@ impl ReducedModel {
             && self.inflow_states <= MOST_INFLOW_STATES
             && self.strips.iter().all(|strip| {
                 positive(strip.semichord)
+                    && is_unit(&strip.forward)
+                    && is_unit(&strip.span)
+                    && strip.forward.dot(&strip.span).abs() < ROUNDING
                     && strip.zero_lift_moment.is_finite()
                     && positive(strip.width)
                     && strip.flap.as_ref().is_none_or(Flap::is_physical)
             })
+            && self.engines.iter().all(|engine| is_unit(&engine.direction))
+            && self.stations.iter().all(|station| is_unit(&station.twist_axis))
     }
 
     /// Whether all arrays have the lengths that the modes ask for.
@@ -105,7 +114,7 @@ impl ReducedModel {
             && self.strips.iter().filter_map(|strip| strip.flap.as_ref()).all(fits_controls)
             && self.engines.iter().all(|engine| fits(&engine.shapes))
             && self.stations.iter().all(|station| fits(&station.shapes))
-            && self.cuts.iter().all(|cut| fits(&cut.steps) && self.has(&cut.outboard))
+            && self.cuts.iter().all(|cut| fits(&cut.steps))
     }
 
     /// Whether the first section is that of O, which is clamped, all others come after their parents, and all that is attached
@@ -138,11 +147,16 @@ impl ReducedModel {
             .all(|family| loads(family) || !load_modes(family))
     }
 
-    /// Whether there is all that is said to be outboard of a cut.
-    fn has(&self, Outboard { strips, engines, stations, masses }: &Outboard) -> bool {
-        let numbers = [strips, engines, stations, masses];
+    /// What is wrong with what section loads are summed from, if anything is: masses and cuts.
+    fn fault_of_section_loads(&self) -> Option<&'static str> {
+        let is_mass = |ReducedMass { position, body, .. }: &ReducedMass| {
+            body.mass >= 0.0 && body.is_finite() && position.iter().all(|x| x.is_finite())
+        };
+        if !self.masses.iter().all(is_mass) {
+            return Some("a mass is negative, or it or its place is not finite");
+        }
         let counts = [self.strips.len(), self.engines.len(), self.stations.len(), self.masses.len()];
-        numbers.into_iter().zip(counts).all(|(numbers, count)| numbers.iter().all(|number| *number < count))
+        self.cuts.iter().find_map(|cut| cut.fault(counts))
     }
 }
 
@@ -166,6 +180,35 @@ mod tests {
     }
 
     #[test]
+    fn what_section_loads_cannot_be_summed_from_is_refused_by_name() {
+        let refusal = |change: fn(&mut ReducedModel)| {
+            let mut model = jet().clone();
+            change(&mut model);
+            ReducedModel::from_bytes(&model.to_bytes()).unwrap_err()
+        };
+        let mass = StructureError::Bytes("a mass is negative, or it or its place is not finite");
+        assert_eq!(refusal(|jet| jet.masses[2].body.mass = -1.0), mass);
+        assert_eq!(refusal(|jet| jet.masses[2].body.mass = f64::NAN), mass);
+        assert_eq!(refusal(|jet| jet.masses[2].body.inertia[4] = f64::INFINITY), mass);
+        assert_eq!(refusal(|jet| jet.masses[2].position.x = f64::INFINITY), mass);
+        let place = StructureError::Bytes("a cut is at no fraction of a component's length from 0 to 1");
+        assert_eq!(refusal(|jet| jet.cuts[1].at = 1.5), place);
+        assert_eq!(refusal(|jet| jet.cuts[1].asked = f64::NAN), place);
+        let place = StructureError::Bytes("the place of a cut is not finite");
+        assert_eq!(refusal(|jet| jet.cuts[1].position.z = f64::NAN), place);
+        let axes = StructureError::Bytes("the axes of a cut are not of length 1 and at right angles");
+        assert_eq!(refusal(|jet| jet.cuts[0].up *= 2.0), axes);
+        assert_eq!(refusal(|jet| jet.cuts[0].chordwise = jet.cuts[0].along), axes);
+        assert_eq!(refusal(|jet| jet.cuts[0].along.y = f64::NAN), axes);
+        assert_eq!(refusal(|jet| jet.cuts[0].torsion = jet.cuts[0].up), axes);
+        let outboard =
+            StructureError::Bytes("what is outboard of a cut is not there, or not in ascending order");
+        assert_eq!(refusal(|jet| jet.cuts[0].outboard.strips.swap(0, 1)), outboard);
+        assert_eq!(refusal(|jet| jet.cuts[0].outboard.masses[1] = jet.cuts[0].outboard.masses[0]), outboard);
+        assert_eq!(refusal(|jet| jet.cuts[0].outboard.stations.push(1000)), outboard);
+    }
+
+    #[test]
     fn what_no_aircraft_has_is_refused() {
         assert!(!is_refused(|_| ()));
         assert!(is_refused(|jet| jet.sections[0].steps.rotation[3] = 1e-3), "O turns");
@@ -176,5 +219,8 @@ mod tests {
         assert!(is_refused(|jet| jet.sections[5].body.mass = -1.0), "a body has no mass");
         assert!(is_refused(|jet| jet.modes[2].angular_frequency = 0.0), "a mode has no stiffness");
         assert!(is_refused(|jet| jet.modes[3].of_loads = true), "a load mode has no load");
+        assert!(is_refused(|jet| jet.strips[0].span = jet.strips[0].forward), "a strip has no normal");
+        assert!(is_refused(|jet| jet.engines[0].direction *= 2.0), "an engine pushes twice");
+        assert!(is_refused(|jet| jet.stations[0].twist_axis.x = f64::NAN), "a station has no axis");
     }
 }

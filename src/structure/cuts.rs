@@ -5,19 +5,17 @@
 use nalgebra::{DMatrix, Vector3};
 use serde::{Deserialize, Serialize};
 
-use crate::aircraft::{Aircraft, Cut, MassBay, Strip};
+use crate::aircraft::{Aircraft, Cut, MassBay};
 
 use super::ModeShapes;
 use super::assembly::Structure;
 use super::carrier::Carrier;
+use super::cut_axes::Axes;
 use super::poses::linear_poses;
 use super::sections::{RigidBody, SectionTree, steps};
 
-/// Cosine of the angle from which on spans do not run along each other: 45°, as surfaces may share a stretch.
-const CROSSING: f64 = std::f64::consts::FRAC_1_SQRT_2;
-
-/// Sine of the angle below which two directions are one.
-const SAME_DIRECTION: f64 = 1e-3;
+/// By how much axes may differ from length 1 and right angles.
+pub(super) const ROUNDING: f64 = 1e-9;
 
 /// A cut with its axes on the undeformed aircraft, which turn with its section.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -26,8 +24,10 @@ pub struct ReducedCut {
     pub name: String,
     /// The component that is cut.
     pub component: String,
-    /// Where along it, as a fraction of its length.
+    /// Where along it, as a fraction of its length: at a node.
     pub at: f64,
+    /// The fraction that was asked for.
+    pub asked: f64,
     /// Undeformed, body axes, m.
     pub position: Vector3<f64>,
     /// The nearest of the sections on the way to O, or the one in this place.
@@ -36,11 +36,11 @@ pub struct ReducedCut {
     pub steps: ModeShapes,
     /// t, outboard along the beam.
     pub along: Vector3<f64>,
-    /// u, up; to the left of a fin.
+    /// u, up; to the left of a fin, ahead of an upright body.
     pub up: Vector3<f64>,
-    /// c, to the leading edge; to the right of a body.
+    /// c, to the leading edge; to the right of a body that does not run sideways.
     pub chordwise: Vector3<f64>,
-    /// ±t, about which torsion is positive: nose-up.
+    /// ±t, about which torsion is positive: nose-up, of a fin or an upright body nose-left.
     pub torsion: Vector3<f64>,
     /// What hangs outboard.
     pub outboard: Outboard,
@@ -96,12 +96,12 @@ pub(super) fn reduced_cuts(
         let position = geometry.position(cut.attachment.fraction);
         let section = tree.at(cut.attachment);
         let arm = position - tree.sections[section].position;
-        let along = geometry.axes.row(0).transpose();
-        let Axes { up, chordwise, torsion } = Axes::new(aircraft, cut, &along);
+        let Axes { along, up, chordwise, torsion } = Axes::new(structure, cut);
         ReducedCut {
             name: cut.name.clone(),
             component: cut.component.clone(),
             at: cut.at,
+            asked: cut.asked,
             position,
             section,
             steps: steps(&poses[section], &structure.shapes_at(cut.attachment, shapes), &arm),
@@ -115,7 +115,48 @@ pub(super) fn reduced_cuts(
     aircraft.cuts.iter().map(reduce).collect()
 }
 
+impl ReducedCut {
+    /// What no cut has through an aircraft with so many strips, engines, stations and masses, if it has such a thing.
+    pub(super) fn fault(&self, counts: [usize; 4]) -> Option<&'static str> {
+        let along_component = 0.0..=1.0;
+        if ![self.at, self.asked].iter().all(|at| along_component.contains(at)) {
+            Some("a cut is at no fraction of a component's length from 0 to 1")
+        } else if !self.position.iter().all(|x| x.is_finite()) {
+            Some("the place of a cut is not finite")
+        } else if !self.has_axes() {
+            Some("the axes of a cut are not of length 1 and at right angles")
+        } else if !self.outboard.is_among(counts) {
+            Some("what is outboard of a cut is not there, or not in ascending order")
+        } else {
+            None
+        }
+    }
+
+    fn has_axes(&self) -> bool {
+        let ReducedCut { along, up, chordwise, torsion, .. } = self;
+        let are_across = |one: &Vector3<f64>, other: &Vector3<f64>| one.dot(other).abs() < ROUNDING;
+        [along, up, chordwise].into_iter().all(is_unit)
+            && are_across(along, up)
+            && are_across(up, chordwise)
+            && are_across(chordwise, along)
+            && (torsion == along || *torsion == -along)
+    }
+}
+
+/// Whether a vector is a direction.
+pub(super) fn is_unit(vector: &Vector3<f64>) -> bool {
+    (vector.norm() - 1.0).abs() < ROUNDING
+}
+
 impl Outboard {
+    /// Whether there is all of it where there are so many strips, engines, stations and masses, each once, in order.
+    fn is_among(&self, counts: [usize; 4]) -> bool {
+        let Outboard { strips, engines, stations, masses } = self;
+        [strips, engines, stations, masses].into_iter().zip(counts).all(|(numbers, count)| {
+            numbers.is_sorted_by(|one, next| one < next) && numbers.last().is_none_or(|last| *last < count)
+        })
+    }
+
     fn of(aircraft: &Aircraft, cut: &Cut) -> Self {
         let chosen = |beams: &mut dyn Iterator<Item = usize>| {
             let outboard = beams.enumerate().filter(|(_, beam)| cut.outboard.contains(beam));
@@ -128,54 +169,4 @@ impl Outboard {
             masses: chosen(&mut aircraft.bays.iter().map(|bay| bay.attachment.beam)),
         }
     }
-}
-
-/// How the axes across a cut lie.
-struct Axes {
-    up: Vector3<f64>,
-    chordwise: Vector3<f64>,
-    torsion: Vector3<f64>,
-}
-
-impl Axes {
-    /// Of a lifting surface, if the component is one, else of a body [theory: section-loads.axes].
-    fn new(aircraft: &Aircraft, cut: &Cut, along: &Vector3<f64>) -> Self {
-        let on_component = |strip: &&Strip| aircraft.beams[strip.attachment.beam].component == cut.component;
-        let strips: Vec<&Strip> = aircraft.strips.iter().filter(on_component).collect();
-        Axes::of_surface(&strips, along).unwrap_or_else(|| Axes::of_body(along))
-    }
-
-    /// Of a lifting surface, whose strips have a common span that runs along the beam.
-    fn of_surface(strips: &[&Strip], along: &Vector3<f64>) -> Option<Self> {
-        let first = strips.first()?;
-        if strips.iter().any(|strip| strip.span.dot(&first.span).abs() < CROSSING) {
-            return None;
-        }
-        let (forward, span) = (first.forward, first.span);
-        let up = across(&-forward.cross(&span), along)?;
-        let chordwise = up.cross(along);
-        let ahead = chordwise.dot(&forward);
-        let sense = if along.dot(&span) < 0.0 { -1.0 } else { 1.0 };
-        (ahead.abs() > SAME_DIRECTION).then(|| Axes {
-            up,
-            chordwise: chordwise * ahead.signum(),
-            torsion: along * sense,
-        })
-    }
-
-    /// Of a body: up, or forward where the beam is upright; to the right; torsion about an axis ahead.
-    fn of_body(along: &Vector3<f64>) -> Self {
-        let up = across(&-Vector3::z(), along).or_else(|| across(&Vector3::x(), along)).unwrap_or_default();
-        let chordwise = up.cross(along);
-        Axes {
-            up,
-            chordwise: if chordwise.y < 0.0 { -chordwise } else { chordwise },
-            torsion: if along.x < 0.0 { -along } else { *along },
-        }
-    }
-}
-
-/// The part of a unit vector across a direction, at length 1; `None` where it is along it.
-fn across(vector: &Vector3<f64>, along: &Vector3<f64>) -> Option<Vector3<f64>> {
-    (vector - along * along.dot(vector)).try_normalize(SAME_DIRECTION)
 }

@@ -6,6 +6,7 @@ mod archive;
 mod assembly;
 mod beam;
 mod carrier;
+mod cut_axes;
 mod cuts;
 mod elastic_forces;
 mod error;

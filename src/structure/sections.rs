@@ -257,20 +257,8 @@ pub(super) fn steps(parent: &ModeShapes, own: &ModeShapes, arm: &Vector3<f64>) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::structure::ReducedModel;
+    use crate::structure::linear_poses;
     use crate::structure::test_jet::jet;
-
-    /// The linear pose of each section: those of the steps that lead there.
-    fn poses(model: &ReducedModel, mode: usize) -> Vec<[Vector3<f64>; 2]> {
-        let mut poses: Vec<[Vector3<f64>; 2]> = Vec::new();
-        for section in &model.sections {
-            let [u_parent, phi_parent] = poses.get(section.parent).copied().unwrap_or_default();
-            let arm = section.position - model.sections[section.parent].position;
-            let [slide, turn] = section.steps.of_mode(mode);
-            poses.push([u_parent + slide + (phi_parent + turn * 0.5).cross(&arm), phi_parent + turn]);
-        }
-        poses
-    }
 
     #[test]
     fn sections_of_the_jet_stand_where_something_is_attached_and_where_it_branches() {
@@ -282,18 +270,19 @@ mod tests {
     #[test]
     fn steps_lead_to_the_linear_pose_of_all_that_is_attached() {
         let model = jet();
+        let poses = linear_poses(&model.sections);
         for mode in 0..model.modes.len() {
-            let poses = poses(model, mode);
             let strips = model.strips.iter().map(|strip| (strip.section, strip.position, &strip.shapes));
             let stations = model.stations.iter().map(|at| (at.carrier.section, at.position, &at.shapes));
             for (section, position, shapes) in strips.chain(stations) {
                 assert!((model.sections[section].position - position).norm() < 1e-13);
-                let [[u, phi], [displacement, rotation]] = [poses[section], shapes.of_mode(mode)];
+                let [[u, phi], [displacement, rotation]] =
+                    [&poses[section], shapes].map(|of| of.of_mode(mode));
                 assert!((u - displacement).norm() < 1e-14, "{u} {displacement}");
                 assert!((phi - rotation).norm() < 1e-15, "{phi} {rotation}");
             }
             for engine in &model.engines {
-                let [u, phi] = poses[engine.carrier.section];
+                let [u, phi] = poses[engine.carrier.section].of_mode(mode);
                 let arm = engine.position - model.sections[engine.carrier.section].position;
                 let [displacement, _] = engine.shapes.of_mode(mode);
                 assert!((u + phi.cross(&arm) - displacement).norm() < 1e-14);

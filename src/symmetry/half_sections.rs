@@ -5,7 +5,7 @@
 use nalgebra::Vector3;
 
 use crate::math::largest;
-use crate::structure::{BeamSection, Carrier, ModeShapes, ReducedModel, RigidBody};
+use crate::structure::{BeamSection, Carrier, ModeShapes, ReducedModel, RigidBody, linear_poses};
 
 /// How far mirror images may differ, in parts of the aircraft's size or of the largest shape.
 const SYMMETRIC: f64 = 1e-9;
@@ -70,26 +70,18 @@ fn lay_in_plane(section: &mut BeamSection) {
 /// Where sections are and how the modes move and turn them.
 struct Poses<'a> {
     sections: &'a [BeamSection],
-    /// Displacement and rotation by each mode, of each section.
-    shapes: Vec<Vec<[Vector3<f64>; 2]>>,
+    /// Of each section.
+    shapes: Vec<ModeShapes>,
     size: f64,
     shape: f64,
 }
 
 impl<'a> Poses<'a> {
     fn of(sections: &'a [BeamSection]) -> Self {
-        let mut shapes: Vec<Vec<[Vector3<f64>; 2]>> = Vec::with_capacity(sections.len());
-        for BeamSection { parent, position, steps, .. } in sections {
-            let arm = position - sections[*parent].position;
-            let of_mode = |mode: usize| {
-                let before = shapes.get(*parent).map_or([Vector3::zeros(); 2], |shapes| shapes[mode]);
-                let ([u, phi], [slide, turn]) = (before, steps.of_mode(mode));
-                [u + slide + (phi + turn * 0.5).cross(&arm), phi + turn]
-            };
-            shapes.push((0..steps.modes()).map(of_mode).collect());
-        }
+        let shapes = linear_poses(sections);
         let size = largest(sections.iter().map(|section| section.position.norm()));
-        let shape = largest(shapes.iter().flatten().flatten().map(Vector3::amax));
+        let all = shapes.iter().flat_map(|shapes| shapes.translation.iter().chain(&shapes.rotation));
+        let shape = largest(all.copied());
         Poses { sections, shapes, size, shape }
     }
 
@@ -111,8 +103,10 @@ impl<'a> Poses<'a> {
         let close =
             |one: Vector3<f64>, other: &Vector3<f64>, size: f64| (one - other).amax() <= SYMMETRIC * size;
         close(mirror(&self.sections[one].position), &self.sections[other].position, self.size)
-            && self.shapes[one].iter().zip(&self.shapes[other]).all(|([u, phi], [moved, turned])| {
-                close(mirror(u), moved, self.shape) && close(-mirror(phi), turned, self.shape)
+            && (0..self.shapes[one].modes()).all(|mode| {
+                let [[u, phi], [moved, turned]] =
+                    [one, other].map(|section| self.shapes[section].of_mode(mode));
+                close(mirror(&u), &moved, self.shape) && close(-mirror(&phi), &turned, self.shape)
             })
     }
 }

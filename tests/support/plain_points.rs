@@ -4,7 +4,9 @@
 
 use flexible_aircraft::aircraft::Fidelity;
 use flexible_aircraft::equations::EquationsOfMotion;
-use flexible_aircraft::structure::{BeamSection, ModeShapes, ReducedEngine, ReducedModel, ReducedStrip};
+use flexible_aircraft::structure::{
+    BeamSection, ModeShapes, ReducedEngine, ReducedModel, ReducedStation, ReducedStrip,
+};
 use nalgebra::{DVectorView, Matrix3, Matrix3xX, Rotation3, Vector3};
 
 use super::plain_sections::{MovingPoint, moving_point};
@@ -45,6 +47,12 @@ impl<'m> From<&'m ReducedStrip> for Fixed<'m> {
 impl<'m> From<&'m ReducedEngine> for Fixed<'m> {
     fn from(engine: &'m ReducedEngine) -> Self {
         Fixed { position: &engine.position, shapes: &engine.shapes, section: engine.carrier.section }
+    }
+}
+
+impl<'m> From<&'m ReducedStation> for Fixed<'m> {
+    fn from(station: &'m ReducedStation) -> Self {
+        Fixed { position: &station.position, shapes: &station.shapes, section: station.carrier.section }
     }
 }
 

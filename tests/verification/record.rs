@@ -46,7 +46,7 @@ const CLAIMS: &[Claim] = &[
     ("Energy balance in air", "energy_balance", &["energy-balance"]),
     ("Phugoid and short period", "rigid_modes", &["rigid-modes"]),
     ("A held section in a gust", "sears", &["sears", "kussner"]),
-    ("Gusts that penetrate", "gusts", &["gust", "gust-other", "gust-constant", "gust-half"]),
+    ("Gusts that penetrate", "gusts", &["gust", "gust-weak", "gust-other", "gust-constant", "gust-half"]),
     (
         "Section loads",
         "section_loads",

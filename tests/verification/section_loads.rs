@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 
 use crate::support::{AILERON, ELEVATOR, RUDDER, jet};
 
-use super::gusts::{STEP, flight, gust};
+use super::gusts::{STEP, flight, gust, weak_gust};
 use super::record::Record;
 
 const SOURCE: &str = "prototype in numpy that shares nothing with this program";
@@ -134,6 +134,13 @@ fn a_gust_loads_sections_as_the_independent_computation_has_it() {
             record.absolute(&case, expected[place], 1e-3 * (expected[place] - history[0]), largest);
         }
     }
+    // So weak that the aircraft answers linearly: fifty times its increment is that of 10 m/s.
+    let flown = hands_off(&weak_gust(), 1.5);
+    let bending = flown.iter().map(|loads| at(&jet(), loads, "wing_root_right").bending);
+    let increment =
+        bending.fold(f64::NEG_INFINITY, f64::max) - at(&jet(), &flown[0], "wing_root_right").bending;
+    let case = "nominal, H = 30 m, 0.2 m/s: 50 times the increment of wing_root_right bending";
+    record.relative(case, 336_961.0, 1e-3, 50.0 * increment);
     let lateral = GustSettings { direction: FRAC_PI_2, ..gust(60.0) };
     let flown = hands_off(&flight(1.0, lateral, TurbulenceSettings::default()), 2.0);
     for (name, value, expected, when) in
@@ -153,24 +160,77 @@ fn a_gust_loads_sections_as_the_independent_computation_has_it() {
     record.finish();
 }
 
-/// The jet with cuts through all components that meet at O, and their names.
-fn cut_all_round() -> (Arc<ReducedModel>, [&'static str; 4]) {
+/// An aircraft with so many modes and with cuts through these components at O, which are all that meet there.
+fn cut_all_round(
+    mut aircraft: Aircraft,
+    modes: usize,
+    components: &[&str],
+) -> (Arc<ReducedModel>, Vec<String>) {
+    aircraft.cuts = components.iter().map(|root| aircraft.cuts_along(root).unwrap().swap_remove(0)).collect();
+    let roots = aircraft.cuts.iter().map(|cut| cut.name.clone()).collect();
+    (Arc::new(ReducedModel::new(&aircraft, modes).unwrap()), roots)
+}
+
+fn jet_cut_all_round() -> (Arc<ReducedModel>, Vec<String>) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/generic-business-jet.toml");
-    let mut aircraft = Aircraft::read(&path).unwrap();
-    for fuselage in ["fuselage_fore", "fuselage_aft"] {
-        let root = aircraft.cuts_along(fuselage).unwrap().swap_remove(0);
-        aircraft.cuts.push(root);
+    let roots = ["wing_right", "wing_left", "fuselage_fore", "fuselage_aft"];
+    cut_all_round(Aircraft::read(&path).unwrap(), ReducedModel::USUAL_MODES, &roots)
+}
+
+/// The small aircraft of the tests, with winglets, a V-tail, and its engine out on the right wing.
+fn lopsided_cut_all_round() -> (Arc<ReducedModel>, Vec<String>) {
+    let mut text = include_str!("../data/small-aircraft.toml").to_owned();
+    for (from, to) in [
+        ("symmetric = true", "symmetric = false"),
+        (
+            "[[0, 0, 0], [0, 5, 0]]\nelements = 4",
+            "[[0, 0, 0], [-0.5, 5, -0.2], [-0.8, 5.1, -1]]\nelements = [4, 2]",
+        ),
+        (
+            "component = \"fuselage\"\nat_m = 0\n",
+            "component = \"wing_right\"\nat = 0.25\noffset_m = [0.5, 0, 0.2]\n",
+        ),
+    ] {
+        assert!(text.contains(from), "{from}");
+        text = text.replacen(from, to, 1);
     }
-    let model = ReducedModel::new(&aircraft, ReducedModel::USUAL_MODES).unwrap();
-    (Arc::new(model), ["wing_root_right", "wing_root_left", "fuselage_fore_00", "fuselage_aft_00"])
+    let aircraft = Aircraft::parse(&text, "lopsided.toml").unwrap();
+    cut_all_round(aircraft, 12, &["wing_right", "wing_left", "fuselage"])
 }
 
 /// What is left of forces, N, and of moments about O, N m.
-fn residual(model: &ReducedModel, loads: &[SectionLoads], roots: &[&str]) -> [f64; 2] {
+fn residual(model: &ReducedModel, loads: &[SectionLoads], roots: &[String]) -> [f64; 2] {
     let sum = |vector: fn(&SectionLoads) -> Vector3<f64>| -> f64 {
         roots.iter().map(|root| vector(at(model, loads, root))).sum::<Vector3<f64>>().norm()
     };
     [sum(|loads| loads.force), sum(|loads| loads.moment)]
+}
+
+/// The most that is left over 2 s of a manoeuvre with three controls and an engine in an oblique gust.
+fn most_left_over(
+    (model, roots): &(Arc<ReducedModel>, Vec<String>),
+    plant: PlantSettings,
+    [pitching, rolling, yawing]: [usize; 3],
+    push: f64,
+) -> [f64; 2] {
+    let oblique = GustSettings { direction: 0.5, inclination: 0.3, start: 0.1, ..gust(30.0) };
+    let settings = Settings { gust: oblique, ..plant.into() };
+    let mut simulation = Simulation::new(Arc::clone(model), &settings, 0.0).unwrap();
+    let mut inputs = Inputs::zero(model);
+    let mut most = residual(model, &loads(&mut simulation), roots);
+    for step in 1..=40 {
+        let phase = 0.3 * f64::from(step);
+        inputs.controls[pitching] = 0.05 * libm::sin(phase);
+        inputs.controls[rolling] = 0.05 * libm::cos(phase);
+        inputs.controls[yawing] = 0.05 * libm::sin(2.0 * phase);
+        inputs.thrust[0] = push * libm::sin(phase);
+        simulation.set_inputs(&inputs, &Inputs::zero(model));
+        simulation.advance_to(0.05 * f64::from(step)).unwrap();
+        let found = residual(model, &loads(&mut simulation), roots);
+        most = [0, 1].map(|i| most[i].max(found[i]));
+    }
+    assert!(!simulation.is_symmetric());
+    most
 }
 
 #[test]
@@ -181,7 +241,8 @@ fn components_that_meet_at_o_are_in_equilibrium_there() {
          manoeuvre with all controls in an oblique gust; of CL and RL at the trim",
         "equilibrium",
     );
-    let (model, roots) = cut_all_round();
+    let jet = jet_cut_all_round();
+    let (model, roots) = &jet;
     let weight = model.integrals.mass * model.gravity;
     for (fidelity, stiffness) in [
         (Fidelity::Exact, 1.0),
@@ -190,31 +251,24 @@ fn components_that_meet_at_o_are_in_equilibrium_there() {
         (Fidelity::GeometricallyExact, 1.0),
         (Fidelity::GeometricallyExact, 0.1),
     ] {
-        let oblique = GustSettings { direction: 0.5, inclination: 0.3, start: 0.1, ..gust(30.0) };
-        let settings = Settings { gust: oblique, ..calm(fidelity, stiffness) };
-        let mut simulation = Simulation::new(Arc::clone(&model), &settings, 0.0).unwrap();
-        let mut inputs = Inputs::zero(&model);
-        let mut largest = residual(&model, &loads(&mut simulation), &roots);
-        for step in 1..=40 {
-            let phase = 0.3 * f64::from(step);
-            inputs.controls[ELEVATOR] = 0.05 * libm::sin(phase);
-            inputs.controls[AILERON] = 0.05 * libm::cos(phase);
-            inputs.controls[RUDDER] = 0.05 * libm::sin(2.0 * phase);
-            inputs.thrust[0] = 5000.0 * libm::sin(phase);
-            simulation.set_inputs(&inputs, &Inputs::zero(&model));
-            simulation.advance_to(0.05 * f64::from(step)).unwrap();
-            let found = residual(&model, &loads(&mut simulation), &roots);
-            largest = [0, 1].map(|i| largest[i].max(found[i]));
-        }
-        assert!(!simulation.is_symmetric());
-        record.rounding(&format!("{fidelity:?}, stiffness {stiffness}: force"), 1e-13, largest[0] / weight);
-        record.rounding(&format!("{fidelity:?}, stiffness {stiffness}: moment"), 1e-13, largest[1] / weight);
+        let left = most_left_over(&jet, calm(fidelity, stiffness).plant, [ELEVATOR, AILERON, RUDDER], 5000.0);
+        record.rounding(&format!("{fidelity:?}, stiffness {stiffness}: force"), 1e-13, left[0] / weight);
+        record.rounding(&format!("{fidelity:?}, stiffness {stiffness}: moment"), 1e-13, left[1] / weight);
+    }
+    let lopsided = lopsided_cut_all_round();
+    let own_weight = lopsided.0.integrals.mass * lopsided.0.gravity;
+    for fidelity in [Fidelity::Exact, Fidelity::GeometricallyExact] {
+        let plant = PlantSettings { fidelity, ..PlantSettings::of(&lopsided.0) };
+        let left = most_left_over(&lopsided, plant, [0, 1, 2], 50.0);
+        let case = format!("{fidelity:?}, small aircraft with winglets, a V-tail and an engine on one wing");
+        record.rounding(&format!("{case}: force"), 1e-12, left[0] / own_weight);
+        record.rounding(&format!("{case}: moment"), 1e-12, left[1] / own_weight);
     }
     for stiffness in [1.0, 0.1] {
         let at_trim = |fidelity| {
             let settings = calm(fidelity, stiffness);
-            let mut simulation = Simulation::new(Arc::clone(&model), &settings, 0.0).unwrap();
-            residual(&model, &loads(&mut simulation), &roots)
+            let mut simulation = Simulation::new(Arc::clone(model), &settings, 0.0).unwrap();
+            residual(model, &loads(&mut simulation), roots)
         };
         let [force, moment] = at_trim(Fidelity::ConsistentlyLinearised);
         record.rounding(&format!("CL at the trim, stiffness {stiffness}: force"), 1e-13, force / weight);
