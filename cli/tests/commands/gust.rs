@@ -104,16 +104,16 @@ fn a_gust_that_cannot_be_flown_is_named_and_the_others_are_kept() {
 fn a_trim_beyond_the_limits_and_a_gust_that_is_not_over_are_warned_of() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("inputs.csv"), "time\n0\n").unwrap();
-    let slow = "--modes 2 --set airspeed=80";
+    let slow = "--modes 2 --set airspeed=70";
     let warnings = |line: &str| text(&run(folder.path(), &format!("{line} {slow}")).stderr);
-    let beyond = "warning: the trim at 80 m/s and 7620 m stands, but ";
+    let beyond = "warning: the trim at 70 m/s and 7620 m stands, but ";
     let expected = warnings("simulate inputs.csv --output flight.csv");
     let expected = expected.lines().find(|line| line.starts_with(beyond)).unwrap();
     let gust = warnings("gust --gradients 20,60 --duration 1.1 --step 0.05 --output out");
     let loads = warnings("loads --gradients 20,60 --duration 1.1 --step 0.05 --output out");
     for warned in [gust, loads] {
         assert_eq!(warned.lines().filter(|line| *line == expected).count(), 1, "{warned}");
-        let not_over = "warning: the gust with a gradient of 60 m, met at 1 s (`gust.start`), passes the nose until 2.500 s at 80 m/s";
+        let not_over = "warning: the gust with a gradient of 60 m, met at 1 s (`gust.start`), passes the nose until 2.714 s at 70 m/s";
         assert!(warned.contains(not_over), "{warned}");
     }
 }
