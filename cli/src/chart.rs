@@ -26,6 +26,9 @@ const HEIGHT: f64 = 440.0;
 /// Left and right of the axes, px.
 const MARGINS: (f64, f64) = (92.0, 18.0);
 
+/// Of the root element: a narrow window shows all of the chart, smaller.
+const SCALES: &str = " style=\"max-width:100%;height:auto\"";
+
 /// Of all letters.
 pub const FONT: &str = "system-ui, sans-serif";
 
@@ -244,9 +247,14 @@ impl Style {
 fn element(width: f64, height: f64, content: &str) -> String {
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
-         height=\"{height}\" role=\"img\" font-family=\"{FONT}\">\
+         height=\"{height}\"{SCALES} role=\"img\" font-family=\"{FONT}\">\
          <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>{content}</svg>\n"
     )
+}
+
+/// A chart as an element of another drawing, where it has the size that this one gives it.
+pub fn nested(chart: &str) -> String {
+    chart.replacen(SCALES, "", 1)
 }
 
 /// Text as the content of an XML element.
@@ -325,6 +333,18 @@ mod tests {
             assert!(svg.contains(text), "{text} is missing");
         }
         assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>") && !svg.contains("NaN"));
+    }
+
+    /// Browsers show a drawing of its own with its width, cut off where the window is narrower, unless it says otherwise.
+    #[test]
+    fn a_chart_alone_is_no_wider_than_its_window_and_a_nested_one_keeps_its_size() {
+        let svg = chart().to_svg();
+        let (root, rest) = svg.split_once('>').unwrap();
+        assert!(
+            root.contains(" style=\"max-width:100%;height:auto\"") && !rest.contains("max-width"),
+            "{root}"
+        );
+        assert!(!nested(&svg).contains("max-width") && nested(&svg).len() + SCALES.len() == svg.len());
     }
 
     /// −0.15 = −3 × 0.05, but not in floating-point numbers.

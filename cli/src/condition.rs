@@ -72,7 +72,7 @@ fn level() -> impl TypedValueParser<Value = Fidelity> {
 /// Why an analysis did not succeed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    #[error(transparent)]
+    #[error("{0}")]
     Aircraft(#[from] AircraftFileError),
     #[error(transparent)]
     Structure(#[from] StructureError),
@@ -106,16 +106,6 @@ pub enum Error {
     File(#[from] FileError),
     #[error(transparent)]
     Overwriting(#[from] Overwriting),
-}
-
-impl Error {
-    /// For people, on a terminal.
-    pub fn report(&self) -> String {
-        match self {
-            Error::Aircraft(error) => diagnostics::render(error),
-            other => format!("error: {other}"),
-        }
-    }
 }
 
 /// The option with which a parameter of the FMU is set here.

@@ -1,5 +1,6 @@
-//! Mistakes in an aircraft file, shown with the lines they are in and carets under them.
+//! What a command failed of; mistakes in an aircraft file are shown with the lines they are in and carets under them.
 
+use std::error::Error;
 use std::io::IsTerminal;
 use std::path::Path;
 
@@ -8,8 +9,27 @@ use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 
 use crate::terminal;
 
-/// The report for people: one block per mistake, coloured on a terminal.
-pub fn render(error: &AircraftFileError) -> String {
+/// What any command fails of, for people on a terminal.
+pub trait Report {
+    /// One block per mistake where an aircraft file is not right, a line or so otherwise.
+    fn report(&self) -> String;
+}
+
+impl<E: Error + 'static> Report for E {
+    fn report(&self) -> String {
+        let mut cause: Option<&(dyn Error + 'static)> = Some(self);
+        while let Some(error) = cause {
+            if let Some(of_file) = error.downcast_ref() {
+                return render(of_file);
+            }
+            cause = error.source();
+        }
+        format!("error: {self}")
+    }
+}
+
+/// Coloured on a terminal.
+fn render(error: &AircraftFileError) -> String {
     let coloured = std::io::stderr().is_terminal();
     render_with(error, &if coloured { Renderer::styled() } else { Renderer::plain() })
 }

@@ -17,6 +17,7 @@ mod condition;
 mod converge;
 mod diagnostics;
 mod files;
+mod flown;
 mod flutter;
 mod gust;
 mod loads;
@@ -29,8 +30,11 @@ mod progress;
 mod reproduce;
 mod simulate;
 mod ssp;
+mod sweep;
 mod terminal;
 mod workspace;
+
+use diagnostics::Report as _;
 
 /// Nonlinear flight dynamics of flexible aircraft, packaged for simulation tools (FMI 2.0 co-simulation)
 #[derive(Parser)]
@@ -173,7 +177,7 @@ fn main() -> ExitCode {
     let command = CommandLine::from_arg_matches(&matches).unwrap_or_else(|error| error.exit()).command;
     let outcome = match command {
         Command::Package(options) => package::run(options).map_err(|error| error.report()),
-        Command::Merge(options) => merge::run(&options).map_err(|error| format!("error: {error}")),
+        Command::Merge(options) => merge::run(&options).map_err(|error| error.report()),
         Command::Reproduce(options) => reproduce::run(&options).map_err(|error| error.report()),
         Command::Simulate(options) => simulate::run(&options).map_err(|error| error.report()),
         Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
@@ -181,9 +185,9 @@ fn main() -> ExitCode {
         Command::Gust(options) => gust::run(&options).map_err(|error| error.report()),
         Command::Loads(options) => loads::run(&options).map_err(|error| error.report()),
         Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
-        Command::Ssp(options) => ssp::run(&options).map_err(|error| format!("error: {error}")),
+        Command::Ssp(options) => ssp::run(&options).map_err(|error| error.report()),
         Command::Completions(options) => {
-            completions::run(&options, command_line()).map_err(|error| format!("error: {error}"))
+            completions::run(&options, command_line()).map_err(|error| error.report())
         }
     };
     match outcome {

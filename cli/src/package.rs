@@ -16,7 +16,7 @@ use crate::{PackageOptions, diagnostics, terminal, workspace};
 /// Why `flexair package` did not succeed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    #[error(transparent)]
+    #[error("{0}")]
     Aircraft(#[from] AircraftFileError),
     #[error(transparent)]
     Package(#[from] PackageError),
@@ -32,46 +32,28 @@ pub enum Error {
     Check(#[from] FmuError),
 }
 
-impl Error {
-    /// For people, on a terminal.
-    pub fn report(&self) -> String {
-        match self {
-            Error::Aircraft(error) => diagnostics::render(error),
-            other => format!("error: {other}"),
-        }
-    }
-}
-
 /// Builds, packages, and flies what came out.
 pub fn run(options: PackageOptions) -> Result<(), Error> {
-    // Before the library is built: mistakes in the aircraft file should show at once.
+    // Before the library is built: mistakes in the aircraft file and in the options should show at once.
     let PackageOptions { aircraft: aircraft_file, output, .. } = options;
     let libraries = options.binary.iter().map(|(_, library)| library.as_path());
     refuse_overwriting(&[&output], libraries.chain([aircraft_file.as_path()]))?;
     let aircraft = diagnostics::read_aircraft(&aircraft_file)?;
 
-    let mut binaries = options.binary;
-    let host = Platform::host();
-    if !binaries.iter().any(|(platform, _)| Some(*platform) == host) {
-        match host {
-            Some(host) => binaries.push((host, build_library()?)),
-            None if binaries.is_empty() => return Err(Error::NoPlatform),
-            None => {}
-        }
-    }
-
-    let file = aircraft_file.display();
-    let level = aircraft.fidelity.name();
-    terminal::note(&format!("Packaging {} ({file}), which flies with model = {level}", aircraft.name));
-    let package = Package {
+    let mut package = Package {
         aircraft: aircraft_file,
         mode_count: ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES),
         load_modes: options.load_modes,
         starts: options.set,
         stations_along: options.stations_along,
-        binaries,
+        binaries: options.binary,
         workspace: workspace::root().into(),
     };
+    let level = package.starts()?.plant.fidelity.name();
+    add_library(&mut package.binaries)?;
+
+    let file = package.aircraft.display();
+    terminal::note(&format!("Packaging {} ({file}), which flies with model = {level}", aircraft.name));
     // A good FMU is replaced only by one that flies.
     let draft = package.draft(&output)?;
     let flight = if options.no_check {
@@ -85,6 +67,20 @@ pub fn run(options: PackageOptions) -> Result<(), Error> {
     terminal::print(&format!("{}: {:.1} MB\n", output.display(), size as f64 / 1e6))?;
     if let Some(flight) = flight {
         terminal::print(&format!("{flight}\n"))?;
+    }
+    Ok(())
+}
+
+/// Adds the library of this machine where none was given.
+fn add_library(binaries: &mut Vec<(Platform, PathBuf)>) -> Result<(), Error> {
+    let host = Platform::host();
+    if binaries.iter().any(|(platform, _)| Some(*platform) == host) {
+        return Ok(());
+    }
+    match host {
+        Some(host) => binaries.push((host, build_library()?)),
+        None if binaries.is_empty() => return Err(Error::NoPlatform),
+        None => {}
     }
     Ok(())
 }

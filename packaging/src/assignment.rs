@@ -15,7 +15,10 @@ pub enum Mistake {
     Form(String),
     #[error("{assignment}: there is no parameter `{name}`{}; there are {known}", did_you_mean(.meant))]
     Unknown { assignment: String, name: String, meant: Option<String>, known: String },
-    #[error("{assignment}: `{name}` is an input: put it into the file, as a column of that name")]
+    #[error(
+        "{assignment}: `{name}` is an input and no parameter: it has no start, but a course over time, as a column of that name in \
+         the INPUTS of `flexair simulate` or `flexair loads`"
+    )]
     Input { assignment: String, name: String },
     #[error("{assignment}: `{name}` is an output: it is computed, not set")]
     Output { assignment: String, name: String },
@@ -171,7 +174,8 @@ mod tests {
             ("model", "model: allowed is NAME=VALUE"),
             (
                 "elevator=1",
-                "elevator=1: `elevator` is an input: put it into the file, as a column of that name",
+                "elevator=1: `elevator` is an input and no parameter: it has no start, but a course over time, as a column of that \
+                 name in the INPUTS of `flexair simulate` or `flexair loads`",
             ),
             ("trim.pitch=1", "trim.pitch=1: `trim.pitch` is an output"),
             (

@@ -9,6 +9,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::flight::Settings;
 use flexible_aircraft::fmi;
 use flexible_aircraft::structure::{ModeCount, ReducedModel};
 use flexible_aircraft::variables::VariableTable;
@@ -61,11 +62,16 @@ pub struct Package {
 }
 
 impl Package {
-    /// The bytes of the `.fmu`: equal inputs, equal bytes.
+    /// How the FMU flies where nothing is set in it: of all that can be asked for, but of the libraries.
     ///
     /// # Errors
-    /// When the aircraft file is not right, the structure has not that many modes, or a file cannot be read.
-    pub fn to_bytes(&self) -> Result<Vec<u8>, PackageError> {
+    /// When the aircraft file is not right, the structure has not that many modes, or a station or a start cannot be.
+    pub fn starts(&self) -> Result<Settings, PackageError> {
+        Ok(self.reduce()?.2)
+    }
+
+    /// The aircraft with all its stations, what it is reduced to, and where its parameters start.
+    fn reduce(&self) -> Result<(Aircraft, ReducedModel, Settings), PackageError> {
         let mut aircraft =
             Aircraft::read(&self.aircraft).map_err(|error| PackageError::Aircraft(Box::new(error)))?;
         aircraft.load_modes |= self.load_modes;
@@ -79,6 +85,15 @@ impl Package {
         let variables = VariableTable::new(&model);
         let starts =
             assignment::settings(&self.starts, &variables, &model, ModeCount::Usual(model.natural_modes()))?;
+        Ok((aircraft, model, starts))
+    }
+
+    /// The bytes of the `.fmu`: equal inputs, equal bytes.
+    ///
+    /// # Errors
+    /// As [`starts`](Self::starts), or when a file cannot be read.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, PackageError> {
+        let (aircraft, model, starts) = self.reduce()?;
         let xml = fmi::description::write(&model, &starts);
         let description = ModelDescription::parse(&xml).map_err(PackageError::ModelDescription)?;
 

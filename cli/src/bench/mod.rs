@@ -57,7 +57,7 @@ pub struct BenchOptions {
 #[derive(Debug, thiserror::Error)]
 pub enum BenchError {
     /// The aircraft file.
-    #[error(transparent)]
+    #[error("{0}")]
     Aircraft(#[from] flexible_aircraft::aircraft::AircraftFileError),
     /// Its structure.
     #[error(transparent)]
@@ -102,16 +102,6 @@ pub enum BenchError {
     /// The results.
     #[error(transparent)]
     File(#[from] FileError),
-}
-
-impl BenchError {
-    /// For the terminal.
-    pub fn report(&self) -> String {
-        match self {
-            BenchError::Aircraft(error) => diagnostics::render(error),
-            other => format!("error: {other}"),
-        }
-    }
 }
 
 /// The station that is watched where there is one of this name.

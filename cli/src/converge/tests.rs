@@ -12,6 +12,7 @@ use super::quantity::{Kind, Quantity, Value};
 use super::verdict::{Verdict, moved};
 use super::*;
 use crate::chart::Window;
+use crate::diagnostics::Report as _;
 
 #[derive(Parser)]
 struct Line {

@@ -8,6 +8,7 @@ use flexible_aircraft::stability::Branch;
 use super::*;
 use crate::analysis::motion;
 use crate::chart::Curve;
+use crate::diagnostics::Report as _;
 
 #[derive(Parser)]
 struct Line {

@@ -52,6 +52,14 @@ mod tests {
         assert!((half - 0.5 * (1.0 + (0.5 / 3.0_f64.sqrt()).sqrt())).abs() < 1e-15);
     }
 
+    /// Of the DC-3, MTOW 11 883.98, MLW 11 793.40, MZFW 10 594.47 kg, Z_mo 8046.72 m: DLR-AE/LoadsKernel,
+    /// doc/tutorials/DC3_model/JCLs/jcl_dc3_gust.py.
+    #[test]
+    fn the_dc_3_of_loads_kernel_has_its_alleviation() {
+        let alleviation = weights("11883.98,11793.40,10594.47").unwrap().alleviation_at_sea_level(8046.72);
+        assert!((alleviation - 0.91648).abs() < 5e-6, "{alleviation}");
+    }
+
     #[test]
     fn weights_that_contradict_each_other_are_refused() {
         for wrong in ["5,6,4", "6,5,5.5", "6,5,0", "inf,1,1", "NaN,NaN,NaN", "6,5", "6,5,4,3", "a,b,c", ""] {

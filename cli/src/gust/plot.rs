@@ -1,6 +1,6 @@
 //! What gusts add to the trim, over their gradients.
 
-use super::sweep::{Extremes, Sweep};
+use super::found::{Extremes, Found};
 use super::watched::Watched;
 use crate::chart::{Axis, Chart, Curve, Window};
 
@@ -9,17 +9,17 @@ const MOST_CURVES: usize = 8;
 
 /// The greatest increments of the outputs, in parts of the greatest of any gust, over the gradient; bending moments first, and of
 /// curves that coincide the first.
-pub fn increments(name: &str, watched: &[Watched], sweep: &Sweep) -> Chart {
+pub fn increments(name: &str, watched: &[Watched], found: &Found) -> Chart {
     let mut places: Vec<usize> = (0..watched.len()).collect();
     places.sort_by_key(|place| rank(&watched[*place].name));
     let mut curves: Vec<Curve> = Vec::new();
-    for curve in places.into_iter().filter_map(|place| curve(place, watched, sweep)) {
+    for curve in places.into_iter().filter_map(|place| curve(place, watched, found)) {
         // Of a symmetric gust left and right answer alike.
         if !curves.iter().any(|other| coincide(other, &curve)) {
             curves.push(curve);
         }
     }
-    let gradients = || sweep.flights.iter().map(|flown| flown.case.gradient);
+    let gradients = || found.flights.iter().map(|flown| flown.case.gust.gradient);
     let [first, last] = [gradients().fold(f64::INFINITY, f64::min), gradients().fold(0.0, f64::max)];
     Chart {
         title: format!("{name}: increments by 1-cosine gusts"),
@@ -44,29 +44,30 @@ fn coincide(one: &Curve, other: &Curve) -> bool {
 }
 
 /// Of an output that any gust moves.
-fn curve(place: usize, watched: &[Watched], sweep: &Sweep) -> Option<Curve> {
-    let (output, trim) = (&watched[place], sweep.trim[place]);
+fn curve(place: usize, watched: &[Watched], found: &Found) -> Option<Curve> {
+    let (output, trim) = (&watched[place], found.trim[place]);
     let increment = |Extremes { least, greatest }: &Extremes| (greatest.0 - trim).max(trim - least.0);
-    // Of both senses of a gust the worse one.
+    // Of all gusts with a gradient the worst.
     let mut points: Vec<(f64, f64)> = Vec::new();
-    for flown in &sweep.flights {
-        let (gradient, found) = (flown.case.gradient, increment(&flown.extremes[place]));
+    for flown in &found.flights {
+        let (gradient, added) = (flown.case.gust.gradient, increment(&flown.extremes[place]));
         match points.iter_mut().find(|point| point.0 == gradient) {
-            Some(point) => point.1 = point.1.max(found),
-            None => points.push((gradient, found)),
+            Some(point) => point.1 = point.1.max(added),
+            None => points.push((gradient, added)),
         }
     }
+    points.sort_by(|one, other| one.0.total_cmp(&other.0));
     let greatest = points.iter().fold(0.0, |greatest: f64, point| greatest.max(point.1));
-    let is_moved = greatest > 1e-9 * largest(&output.unit, watched, sweep);
+    let is_moved = greatest > 1e-9 * largest(&output.unit, watched, found);
     points.iter_mut().for_each(|point| point.1 *= 100.0 / greatest);
     is_moved.then(|| Curve { label: output.name.clone(), points })
 }
 
 /// The largest size of any watched output of a unit.
-fn largest(unit: &str, watched: &[Watched], sweep: &Sweep) -> f64 {
+fn largest(unit: &str, watched: &[Watched], found: &Found) -> f64 {
     let of_unit = |place: &usize| watched[*place].unit == unit;
     let sizes = |extremes: &Extremes| extremes.greatest.0.abs().max(extremes.least.0.abs());
     let all = (0..watched.len()).filter(of_unit);
-    let all = all.flat_map(|place| sweep.flights.iter().map(move |flown| sizes(&flown.extremes[place])));
+    let all = all.flat_map(|place| found.flights.iter().map(move |flown| sizes(&flown.extremes[place])));
     all.fold(0.0, f64::max)
 }

@@ -1,6 +1,7 @@
 //! Tables of gusts, as comma-separated values.
 
-use super::sweep::{Extremes, Flown, Sweep};
+use super::case::Case;
+use super::found::{Extremes, Flown, Found};
 use super::watched::Watched;
 use crate::numbers::Plain;
 
@@ -12,24 +13,25 @@ pub struct Worst<'s> {
 
 impl<'s> Worst<'s> {
     /// Of the watched output with a number; `None` where nothing was flown.
-    pub fn of(sweep: &'s Sweep, output: usize) -> Option<Self> {
+    pub fn of(all: &'s Found, output: usize) -> Option<Self> {
         let of = |value: fn(&Extremes) -> (f64, f64), sign: f64| {
-            let found = sweep.flights.iter().map(move |flown| (flown, value(&flown.extremes[output])));
-            found.reduce(|worst, other| if sign * other.1.0 > sign * worst.1.0 { other } else { worst })
+            let values = all.flights.iter().map(move |flown| (flown, value(&flown.extremes[output])));
+            values.reduce(|worst, other| if sign * other.1.0 > sign * worst.1.0 { other } else { worst })
         };
         Some(Worst { greatest: of(|e| e.greatest, 1.0)?, least: of(|e| e.least, -1.0)? })
     }
 }
 
 /// Every gust and every output: least and greatest, with times.
-pub fn all(watched: &[Watched], sweep: &Sweep) -> String {
+pub fn all(watched: &[Watched], found: &Found) -> String {
     let mut text =
-        "gradient_m,sense,peak_m_s,output,unit,trim,least,least_time_s,greatest,greatest_time_s\n".to_owned();
-    for Flown { case, peak, extremes } in &sweep.flights {
-        for ((output, trim), Extremes { least, greatest }) in watched.iter().zip(&sweep.trim).zip(extremes) {
+        "gradient_m,direction_deg,sense,peak_m_s,output,unit,trim,least,least_time_s,greatest,greatest_time_s\n"
+            .to_owned();
+    for Flown { case, peak, extremes } in &found.flights {
+        for ((output, trim), Extremes { least, greatest }) in watched.iter().zip(&found.trim).zip(extremes) {
             let numbers =
                 [*trim, least.0, least.1, greatest.0, greatest.1].map(|number| Plain(number).to_string());
-            let gust = format!("{},{},{}", Plain(case.gradient), case.sense, Plain(*peak));
+            let gust = format!("{},{}", columns(case), Plain(*peak));
             text += &format!("{gust},{},{},{}\n", output.name, output.unit, numbers.join(","));
         }
     }
@@ -37,17 +39,22 @@ pub fn all(watched: &[Watched], sweep: &Sweep) -> String {
 }
 
 /// Every output: the least and the greatest of all gusts, and the gusts that made them.
-pub fn worst(watched: &[Watched], sweep: &Sweep) -> String {
-    let mut text = "output,unit,trim,least,least_time_s,least_gradient_m,least_sense,\
-                    greatest,greatest_time_s,greatest_gradient_m,greatest_sense\n"
+pub fn worst(watched: &[Watched], found: &Found) -> String {
+    let mut text = "output,unit,trim,least,least_time_s,least_gradient_m,least_direction_deg,least_sense,\
+                    greatest,greatest_time_s,greatest_gradient_m,greatest_direction_deg,greatest_sense\n"
         .to_owned();
-    for (place, (output, trim)) in watched.iter().zip(&sweep.trim).enumerate() {
-        let Some(Worst { greatest, least }) = Worst::of(sweep, place) else { continue };
+    for (place, (output, trim)) in watched.iter().zip(&found.trim).enumerate() {
+        let Some(Worst { greatest, least }) = Worst::of(found, place) else { continue };
         let side = |(flown, (value, time)): (&Flown, (f64, f64))| {
-            format!("{},{},{},{}", Plain(value), Plain(time), Plain(flown.case.gradient), flown.case.sense)
+            format!("{},{},{}", Plain(value), Plain(time), columns(&flown.case))
         };
         text +=
             &format!("{},{},{},{},{}\n", output.name, output.unit, Plain(*trim), side(least), side(greatest));
     }
     text
+}
+
+/// Gradient, direction and sense.
+fn columns(case: &Case) -> String {
+    format!("{},{},{}", Plain(case.gust.gradient), Plain(case.degrees), case.sense.name())
 }

@@ -4,7 +4,13 @@ use flexible_aircraft::variables::{
     OutputSlot, Slot, Type, Unit, Variability, Variable, VariableTable, probably_meant,
 };
 
-use super::Error;
+/// A name that no output has.
+#[derive(Debug, PartialEq, thiserror::Error)]
+#[error("--output-names {found}: there is no such output; {instead}")]
+pub struct NoSuchOutput {
+    found: String,
+    instead: String,
+}
 
 /// An output.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +26,7 @@ impl Watched {
     ///
     /// # Errors
     /// At the first name that no output has or begins with.
-    pub fn choose(names: &[String], variables: &VariableTable) -> Result<Vec<Self>, Error> {
+    pub fn choose(names: &[String], variables: &VariableTable) -> Result<Vec<Self>, NoSuchOutput> {
         let all: Vec<Watched> = variables.iter().filter_map(|(_, variable)| Watched::of(variable)).collect();
         if names.is_empty() {
             return Ok(all.into_iter().filter(|output| is_usual(&output.name)).collect());
@@ -34,7 +40,7 @@ impl Watched {
                     Some(meant) => format!("did you mean `{meant}`?"),
                     None => "the page in the FMU lists them all".to_owned(),
                 };
-                return Err(Error::Output { found: name.clone(), instead });
+                return Err(NoSuchOutput { found: name.clone(), instead });
             }
             for output in found {
                 if !chosen.contains(output) {

@@ -1,6 +1,7 @@
 //! The most and the least of each load at each cut, with what the others were then.
 
 use flexible_aircraft::equations::SectionLoads;
+use flexible_aircraft::flight::Simulation;
 use flexible_aircraft::variables::LoadComponent;
 
 /// How many components loads have.
@@ -28,24 +29,67 @@ pub struct Envelope {
     pub least: [Extreme; COMPONENTS],
 }
 
-/// Those of all cuts, and of some the way from one extreme to the next.
-#[derive(Clone, Debug, Default)]
-pub struct Envelopes {
-    of_cuts: Vec<Option<Envelope>>,
-    /// Torsion and bending at each moment of the flights, N·m, of the first cuts.
-    paths: Vec<Vec<(usize, (f64, f64))>>,
+/// Those of all cuts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Envelopes(Vec<Option<Envelope>>);
+
+/// What a flight has carried.
+#[derive(Clone, Debug)]
+pub struct Carried {
+    case: usize,
+    /// Peak of the flight's gust, m/s of true airspeed; 0 where there is none.
+    pub peak: f64,
+    envelopes: Envelopes,
+    /// Torsion and bending from moment to moment, N·m, at each of the first cuts.
+    paths: Vec<Vec<(f64, f64)>>,
 }
 
 impl Envelopes {
-    /// Of so many cuts, nothing flown; so many of the first have their paths kept.
-    pub fn new(cuts: usize, with_paths: usize) -> Self {
-        Envelopes { of_cuts: vec![None; cuts], paths: vec![Vec::new(); with_paths] }
+    /// Of all flights together.
+    pub fn of_all(flights: &[Carried]) -> Self {
+        let mut all = Envelopes::default();
+        for Carried { envelopes: Envelopes(of_flight), .. } in flights {
+            all.0.resize(of_flight.len(), None);
+            for (envelope, other) in all.0.iter_mut().zip(of_flight) {
+                match (envelope.as_mut(), other) {
+                    (Some(envelope), Some(other)) => {
+                        other.most.iter().chain(&other.least).for_each(|extreme| envelope.take(extreme));
+                    }
+                    (None, other) => envelope.clone_from(other),
+                    (Some(_), None) => {}
+                }
+            }
+        }
+        all
     }
 
-    /// Takes what the loads of all cuts are at a moment of a flight.
-    pub fn take(&mut self, case: usize, time: f64, loads: &[SectionLoads]) {
-        for (envelope, loads) in self.of_cuts.iter_mut().zip(loads) {
-            let now = Extreme { case, time, loads: LoadComponent::ALL.map(|component| component.of(loads)) };
+    /// Of a cut, if anything has been flown.
+    pub fn of(&self, cut: usize) -> Option<&Envelope> {
+        self.0.get(cut)?.as_ref()
+    }
+}
+
+impl Carried {
+    /// A flight with so many cuts that has not begun; of so many of the first the paths are kept.
+    pub fn begin(case: usize, cuts: usize, with_paths: usize) -> Self {
+        let (envelopes, paths) = (Envelopes(vec![None; cuts]), vec![Vec::new(); with_paths]);
+        Carried { case, peak: 0.0, envelopes, paths }
+    }
+
+    /// Looks at a flight at a moment, s.
+    pub fn look(&mut self, time: f64, flight: &mut Simulation) {
+        let outputs = &flight.instant_with_loads().outputs;
+        self.peak = outputs.gust_peak_velocity;
+        if let Some(loads) = outputs.loads.known() {
+            self.take(time, loads);
+        }
+    }
+
+    /// Takes what the loads of all cuts are then.
+    fn take(&mut self, time: f64, loads: &[SectionLoads]) {
+        for (envelope, loads) in self.envelopes.0.iter_mut().zip(loads) {
+            let loads = LoadComponent::ALL.map(|component| component.of(loads));
+            let now = Extreme { case: self.case, time, loads };
             match envelope {
                 Some(envelope) => envelope.take(&now),
                 None => {
@@ -55,19 +99,18 @@ impl Envelopes {
             }
         }
         for (path, loads) in self.paths.iter_mut().zip(loads) {
-            path.push((case, (loads.torsion, loads.bending)));
+            path.push((loads.torsion, loads.bending));
         }
     }
 
-    /// Of a cut, if anything has been flown.
-    pub fn of(&self, cut: usize) -> Option<&Envelope> {
-        self.of_cuts[cut].as_ref()
+    /// Which of the flights it is.
+    pub fn case(&self) -> usize {
+        self.case
     }
 
-    /// Torsion and bending at a cut all through a flight, N·m.
-    pub fn path(&self, cut: usize, case: usize) -> Vec<(f64, f64)> {
-        let of_case = self.paths[cut].iter().filter(|(of, _)| *of == case);
-        of_case.map(|(_, point)| *point).collect()
+    /// Torsion and bending at a cut all through the flight, N·m.
+    pub fn path(&self, cut: usize) -> &[(f64, f64)] {
+        &self.paths[cut]
     }
 }
 

@@ -4,29 +4,38 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::Args;
-use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
-use flexible_aircraft::flight::SimulationError;
-use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
+use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::flight::{Settings, SimulationError};
+use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::VariableTable;
-use flexible_aircraft_packaging::{FileError, assignment};
+use flexible_aircraft_packaging::FileError;
 
 use crate::chart::Chart;
 use crate::files::{Drafts, Overwriting, named, refuse_overwriting};
-use crate::progress::Progress;
+use crate::flown::{self, FlownOptions, seconds, trimmed};
+use crate::gust::set::{self, GustSetOptions};
 use crate::simulate;
 use crate::simulate::schedule::{Mistake, Schedule};
-use crate::{diagnostics, terminal, workspace};
+use crate::sweep::{Failures, Sweep, TooManyLooks};
+use crate::{terminal, workspace};
 
 mod cases;
 mod envelope;
 mod plots;
 mod report;
 
-use cases::{Case, GustOptions, fly};
-use envelope::Envelopes;
+use cases::Cases;
+use envelope::{Carried, Envelopes};
 
 /// Options of `flexair loads`.
 #[derive(Args)]
+#[command(
+    after_help = "With any of --gradients, --criterion, --peak, --direction and --weights the aircraft flies into gusts, as `flexair gust` has them: \
+every gust in both senses, a flight each, and the envelopes are those of all.
+
+Example: the jet through four gusts of CS-25, up and down
+  flexair loads --gradients 15,30,60,106.68"
+)]
 pub struct LoadsOptions {
     /// A table of inputs over time, as `flexair simulate` reads it; `-` is standard input [default: nobody touches the
     /// controls]
@@ -37,28 +46,19 @@ pub struct LoadsOptions {
     #[arg(long, value_name = "FILE", default_value_os_t = workspace::aircraft())]
     aircraft: PathBuf,
 
-    /// How many natural modes to reduce the aircraft to, as in `flexair package` [default: 26, or all where there are
-    /// fewer]
-    #[arg(long, value_name = "N")]
-    modes: Option<usize>,
-
-    /// Put load modes beside them, also where the aircraft file does not ask for them
-    #[arg(long)]
-    load_modes: bool,
-
-    /// A parameter of the FMU, as in `model=rigid`. May be repeated
-    #[arg(long, value_name = "NAME=VALUE")]
-    set: Vec<String>,
-
     #[command(flatten)]
-    gusts: GustOptions,
+    flown: FlownOptions,
 
-    /// How long to fly where there are no inputs, s
-    #[arg(long, value_name = "SECONDS", value_parser = simulate::step, conflicts_with = "inputs")]
+    // There where any of them is given.
+    #[command(flatten)]
+    gusts: Option<GustSetOptions>,
+
+    /// How long to fly where there are no inputs, s [default: 5]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, conflicts_with = "inputs")]
     duration: Option<f64>,
 
     /// Loads are looked at every so often, s, and at the rows of the inputs
-    #[arg(long, value_name = "SECONDS", value_parser = simulate::step, default_value_t = 0.01)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value_t = 0.01)]
     step: f64,
 
     /// Also write the extremes at every node of every component, to a table of their own
@@ -73,44 +73,29 @@ pub struct LoadsOptions {
 /// Seconds that are flown without inputs unless the user says otherwise: the longest gust of CS-25 has passed.
 const USUAL_DURATION: f64 = 5.0;
 
-/// More looks than anybody needs: hours in steps of 10 ms.
-const MOST_POINTS: f64 = 1e6;
-
 /// Why `flexair loads` did not succeed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     #[error(transparent)]
-    Aircraft(#[from] AircraftFileError),
+    Flown(#[from] flown::Error),
     #[error("{}: found no [[cut]], allowed is at least one, or --all-nodes", .0.display())]
     NoCuts(PathBuf),
     #[error(transparent)]
-    Structure(#[from] StructureError),
-    #[error("--set {0}")]
-    Parameter(#[from] assignment::Mistake),
+    Gusts(#[from] set::Error),
     #[error("{}: {source}", named(path, "standard input"))]
     Inputs { path: PathBuf, source: Mistake },
     #[error(transparent)]
     Unreadable(#[from] simulate::Error),
-    #[error(
-        "found a step of {step} s, which makes {points:.0} looks at the loads, allowed are {MOST_POINTS} at most"
-    )]
-    Points { step: f64, points: f64 },
-    #[error("{case}: {source}")]
-    Flight { case: String, source: Box<SimulationError> },
+    #[error(transparent)]
+    Looks(#[from] TooManyLooks),
+    #[error(transparent)]
+    Trim(#[from] SimulationError),
+    #[error(transparent)]
+    Flights(#[from] Failures),
     #[error(transparent)]
     File(#[from] FileError),
     #[error(transparent)]
     Overwriting(#[from] Overwriting),
-}
-
-impl Error {
-    /// For people, on a terminal.
-    pub fn report(&self) -> String {
-        match self {
-            Error::Aircraft(error) => diagnostics::render(error),
-            other => format!("error: {other}"),
-        }
-    }
 }
 
 /// What was flown, and what came out.
@@ -119,12 +104,17 @@ pub struct Analysis {
     pub model: Arc<ReducedModel>,
     /// How many are those of the file.
     pub named: usize,
-    /// Names of what was flown.
-    pub cases: Vec<String>,
+    /// Of all flights but for gradient and direction of a gust.
+    pub settings: Settings,
+    pub cases: Cases,
+    /// What flights that came to their end have carried: at least one.
+    pub flights: Vec<Carried>,
     pub envelopes: Envelopes,
+    /// The others.
+    failures: Option<Failures>,
 }
 
-/// Flies, prints, draws, and writes the envelopes.
+/// Flies, prints, draws, and writes the envelopes; also where some of the gusts cannot be flown.
 pub fn run(options: &LoadsOptions) -> Result<(), Error> {
     let aircraft = read(options)?;
     let outputs = outputs(options, &aircraft);
@@ -135,37 +125,36 @@ pub fn run(options: &LoadsOptions) -> Result<(), Error> {
     let analysis = analyse(options, &aircraft)?;
     terminal::print(&report::text(&analysis))?;
     let mut contents = vec![report::table(&analysis, 0..analysis.named)];
+    contents.extend(plots::along(&analysis, &aircraft).iter().map(Chart::to_svg));
+    contents.extend(plots::bending_over_torsion(&analysis).iter().map(Chart::to_svg));
     if options.all_nodes {
         contents.push(report::table(&analysis, analysis.named..analysis.model.cuts.len()));
     }
-    contents.extend(plots::along(&analysis, &aircraft).iter().map(Chart::to_svg));
-    contents.extend(plots::bending_over_torsion(&analysis).iter().map(Chart::to_svg));
     drafts.keep(contents.iter().map(String::as_str))?;
-    for path in &outputs {
+    for (path, _) in outputs.iter().zip(&contents) {
         terminal::print(&format!("{}\n", path.display()))?;
     }
-    Ok(())
+    analysis.failures.map_or(Ok(()), |failures| Err(failures.into()))
 }
 
 /// The aircraft, cut where its file says so and at all nodes.
 fn read(options: &LoadsOptions) -> Result<Aircraft, Error> {
-    let mut aircraft = diagnostics::read_aircraft(&options.aircraft)?;
-    aircraft.load_modes |= options.load_modes;
+    let aircraft = options.flown.read(&options.aircraft)?;
     if aircraft.cuts.is_empty() && !options.all_nodes {
         return Err(Error::NoCuts(options.aircraft.clone()));
     }
     Ok(aircraft)
 }
 
-/// All files, in the order of their contents.
+/// All files, in the order of their contents; last what is not always written.
 fn outputs(options: &LoadsOptions, aircraft: &Aircraft) -> Vec<PathBuf> {
     let name = options.aircraft.file_stem().unwrap_or_default().to_string_lossy();
-    let tables = ["envelopes.csv", "nodes.csv"].into_iter().take(1 + usize::from(options.all_nodes));
-    let mut endings: Vec<String> = tables.map(str::to_owned).collect();
+    let mut endings = vec!["envelopes.csv".to_owned()];
     for component in plots::components(aircraft) {
         endings.extend(plots::ALONG.map(|(quantity, _)| format!("{component}-{quantity}.svg")));
     }
     endings.extend(aircraft.cuts.iter().map(|cut| format!("{}-bending-torsion.svg", cut.name)));
+    endings.push("nodes.csv".to_owned());
     endings.into_iter().map(|ending| options.output.join(format!("{name}-{ending}"))).collect()
 }
 
@@ -175,26 +164,25 @@ fn analyse(options: &LoadsOptions, aircraft: &Aircraft) -> Result<Analysis, Erro
     for component in &aircraft.components {
         cut.cuts.extend(aircraft.cuts_along(&component.name).unwrap_or_default());
     }
-    let count = ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES);
-    let model = Arc::new(ReducedModel::new(&cut, count)?);
+    let model = options.flown.reduce(&cut)?;
     let variables = VariableTable::new(&model);
-    let settings = assignment::settings(&options.set, &variables, &model, count)?;
+    let settings = options.flown.settings(&variables, &model)?;
     let schedule = schedule(options, &variables)?;
-    let points = schedule.point_count(Some(options.step));
-    if points > MOST_POINTS {
-        return Err(Error::Points { step: options.step, points });
+    let cases = Cases::of(options.gusts.as_ref(), &settings, &options.flown.set, schedule.duration())?;
+    let sweep = Sweep::new(&model, &settings, &schedule, options.step);
+    sweep.check(cases.gusts.len())?;
+    trimmed(&model, &settings, schedule.start())?;
+    let flown = sweep.fly(
+        &cases.gusts,
+        |case| Carried::begin(case, model.cuts.len(), named),
+        |carried, time, flight| carried.look(time, flight),
+    );
+    let (flights, failures) = Failures::part(flown, |case| cases.names[case].clone());
+    if let Some(failures) = failures.as_ref().filter(|_| flights.is_empty()) {
+        return Err(failures.clone().into());
     }
-    let cases = options.gusts.cases(&settings);
-    let progress = Progress::new(cases.len() * points as usize, "looks at the loads");
-    let mut envelopes = Envelopes::new(model.cuts.len(), named);
-    for (number, Case { name, settings }) in cases.iter().enumerate() {
-        fly(&model, settings, (&schedule, options.step), &progress, |time, loads| {
-            envelopes.take(number, time, loads);
-        })
-        .map_err(|source| Error::Flight { case: name.clone(), source: Box::new(source) })?;
-    }
-    let cases = cases.into_iter().map(|case| case.name).collect();
-    Ok(Analysis { model, named, cases, envelopes })
+    let envelopes = Envelopes::of_all(&flights);
+    Ok(Analysis { model: Arc::clone(&model), named, settings, cases, flights, envelopes, failures })
 }
 
 /// What is given over time.

@@ -5,7 +5,7 @@ use flexible_aircraft::structure::ReducedCut;
 use flexible_aircraft::variables::LoadComponent;
 
 use super::Analysis;
-use super::envelope::Envelope;
+use super::envelope::{Carried, Envelope};
 use crate::chart::{Axis, Chart, Curve, Window};
 
 /// What is drawn over the span: the word in file names, and the component.
@@ -14,6 +14,9 @@ pub const ALONG: [(&str, LoadComponent); 3] = [
     ("bending", LoadComponent::Bending),
     ("torsion", LoadComponent::Torsion),
 ];
+
+/// Flights that a plot bears.
+const MOST_FLIGHTS: usize = 8;
 
 /// N and N·m are many.
 const KILO: f64 = 1e-3;
@@ -67,11 +70,11 @@ fn along_component(analysis: &Analysis, component: &str, quantity: &str, load: L
 pub fn bending_over_torsion(analysis: &Analysis) -> Vec<Chart> {
     let cuts = analysis.model.cuts.iter().enumerate().take(analysis.named);
     let chart = |(index, cut): (usize, &ReducedCut)| {
-        let curve = |(case, name): (usize, &String)| {
-            let path = analysis.envelopes.path(index, case).into_iter();
-            Curve { label: name.clone(), points: path.map(|(x, y)| (x * KILO, y * KILO)).collect() }
+        let curve = |flight: &Carried| {
+            let points = flight.path(index).iter().map(|(x, y)| (x * KILO, y * KILO)).collect();
+            Curve { label: analysis.cases.names[flight.case()].clone(), points }
         };
-        let curves: Vec<Curve> = analysis.cases.iter().enumerate().map(curve).collect();
+        let curves: Vec<Curve> = drawn(analysis, index).map(curve).collect();
         let points = || curves.iter().flat_map(|curve| curve.points.iter());
         Chart {
             title: format!("{}: bending against torsion", cut.name),
@@ -83,6 +86,19 @@ pub fn bending_over_torsion(analysis: &Analysis) -> Vec<Chart> {
         }
     };
     cuts.map(chart).collect()
+}
+
+/// The flights that are drawn at a cut: all where they are few, otherwise those that set the envelope of torsion and bending.
+fn drawn(analysis: &Analysis, cut: usize) -> impl Iterator<Item = &Carried> {
+    let sets_it = move |flight: &&Carried| {
+        let Some(Envelope { most, least, .. }) = analysis.envelopes.of(cut) else { return false };
+        let extremes = LoadComponent::ALL.into_iter().zip(most.iter().zip(least));
+        let mut drawn =
+            extremes.filter(|(load, _)| matches!(load, LoadComponent::Torsion | LoadComponent::Bending));
+        drawn.any(|(_, (most, least))| [most, least].iter().any(|extreme| extreme.case == flight.case()))
+    };
+    let few = analysis.flights.len() <= MOST_FLIGHTS;
+    analysis.flights.iter().filter(move |flight| few || sets_it(flight))
 }
 
 /// A window around some values, and a little more; one around 0 where all are the same.

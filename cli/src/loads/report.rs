@@ -3,22 +3,35 @@
 use std::fmt::Write as _;
 use std::ops::Range;
 
+use flexible_aircraft::air::GustShape;
 use flexible_aircraft::variables::LoadComponent;
 
 use super::Analysis;
 use super::envelope::{Envelope, Extreme};
+use crate::flown::condition;
+use crate::gust::set::peaks;
 use crate::numbers::{Plain, rounded};
 
 /// For people: each component's least and most at the cuts of the file, and when.
 pub fn text(analysis: &Analysis) -> String {
-    let mut text = format!("{}: section loads\n", analysis.model.name);
+    let Analysis { model, settings, cases, flights, .. } = analysis;
+    let flown = match flights.len() {
+        1 => String::new(),
+        many => format!(" in {many} flights"),
+    };
+    let mut text = format!("{}: section loads{flown} at {}\n", model.name, condition(model, settings));
+    // The gusts of a set have one criterion.
+    if let Some(gust) = cases.gusts.first().filter(|gust| gust.shape != GustShape::None) {
+        let peaks = peaks(gust, settings.plant.altitude, flights.iter().map(|flight| flight.peak));
+        text += &format!("{peaks}\n");
+    }
     for (cut, envelope) in named(analysis) {
         // PROOF: a string takes every text.
         let _ = writeln!(text, "\n{cut}");
         for (place, component) in LoadComponent::ALL.into_iter().enumerate() {
             let extreme = |extreme: &Extreme| {
-                let case = if analysis.cases.len() > 1 {
-                    format!(", {}", analysis.cases[extreme.case])
+                let case = if analysis.cases.names.len() > 1 {
+                    format!(", {}", analysis.cases.names[extreme.case])
                 } else {
                     String::new()
                 };
@@ -69,7 +82,7 @@ pub fn table(analysis: &Analysis, cuts: Range<usize>) -> String {
                     component.name(),
                     Plain(extreme.loads[place]),
                     Plain(extreme.time),
-                    analysis.cases[extreme.case],
+                    analysis.cases.names[extreme.case],
                 );
                 for load in extreme.loads {
                     text += &format!(",{}", Plain(load));

@@ -23,10 +23,10 @@ fn analysis(line: &str) -> Analysis {
 
 #[test]
 fn the_envelope_of_two_gusts_is_that_of_each_where_it_is_larger() {
-    let common = "--modes 4 --set mode_count=4 --duration 1 --gradient";
+    let common = "--modes 4 --duration 2 --peak 10 --gradients";
     let [short, long, both] =
         ["15", "60", "15,60"].map(|gradients| analysis(&format!("{common} {gradients}")));
-    assert_eq!(both.cases, ["gust 15 m up", "gust 60 m up"]);
+    assert_eq!(both.cases.names, ["gust 15 m up", "gust 60 m up", "gust 15 m down", "gust 60 m down"]);
     assert_eq!(both.named, 9);
     for cut in 0..both.model.cuts.len() {
         let [short, long, both] = [&short, &long, &both].map(|analysis| analysis.envelopes.of(cut).unwrap());
@@ -38,12 +38,15 @@ fn the_envelope_of_two_gusts_is_that_of_each_where_it_is_larger() {
         }
     }
     let text = report::text(&both);
+    let heading = "Generic business jet (span 24.86 m): section loads in 4 flights at 127 m/s, 7620 m, model = exact, 4 modes\n\
+                   peak 10.0000 m/s of true airspeed, as given\n";
+    assert!(text.starts_with(heading), "{text}");
     assert!(text.contains("\nwing_root_right\n  shear") && text.contains("gust 60 m up"), "{text}");
 }
 
 #[test]
 fn the_loads_of_a_wing_grow_from_its_tip_to_its_root() {
-    let analysis = analysis("--modes 4 --set mode_count=4 --duration 0.1 --all-nodes");
+    let analysis = analysis("--modes 4 --duration 0.1 --all-nodes");
     let nodes: Vec<f64> = analysis
         .model
         .cuts

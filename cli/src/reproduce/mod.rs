@@ -34,7 +34,7 @@ const INPUTS: [(u8, Surface); 2] = [(1, Surface::Elevator), (33, Surface::Rudder
 /// Why `flexair reproduce` did not succeed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    #[error(transparent)]
+    #[error("{0}")]
     Aircraft(#[from] AircraftFileError),
     #[error(transparent)]
     Structure(#[from] StructureError),
@@ -50,16 +50,6 @@ pub enum Error {
     Overwriting(#[from] Overwriting),
     #[error(transparent)]
     File(#[from] FileError),
-}
-
-impl Error {
-    /// For people, on a terminal.
-    pub fn report(&self) -> String {
-        match self {
-            Error::Aircraft(error) => diagnostics::render(error),
-            other => format!("error: {other}"),
-        }
-    }
 }
 
 /// What has been flown and drawn.

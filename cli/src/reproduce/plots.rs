@@ -2,7 +2,7 @@
 
 use flexible_aircraft::equations::Fidelity;
 
-use crate::chart::{Axis, Chart, Curve, FONT, Mark, Window, escaped, legend};
+use crate::chart::{Axis, Chart, Curve, FONT, Mark, Window, escaped, legend, nested};
 
 use super::cases::Surface;
 use super::figures::{Comparison, Figure};
@@ -103,7 +103,7 @@ pub fn overview(title: &str, panels: &[&str]) -> String {
     let rows = panels.len().div_ceil(2) as f64;
     let placed = panels.iter().enumerate().map(|(index, panel)| {
         let (x, y) = (width * (index % 2) as f64, head + height * (index / 2) as f64);
-        format!("<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\">{panel}</svg>")
+        format!("<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\">{}</svg>", nested(panel))
     });
     let labels =
         Fidelity::OF_THESIS.map(|fidelity| format!("{}, {}", fidelity.symbol(), fidelity.in_words()));
@@ -123,7 +123,8 @@ pub fn overview(title: &str, panels: &[&str]) -> String {
 pub fn column(drawings: &[String]) -> String {
     let (width, height) = (720.0, 524.0);
     let place = |(index, drawing): (usize, &String)| {
-        format!("<svg y=\"{}\" width=\"{width}\" height=\"{height}\">{drawing}</svg>", height * index as f64)
+        let (y, drawing) = (height * index as f64, nested(drawing));
+        format!("<svg y=\"{y}\" width=\"{width}\" height=\"{height}\">{drawing}</svg>")
     };
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {}\"><rect width=\"100%\" height=\"100%\" \

@@ -34,7 +34,7 @@ pub struct Wing {
 /// Why there are none.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    #[error(transparent)]
+    #[error("{0}")]
     Aircraft(#[from] AircraftFileError),
     #[error(transparent)]
     Structure(#[from] StructureError),

@@ -3,16 +3,15 @@
 use std::io::{self, Write};
 use std::sync::Arc;
 
-use flexible_aircraft::flight::{Inputs, Settings, Simulation, SimulationError};
-use flexible_aircraft::plant::LimitExceeded;
+use flexible_aircraft::flight::{Settings, Simulation, SimulationError};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::{OutputSlot, Slot, VariableTable};
 
-use crate::diagnostics;
+use crate::flown::trimmed;
 use crate::numbers::NumberTable;
 use crate::progress::Progress;
 
-use super::schedule::{Point, Schedule};
+use super::schedule::Schedule;
 
 /// Why a flight did not reach the end of its schedule.
 #[derive(Debug, thiserror::Error)]
@@ -26,9 +25,8 @@ pub enum Interruption {
 /// A flight that has not begun.
 pub struct Flight<'s> {
     simulation: Simulation,
+    model: Arc<ReducedModel>,
     schedule: &'s Schedule,
-    inputs: Inputs,
-    rates: Inputs,
     names: Vec<&'s str>,
     slots: Vec<OutputSlot>,
 }
@@ -51,16 +49,8 @@ impl<'s> Flight<'s> {
                 _ => None,
             })
             .unzip();
-        let [mut inputs, mut rates] = [Inputs::zero(&model), Inputs::zero(&model)];
-        let reduced = Arc::clone(&model);
-        let mut simulation = Simulation::new(model, settings, schedule.start())?;
-        if let Some(warning) = LimitExceeded::warning(simulation.limits_exceeded(), &reduced, &settings.plant)
-        {
-            diagnostics::warn(&warning);
-        }
-        schedule.write(0, &mut inputs, &mut rates);
-        simulation.set_inputs(&inputs, &rates);
-        Ok(Flight { simulation, schedule, inputs, rates, names, slots })
+        let simulation = trimmed(&model, settings, schedule.start())?;
+        Ok(Flight { simulation, model, schedule, names, slots })
     }
 
     /// Flies, and writes the outputs at each communication point, as a master reads them at the end of the step that
@@ -74,21 +64,15 @@ impl<'s> Flight<'s> {
         table: &mut NumberTable<W>,
         progress: &Progress,
     ) -> Result<(), Interruption> {
-        for Point { time, row } in self.schedule.points(step) {
-            self.simulation.advance_to(time)?;
+        let Flight { simulation, model, schedule, slots, .. } = self;
+        schedule.fly(simulation, model, step, |time, simulation| {
             // All outputs are written, section loads among them.
-            let instant = self.simulation.instant_with_loads();
-            let values = self.slots.iter().map(|slot| slot.number(instant));
+            let instant = simulation.instant_with_loads();
+            let values = slots.iter().map(|slot| slot.number(instant));
             table.row(std::iter::once(time).chain(values))?;
-            if let Some(row) = row {
-                // Where a row sets the rate of the wind alone, the wind goes on from what it is.
-                self.simulation.write_inputs(&mut self.inputs);
-                self.schedule.write(row, &mut self.inputs, &mut self.rates);
-                self.simulation.set_inputs(&self.inputs, &self.rates);
-            }
             progress.advance();
-        }
-        Ok(())
+            Ok(())
+        })
     }
 
     /// The names of the columns.

@@ -4,19 +4,17 @@
 use std::fs::File;
 use std::io::{self, ErrorKind, IsTerminal, Read};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use clap::Args;
-use flexible_aircraft::aircraft::AircraftFileError;
 use flexible_aircraft::flight::SimulationError;
-use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft::variables::VariableTable;
-use flexible_aircraft_packaging::{FileError, assignment};
+use flexible_aircraft_packaging::FileError;
 
 use crate::files::{Overwriting, STANDARD, Sink, named, refuse_overwriting};
+use crate::flown::{self, FlownOptions, seconds};
 use crate::numbers::NumberTable;
 use crate::progress::Progress;
-use crate::{diagnostics, terminal, workspace};
+use crate::{terminal, workspace};
 
 mod flight;
 mod header;
@@ -43,22 +41,11 @@ pub struct SimulateOptions {
     #[arg(long, value_name = "FILE", default_value_os_t = workspace::aircraft())]
     aircraft: PathBuf,
 
-    /// How many natural modes fly, lowest frequencies first; load modes are not counted. `--set mode_count=N` has fewer
-    /// of them fly [default: 12 of 26, or as many as there are; then `mode_count` has up to 26 fly]
-    #[arg(long, value_name = "N")]
-    modes: Option<usize>,
-
-    /// Put load modes beside them, shapes that typical static loads give the structure, also where the aircraft file does
-    /// not ask for them; `--set load_modes=false` switches them off where it does
-    #[arg(long)]
-    load_modes: bool,
-
-    /// A parameter of the FMU, as in `model=rigid`. May be repeated
-    #[arg(long, value_name = "NAME=VALUE")]
-    set: Vec<String>,
+    #[command(flatten)]
+    flown: FlownOptions,
 
     /// Further communication points between the rows, at all multiples of this, s; the inputs of the row before go on
-    #[arg(long, value_name = "SECONDS", value_parser = step)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     step: Option<f64>,
 
     /// The file to write all outputs to, a row per communication point, as a master reads them at the end of the
@@ -67,20 +54,11 @@ pub struct SimulateOptions {
     output: PathBuf,
 }
 
-pub fn step(text: &str) -> Result<f64, String> {
-    let step = text.parse().ok().filter(|step: &f64| step.is_finite() && *step > 0.0);
-    step.ok_or_else(|| "allowed is a number of seconds, greater than 0".to_owned())
-}
-
 /// Why `flexair simulate` did not succeed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     #[error(transparent)]
-    Aircraft(#[from] AircraftFileError),
-    #[error(transparent)]
-    Structure(#[from] StructureError),
-    #[error("--set {0}")]
-    Parameter(#[from] assignment::Mistake),
+    Flown(#[from] flown::Error),
     #[error(transparent)]
     File(#[from] FileError),
     #[error(transparent)]
@@ -99,28 +77,16 @@ pub enum Error {
     Unfinished { source: Box<SimulationError>, kept: PathBuf },
 }
 
-impl Error {
-    /// For people, on a terminal.
-    pub fn report(&self) -> String {
-        match self {
-            Error::Aircraft(error) => diagnostics::render(error),
-            other => format!("error: {other}"),
-        }
-    }
-}
-
 /// Flies, and writes what comes out.
 pub fn run(options: &SimulateOptions) -> Result<(), Error> {
     let SimulateOptions { inputs, output, step, .. } = options;
     let unfinished = unfinished(output);
     let outputs = if output == Path::new(STANDARD) { vec![&**output] } else { vec![&**output, &unfinished] };
     refuse_overwriting(&outputs, [inputs.as_path(), &options.aircraft])?;
-    let count = ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES);
-    let mut aircraft = diagnostics::read_aircraft(&options.aircraft)?;
-    aircraft.load_modes |= options.load_modes;
-    let model = Arc::new(ReducedModel::new(&aircraft, count)?);
+    let aircraft = options.flown.read(&options.aircraft)?;
+    let model = options.flown.reduce(&aircraft)?;
     let variables = VariableTable::new(&model);
-    let settings = assignment::settings(&options.set, &variables, &model, count)?;
+    let settings = options.flown.settings(&variables, &model)?;
     let schedule = Schedule::parse(&read(inputs)?, &variables)
         .map_err(|source| Error::Inputs { path: inputs.clone(), source })?;
     let rows = schedule.point_count(*step);

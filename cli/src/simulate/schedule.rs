@@ -1,7 +1,8 @@
 //! What the inputs do over time: a table of comma-separated values, a communication step from each row to the next.
 
 use csv::{ReaderBuilder, StringRecord, Trim};
-use flexible_aircraft::flight::Inputs;
+use flexible_aircraft::flight::{Inputs, Simulation, SimulationError};
+use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft::variables::instead_of_degrees;
 
@@ -17,11 +18,11 @@ pub struct Schedule {
 
 /// A communication point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
+struct Point {
     /// s.
-    pub time: f64,
+    time: f64,
     /// The row whose inputs act from here on; none where those that act go on.
-    pub row: Option<usize>,
+    row: Option<usize>,
 }
 
 /// What is wrong with a table, and where.
@@ -86,6 +87,11 @@ impl Schedule {
         Schedule { columns, rows: vec![vec![0.0], vec![duration]] }
     }
 
+    /// From the first communication point to the last, s.
+    pub fn duration(&self) -> f64 {
+        self.rows[self.rows.len() - 1][0] - self.start()
+    }
+
     /// The first communication point, s.
     pub fn start(&self) -> f64 {
         self.rows[0][0]
@@ -98,12 +104,11 @@ impl Schedule {
 
     /// About how many communication points [`points`](Self::points) gives.
     pub fn point_count(&self, step: Option<f64>) -> f64 {
-        let duration = self.rows[self.rows.len() - 1][0] - self.start();
-        self.rows.len() as f64 + step.map_or(0.0, |step| duration / step)
+        self.rows.len() as f64 + step.map_or(0.0, |step| self.duration() / step)
     }
 
     /// Communication points, ascending: the rows, and between them the multiples of the step, s, from the start on.
-    pub fn points(&self, step: Option<f64>) -> impl Iterator<Item = Point> {
+    fn points(&self, step: Option<f64>) -> impl Iterator<Item = Point> {
         let start = self.start();
         (0..self.rows.len()).flat_map(move |row| {
             let (time, end) = (self.rows[row][0], self.rows.get(row + 1).map(|next| next[0]));
@@ -115,8 +120,36 @@ impl Schedule {
         })
     }
 
+    /// Flies what stands at the start, and has somebody look at each communication point, as a master does at the end of the
+    /// step that leads there; the point's own inputs act from then on. Between the rows there are points in steps, s.
+    ///
+    /// # Errors
+    /// When the flight has to end, or who looks wants no more.
+    pub fn fly<E: From<SimulationError>>(
+        &self,
+        simulation: &mut Simulation,
+        model: &ReducedModel,
+        step: Option<f64>,
+        mut look: impl FnMut(f64, &mut Simulation) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let [mut inputs, mut rates] = [Inputs::zero(model), Inputs::zero(model)];
+        self.write(0, &mut inputs, &mut rates);
+        simulation.set_inputs(&inputs, &rates);
+        for Point { time, row } in self.points(step) {
+            simulation.advance_to(time)?;
+            look(time, simulation)?;
+            if let Some(row) = row {
+                // Where a row sets the rate of the wind alone, the wind goes on from what it is.
+                simulation.write_inputs(&mut inputs);
+                self.write(row, &mut inputs, &mut rates);
+                simulation.set_inputs(&inputs, &rates);
+            }
+        }
+        Ok(())
+    }
+
     /// Writes the inputs that act from the communication point with this row on, and their rates.
-    pub fn write(&self, row: usize, inputs: &mut Inputs, rates: &mut Inputs) {
+    fn write(&self, row: usize, inputs: &mut Inputs, rates: &mut Inputs) {
         for (column, number) in self.columns.iter().zip(&self.rows[row]) {
             match column.meaning {
                 Meaning::Time => {}

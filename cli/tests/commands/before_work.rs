@@ -34,6 +34,8 @@ fn what_cannot_be_written_is_found_before_the_work() {
     for line in [
         "flutter --from 120 --to 130 --points 2 --modes 2 --output file/new",
         "reproduce --aircraft small.toml --output file/new",
+        "gust small.toml --modes 2 --output file/new",
+        "loads --aircraft small.toml --modes 2 --all-nodes --output file/new",
         "bench --fmu jet.fmu --output new/a.md --plot file/new/a.svg",
     ] {
         let errors = complaint(folder.path(), line);

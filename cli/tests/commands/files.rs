@@ -14,6 +14,8 @@ fn every_command_refuses_an_output_that_is_an_input() {
     std::fs::copy(workspace("aircraft/generic-business-jet.toml"), path.join("jet.toml")).unwrap();
     std::fs::write(path.join("inputs.csv"), "time\n0\n0.1\n").unwrap();
     std::fs::hard_link(path.join("jet.toml"), path.join("hard.toml")).unwrap();
+    std::fs::hard_link(path.join("jet.toml"), path.join("hard-worst.csv")).unwrap();
+    std::fs::hard_link(path.join("inputs.csv"), path.join("jet-nodes.csv")).unwrap();
     std::fs::copy(path.join("a.fmu"), path.join("law.fmu")).unwrap();
     std::fs::write(path.join("lib.so"), "a library").unwrap();
     let library = format!("{}=lib.so", library().split('=').next().unwrap());
@@ -28,6 +30,8 @@ fn every_command_refuses_an_output_that_is_an_input() {
         "merge a.fmu law.fmu --output missing/../law.fmu".to_owned(),
         "simulate inputs.csv --aircraft jet.toml --output hard.toml".to_owned(),
         "package --aircraft jet.toml --output hard.toml".to_owned(),
+        "gust hard.toml --output .".to_owned(),
+        "loads inputs.csv --aircraft jet.toml --output missing/..".to_owned(),
         format!("package --aircraft jet.toml --binary {library} --output ./lib.so"),
         "ssp a.fmu --output ./a.fmu".to_owned(),
         "ssp a.fmu --component law=law.fmu --output ./law.fmu".to_owned(),
@@ -91,12 +95,39 @@ fn files_that_are_not_found_say_where_they_were_looked_for() {
         ("reproduce --aircraft none.toml", "none.toml"),
         ("bench --fmu none.fmu", "none.fmu"),
         ("flutter none.toml --from 1 --to 2", "none.toml"),
+        ("converge none.toml", "none.toml"),
+        ("gust none.toml", "none.toml"),
+        ("loads --aircraft none.toml", "none.toml"),
+        ("loads none.csv", "none.csv"),
         ("merge none.fmu none.fmu", "none.fmu"),
         ("ssp none.fmu --output a.ssp", "none.fmu"),
     ] {
         let errors = text(&run(folder.path(), line).stderr);
         let place = folder.path().canonicalize().unwrap().join(missing);
         assert!(errors.contains(&format!("; looked for {}", place.display())), "{line}: {errors}");
+    }
+}
+
+#[test]
+fn a_mistake_in_the_aircraft_file_is_shown_with_its_line_by_every_command() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("inputs.csv"), "time\n0\n").unwrap();
+    std::fs::write(folder.path().join("bad.toml"), "format = 1\nwings = 2\n").unwrap();
+    for line in [
+        "simulate inputs.csv --aircraft bad.toml",
+        "package --aircraft bad.toml",
+        "reproduce --aircraft bad.toml",
+        "bench --aircraft bad.toml",
+        "flutter bad.toml --from 1 --to 2",
+        "converge bad.toml",
+        "gust bad.toml",
+        "loads --aircraft bad.toml",
+    ] {
+        let errors = text(&run(folder.path(), line).stderr);
+        assert!(
+            errors.contains(" --> bad.toml:2:1\n") && errors.contains("^^^^^ allowed here: "),
+            "{line}: {errors}"
+        );
     }
 }
 

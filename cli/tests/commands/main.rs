@@ -9,6 +9,8 @@ mod files;
 #[cfg(test)]
 mod gust;
 #[cfg(test)]
+mod loads;
+#[cfg(test)]
 mod package;
 #[cfg(test)]
 mod simulate;
