@@ -154,7 +154,7 @@ impl OutputSlot {
     }
 
     /// Whether it is an angle that jumps by a whole turn where it passes half a turn.
-    pub(crate) fn turns(self) -> bool {
+    pub fn turns(self) -> bool {
         match self {
             OutputSlot::Attitude(axis) => axis != Axis::Y,
             OutputSlot::Path(PathQuantity::Track) | OutputSlot::Air(AirQuantity::AngleOfAttack) => true,
