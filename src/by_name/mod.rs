@@ -154,10 +154,7 @@ impl Flight {
         match self.variable(name)?.slot {
             Slot::Input(slot) => Ok(slot.get(&self.inputs)),
             Slot::Parameter(slot) => Ok(slot.get(&self.settings).number()),
-            Slot::Output(slot) if slot.is_section_load() => {
-                Ok(slot.number(self.simulation()?.instant_with_loads()))
-            }
-            Slot::Output(slot) => Ok(slot.number(self.simulation()?.instant())),
+            Slot::Output(slot) => Ok(slot.number(self.simulation()?.instant_of(slot.part().into()))),
         }
     }
 

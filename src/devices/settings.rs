@@ -56,6 +56,11 @@ impl ActuatorSetting {
         }
     }
 
+    /// Where 0 stands for none: the least value beside it. Closed forms divide by it.
+    pub fn least_beside_none(self) -> Option<f64> {
+        (self == ActuatorSetting::Frequency).then_some(1e-3)
+    }
+
     /// The number.
     pub fn of(self, actuator: &mut Actuator) -> &mut f64 {
         match self {

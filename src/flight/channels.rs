@@ -1,5 +1,6 @@
 //! Which outputs have a sensor's channel that mirrors them [theory: sensors.samples].
 
+use crate::devices::{Input, within_half_a_turn};
 use crate::plant::Outputs;
 use crate::structure::ReducedModel;
 
@@ -102,6 +103,33 @@ impl Channel {
     /// The channel's own name.
     pub fn name(&self) -> String {
         format!("sensor.{}", self.mirrored)
+    }
+
+    /// What it takes in at a sample, from outputs of the model that the channel is of.
+    pub(super) fn input(&self, outputs: &Outputs) -> Input {
+        let number = self.read(outputs);
+        if self.turns() { Input::Angle(number) } else { Input::Number(number) }
+    }
+
+    /// A number within the range of what it mirrors, whole turns away where that jumps by them.
+    pub(super) fn within_range(&self, number: f64) -> f64 {
+        if self.turns() { within_half_a_turn(number) } else { number }
+    }
+
+    /// Whether what it mirrors jumps by a whole turn where it passes half a turn.
+    fn turns(&self) -> bool {
+        match self.measured {
+            // Pitch, axis 1, goes from −π/2 to π/2 and back.
+            Measured::Attitude(axis) => axis != 1,
+            Measured::AngleOfAttack => true,
+            Measured::Rate(_)
+            | Measured::LoadFactor(_)
+            | Measured::AirSpeed
+            | Measured::Sideslip
+            | Measured::SpecificForce { .. }
+            | Measured::StationRate { .. }
+            | Measured::Down => false,
+        }
     }
 
     /// What it mirrors, among outputs of the model that the channel is of.

@@ -20,15 +20,72 @@ pub struct Instant {
     pub sensors: Vec<f64>,
 }
 
+/// A part of what is read at an instant, by the work that it takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// Known since the beginning.
+    Trim,
+    /// What control laws read at every step.
+    Usual,
+    /// Path, placements of stations, quaternions, the load factor at the centre of mass, the calibrated airspeed.
+    Further,
+    /// The channels of sensors.
+    Sensors,
+    /// At the cuts.
+    SectionLoads,
+}
+
+/// Some parts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Parts {
+    pub usual: bool,
+    pub further: bool,
+    pub sensors: bool,
+    pub section_loads: bool,
+}
+
 /// How much of what is read is that of the present under the present inputs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Freshness {
     /// Nothing.
     Stale,
-    /// What control laws read at every step.
-    Usual,
-    /// Everything but section loads, which tell themselves.
-    Complete,
+    /// These parts, but for section loads, which tell themselves.
+    Of(Parts),
+}
+
+impl Parts {
+    /// The outputs of the aircraft without section loads.
+    pub const OUTPUTS: Parts = Parts { usual: true, further: true, sensors: false, section_loads: false };
+    /// All but section loads.
+    pub const INSTANT: Parts = Parts { sensors: true, ..Parts::OUTPUTS };
+
+    /// These and one more.
+    pub fn and(mut self, part: Part) -> Self {
+        match part {
+            Part::Trim => {}
+            Part::Usual => self.usual = true,
+            Part::Further => self.further = true,
+            Part::Sensors => self.sensors = true,
+            Part::SectionLoads => self.section_loads = true,
+        }
+        self
+    }
+}
+
+impl From<Part> for Parts {
+    fn from(part: Part) -> Self {
+        Parts::default().and(part)
+    }
+}
+
+impl Freshness {
+    /// The parts that are fresh, section loads aside.
+    pub fn parts(self) -> Parts {
+        match self {
+            Freshness::Stale => Parts::default(),
+            Freshness::Of(parts) => parts,
+        }
+    }
 }
 
 impl Instant {

@@ -6,41 +6,55 @@ use crate::plant::Outputs;
 use super::actions::Acts;
 use super::evaluation::refresh;
 use super::inputs::Inputs;
-use super::instant::{Freshness, Instant};
+use super::instant::{Freshness, Instant, Parts};
 use super::point::Point;
 use super::simulation::Simulation;
 use super::steering::Steering;
 
+/// Which outputs have been written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Written {
+    /// What control laws read at every step.
+    Usual,
+    /// All but section loads.
+    All,
+}
+
 impl Simulation {
     /// The outputs at the present time under the present inputs, without allocating.
     pub fn outputs(&mut self) -> &Outputs {
-        &self.instant().outputs
+        &self.instant_of(Parts::OUTPUTS).outputs
     }
 
     /// All that is read at the present time under the present inputs, without allocating.
     pub fn instant(&mut self) -> &Instant {
-        self.usual_instant();
-        if self.instant_is == Freshness::Usual {
-            let Simulation { flying, path, course, sensors, instant, .. } = self;
-            let (plant, _) = flying.active();
-            plant.write_further_outputs(&path.present.state, *course, &mut instant.outputs);
-            instant.write_sensors(path.present.time, sensors);
-            self.instant_is = Freshness::Complete;
-        }
-        &self.instant
+        self.instant_of(Parts::INSTANT)
     }
 
-    /// What control laws read of that at every step; path, placements of stations, quaternions, the load factor at the centre of
-    /// mass, the calibrated airspeed and the channels of sensors are those of some instant before.
-    pub(crate) fn usual_instant(&mut self) -> &Instant {
-        if self.instant_is == Freshness::Stale {
-            self.instant_is = self.write_outputs();
-            let Simulation { path, steering, sensors, instant, .. } = self;
-            instant.write_actuators(path.present.time, steering, &path.present.acting);
-            if self.instant_is == Freshness::Complete {
-                instant.write_sensors(path.present.time, sensors);
-            }
+    /// The same of some parts, with no more work than they take; other parts may be those of some instant before, and the
+    /// calibrated airspeed may be 0.
+    pub(crate) fn instant_of(&mut self, parts: Parts) -> &Instant {
+        if parts.section_loads {
+            return self.instant_with_loads();
         }
+        let mut fresh = self.instant_is.parts();
+        let mirrors_outputs = parts.sensors && !self.sensors.are_sampled();
+        if (parts.usual || parts.further || mirrors_outputs) && !fresh.usual {
+            (fresh.usual, fresh.further) = (true, self.write_outputs() == Written::All);
+            let Simulation { path, steering, instant, .. } = self;
+            instant.write_actuators(path.present.time, steering, &path.present.acting);
+        }
+        let Simulation { flying, path, course, sensors, instant, .. } = self;
+        if parts.further && !fresh.further {
+            let (plant, _) = flying.active();
+            plant.write_further_outputs(&path.present.state, *course, &mut instant.outputs);
+            fresh.further = true;
+        }
+        if parts.sensors && !fresh.sensors {
+            instant.write_sensors(path.present.time, sensors);
+            fresh.sensors = true;
+        }
+        self.instant_is = Freshness::Of(fresh);
         &self.instant
     }
 
@@ -84,7 +98,7 @@ impl Simulation {
     }
 
     /// Writes the outputs at the present under the present inputs; returns what has been written.
-    fn write_outputs(&mut self) -> Freshness {
+    fn write_outputs(&mut self) -> Written {
         let stays = self.plant_stays();
         let Simulation { flying, path, steering, controls, evaluated_in, course, instant, .. } = self;
         let outputs = &mut instant.outputs;
@@ -92,12 +106,12 @@ impl Simulation {
             let (mut plant, _) = flying.active();
             refresh(&mut path.present, &mut plant, steering, controls, evaluated_in);
             plant.write_usual_outputs(&path.present.state, controls, *course, outputs);
-            Freshness::Usual
+            Written::Usual
         } else {
             let Point { time, state, acting, .. } = &path.present;
             steering.write_at(*time, acting, controls);
             flying.write_outputs_under(&Acts::new(steering, acting), state, controls, *course, outputs);
-            Freshness::Complete
+            Written::All
         }
     }
 

@@ -1,6 +1,6 @@
 //! The sensors of a flight: sampled on the grid of time, or the outputs themselves.
 //!
-//! [theory: sensors.samples, sensors.noise]
+//! [theory: sensors.samples, sensors.turns, sensors.noise]
 
 use crate::devices::{Noise, Samples, Sampling};
 use crate::plant::Outputs;
@@ -59,6 +59,11 @@ impl Sensors {
         self.channels.len()
     }
 
+    /// Whether they give samples, and not the outputs.
+    pub fn are_sampled(&self) -> bool {
+        self.sampled.is_some()
+    }
+
     /// Whether a sample is taken at a time.
     pub fn sample_at(&self, time: Moment) -> bool {
         self.sampled.as_ref().is_some_and(|sampled| time.is_on_grid_of(sampled.cells))
@@ -68,12 +73,12 @@ impl Sensors {
     pub fn take(&mut self, time: Moment, outputs: &Outputs) {
         let Sensors { channels, sampled } = self;
         if let Some(Sampled { sampling, cells, samples, .. }) = sampled {
-            let inputs = channels.iter().map(|channel| channel.read(outputs));
+            let inputs = channels.iter().map(|channel| channel.input(outputs));
             sampling.take(samples, time.whole(*cells), inputs);
         }
     }
 
-    /// Writes what the channels give at a time at which these are the outputs.
+    /// Writes what the channels give at a time; where they are not sampled, these have to be the outputs there.
     pub fn write(&self, time: Moment, outputs: &Outputs, readings: &mut [f64]) {
         match &self.sampled {
             None => {
@@ -83,9 +88,10 @@ impl Sensors {
             }
             Some(Sampled { cells, noises, samples, .. }) => {
                 let number = time.whole(*cells);
-                let delayed = samples.delayed().iter().zip(noises);
-                for (reading, (delayed, (rms, noise))) in readings.iter_mut().zip(delayed) {
-                    *reading = if *rms == 0.0 { *delayed } else { delayed + rms * noise.number(number) };
+                let delayed = self.channels.iter().zip(samples.delayed()).zip(noises);
+                for (reading, ((channel, delayed), (rms, noise))) in readings.iter_mut().zip(delayed) {
+                    let noisy = if *rms == 0.0 { *delayed } else { delayed + rms * noise.number(number) };
+                    *reading = channel.within_range(noisy);
                 }
             }
         }

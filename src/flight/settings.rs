@@ -127,14 +127,15 @@ impl Settings {
         for (control, mut actuator) in model.controls.iter().zip(self.actuators.said().iter().copied()) {
             let part = format!("actuator.{}", control.name);
             for setting in ActuatorSetting::ALL {
-                check_within(&part, setting.name(), *setting.of(&mut actuator), setting.range())?;
+                let found = *setting.of(&mut actuator);
+                check_within(&part, setting.name(), found, setting.range(), setting.least_beside_none())?;
             }
             check_limits(&part, [actuator.minimum, actuator.maximum], "rad")?;
         }
         for (engine, mut lag) in model.engines.iter().zip(self.engines.said().iter().copied()) {
             let part = format!("engine.{}", engine.name);
             for setting in EngineSetting::ALL {
-                check_within(&part, setting.name(), *setting.of(&mut lag), setting.range())?;
+                check_within(&part, setting.name(), *setting.of(&mut lag), setting.range(), None)?;
             }
             check_limits(&part, [lag.minimum, lag.maximum], "N")?;
         }
@@ -168,17 +169,20 @@ fn write_turbulence(writer: &mut Writer, turbulence: &TurbulenceSettings) {
     writer.reals([intensity, scale, f64::from(seed), start]);
 }
 
-/// That a number of an actuator or an engine is within its range.
+/// That a number of an actuator or an engine is within its range, or 0 where that stands for none.
 fn check_within(
     part: &str,
     name: &str,
     found: f64,
     ([least, most], unit): ([f64; 2], &str),
+    least_beside_none: Option<f64>,
 ) -> Result<(), SettingError> {
-    if (least..=most).contains(&found) {
+    let is_none_or_enough = least_beside_none.is_none_or(|least| found == 0.0 || found >= least);
+    if (least..=most).contains(&found) && is_none_or_enough {
         return Ok(());
     }
-    let allowed = format!("{least} to {most} ({unit})");
+    let none = least_beside_none.map_or(String::new(), |least| format!("or {least} "));
+    let allowed = format!("{least} {none}to {most} ({unit})");
     Err(SettingError { setting: format!("{part}.{name}"), found: found.to_string(), allowed })
 }
 
@@ -286,8 +290,10 @@ mod tests {
         };
         assert_eq!(
             refusal(|s| s.actuators.set(0, Actuator { frequency: -1.0, ..Actuator::default() })),
-            "actuator.elevator.frequency: found -1, allowed is 0 to 1000 (rad/s)"
+            "actuator.elevator.frequency: found -1, allowed is 0 or 0.001 to 1000 (rad/s)"
         );
+        let slow = refusal(|s| s.actuators.set(1, Actuator { frequency: 1e-5, ..Actuator::default() }));
+        assert_eq!(slow, "actuator.aileron.frequency: found 0.00001, allowed is 0 or 0.001 to 1000 (rad/s)");
         assert_eq!(
             refusal(|s| s.actuators.set(0, Actuator { minimum: 0.2, maximum: 0.1, ..Actuator::default() })),
             "actuator.elevator.maximum: found 0.1, allowed is `actuator.elevator.minimum`, which is 0.2 (rad), and above"

@@ -12,9 +12,7 @@ use crate::devices::{ActuatorSetting, EngineSetting};
 use crate::flight::{Instant, Neighbours};
 use crate::math::{WIDTHS, slope};
 use crate::plant::PlantSettings;
-use crate::variables::{
-    GustSetting, InputSlot, OutputSlot, ParameterSlot, PathQuantity, SensorSetting, Slot, Value,
-};
+use crate::variables::{GustSetting, InputSlot, OutputSlot, ParameterSlot, SensorSetting, Slot, Value};
 
 use super::instance::{Instance, Refusal};
 use super::life_cycle::State;
@@ -28,8 +26,8 @@ const WIND_RATE_CHANGE: f64 = 1.0;
 const ALTITUDE_CHANGE: f64 = 1.0;
 const HEADING_CHANGE: f64 = 1e-3;
 const SHARE_CHANGED: f64 = 1e-3;
-/// What is added is linear in its rms.
-const NOISE_CHANGE: f64 = 1.0;
+/// What is added is linear in its rms, and at most 8.6 times as much: so much of it moves no angle by half a turn.
+const NOISE_CHANGE: f64 = 0.1;
 const GUST_CHANGE: f64 = 0.1;
 const ALLEVIATION_CHANGE: f64 = 1e-3;
 
@@ -56,17 +54,18 @@ impl Instance {
         }
         self.flight()?;
         let mut derivatives = vec![0.0; outputs.len()];
+        let turns: Vec<bool> = outputs.iter().map(|output| self.table.mirrored(*output).turns()).collect();
         // How many times as long the direction is as the usual change.
         let length = longest(inputs.iter().map(|(slot, component)| component / usual_change(*slot)));
         if length > 0.0 {
             let sample = self.sample_inputs(&outputs, &inputs, 1.0 / length)?;
-            add_slopes(&mut derivatives, &outputs, &sample, length);
+            add_slopes(&mut derivatives, &turns, &sample, length);
         }
         let share = |(slot, component): &(ParameterSlot, f64)| component / self.usual_change(*slot);
         let length = longest(parameters.iter().map(share));
         if length > 0.0 {
             let sample = self.sample_parameters(&outputs, &parameters, 1.0 / length)?;
-            add_slopes(&mut derivatives, &outputs, &sample, length);
+            add_slopes(&mut derivatives, &turns, &sample, length);
         }
         if derivatives.iter().all(|derivative| derivative.is_finite()) {
             Ok(derivatives)
@@ -222,20 +221,16 @@ fn longest(lengths: impl Iterator<Item = f64>) -> f64 {
     lengths.fold(0.0, |longest, length| longest.max(length.abs()))
 }
 
-/// Adds the derivatives of outputs along a direction that is so many times as long as the change that was sampled.
-fn add_slopes(derivatives: &mut [f64], outputs: &[OutputSlot], sample: &Sample, length: f64) {
-    for (place, (derivative, output)) in derivatives.iter_mut().zip(outputs).enumerate() {
+/// Adds the derivatives of outputs, some of them angles that jump by whole turns, along a direction that is so many times as
+/// long as the change that was sampled.
+fn add_slopes(derivatives: &mut [f64], turns: &[bool], sample: &Sample, length: f64) {
+    for (place, (derivative, turns)) in derivatives.iter_mut().zip(turns).enumerate() {
         let values = sample.each_ref().map(|values| values[place]);
-        *derivative += length * slope(smooth(*output, values));
+        *derivative += length * slope(if *turns { without_jumps(values) } else { values });
     }
 }
 
-/// Values of an output without the jumps of an angle by a whole turn.
-fn smooth(output: OutputSlot, values: [f64; 4]) -> [f64; 4] {
-    match output {
-        OutputSlot::Attitude(_) | OutputSlot::Path(PathQuantity::Track) => {
-            values.map(|angle| values[0] + libm::remainder(angle - values[0], TAU))
-        }
-        _ => values,
-    }
+/// Values of an angle without its jumps by a whole turn.
+fn without_jumps(angles: [f64; 4]) -> [f64; 4] {
+    angles.map(|angle| angles[0] + libm::remainder(angle - angles[0], TAU))
 }

@@ -2,7 +2,7 @@
 //!
 //! Everything about a call is checked before anything is changed.
 
-use crate::flight::Settings;
+use crate::flight::{Parts, Settings};
 use crate::variables::{InputSlot, ParameterSlot, Slot, Type, Value, Variable};
 
 use super::instance::{Instance, Refusal};
@@ -48,25 +48,19 @@ impl Instance {
         references: &[ValueReference],
         mut sink: impl FnMut(usize, Value),
     ) -> Result<(), Refusal> {
-        let (mut any_output, mut any_further, mut any_load) = (false, false, false);
+        let mut parts: Option<Parts> = None;
         for reference in references {
             if let Slot::Output(slot) = self.variable(*reference, numbers)?.slot {
-                any_output = true;
-                any_further |= !slot.is_usual();
-                any_load |= slot.is_section_load();
+                parts = Some(parts.unwrap_or_default().and(slot.part()));
             }
         }
-        if any_output {
+        if parts.is_some() {
             self.flight()?;
         }
         let in_use = matches!(self.state, State::StepComplete | State::Terminated)
             .then(|| self.experiment.tolerance_in_use(&self.settings));
         let Instance { table, inputs, settings, flight, time, .. } = self;
-        let present = flight.as_mut().filter(|_| any_output).map(|flight| match (any_load, any_further) {
-            (true, _) => flight.instant_with_loads(),
-            (false, true) => flight.instant(),
-            (false, false) => flight.usual_instant(),
-        });
+        let present = flight.as_mut().zip(parts).map(|(flight, parts)| flight.instant_of(parts));
         let values = references.iter().filter_map(|reference| table.get(*reference)).map(|variable| {
             let value = match (variable.slot, &present) {
                 (Slot::Input(slot), _) => Value::Real(slot.get(inputs)),

@@ -1,5 +1,6 @@
 //! The quantities of the flow at O [theory: outputs.air-data].
 
+use crate::flight::Part;
 use crate::plant::AirData;
 
 /// A quantity of the flow at O.
@@ -20,6 +21,22 @@ pub enum AirQuantity {
 }
 
 impl AirQuantity {
+    /// The part of what is read at an instant that it is in.
+    pub(super) fn part(self) -> Part {
+        match self {
+            AirQuantity::Speed
+            | AirQuantity::AngleOfAttack
+            | AirQuantity::Sideslip
+            | AirQuantity::Mach
+            | AirQuantity::Density
+            | AirQuantity::DynamicPressure
+            | AirQuantity::Equivalent
+            | AirQuantity::Pressure
+            | AirQuantity::Temperature => Part::Usual,
+            AirQuantity::Calibrated => Part::Further,
+        }
+    }
+
     /// Of the flow.
     pub(super) fn of(self, air: &AirData) -> f64 {
         match self {

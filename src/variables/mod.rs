@@ -116,7 +116,7 @@ impl VariableTable {
     }
 
     /// The output that a channel of a sensor mirrors; any other is itself.
-    fn mirrored(&self, output: OutputSlot) -> OutputSlot {
+    pub(crate) fn mirrored(&self, output: OutputSlot) -> OutputSlot {
         let slot_of = |name: &str| self.named(name).map(|variable| variable.slot);
         let row = match output {
             OutputSlot::Sensor(_) => self.rows.iter().find(|row| row.slot == Slot::Output(output)),

@@ -2,7 +2,7 @@
 
 use crate::aircraft::TrimRole;
 use crate::devices::Holding;
-use crate::flight::Instant;
+use crate::flight::{Instant, Part};
 
 use super::air_quantity::AirQuantity;
 use super::axis::Axis;
@@ -82,13 +82,13 @@ pub enum OutputSlot {
         station: usize,
         axis: Axis,
     },
-    /// Of the mode with this index.
     /// Section loads, which only outputs have that were asked for them.
     SectionLoad {
         /// Index of the cut.
         cut: usize,
         component: LoadComponent,
     },
+    /// Of the mode with this index.
     ModalCoordinate(usize),
     /// Of the mode with this index.
     ModalRate(usize),
@@ -114,18 +114,52 @@ pub enum OutputSlot {
 }
 
 impl OutputSlot {
-    /// Whether control laws read it at every step: a flight has it at hand without further work.
-    pub(crate) fn is_usual(self) -> bool {
-        !matches!(
-            self,
+    /// The part of what is read at an instant that it is in.
+    pub(crate) fn part(self) -> Part {
+        match self {
+            OutputSlot::Position(_)
+            | OutputSlot::Attitude(_)
+            | OutputSlot::Velocity(_)
+            | OutputSlot::Rate(_)
+            | OutputSlot::Acceleration(_)
+            | OutputSlot::LoadFactor(_)
+            | OutputSlot::AngularAcceleration(_)
+            | OutputSlot::LiftLoadFactor
+            | OutputSlot::Wind(_)
+            | OutputSlot::GustPeakVelocity
+            | OutputSlot::Deflection { .. }
+            | OutputSlot::SpecificForce { .. }
+            | OutputSlot::StationRate { .. }
+            | OutputSlot::ModalCoordinate(_)
+            | OutputSlot::ModalRate(_)
+            | OutputSlot::Control(_)
+            | OutputSlot::Thrust(_)
+            | OutputSlot::ActuatorRate(_)
+            | OutputSlot::RateLimited(_)
+            | OutputSlot::PositionLimited(_) => Part::Usual,
+            OutputSlot::Air(quantity) => quantity.part(),
             OutputSlot::Quaternion(_)
-                | OutputSlot::Path(_)
-                | OutputSlot::Placement { .. }
-                | OutputSlot::LoadFactorAtCentre(_)
-                | OutputSlot::Air(AirQuantity::Calibrated)
-                | OutputSlot::SectionLoad { .. }
-                | OutputSlot::Sensor(_)
-        )
+            | OutputSlot::Path(_)
+            | OutputSlot::Placement { .. }
+            | OutputSlot::LoadFactorAtCentre(_) => Part::Further,
+            OutputSlot::SectionLoad { .. } => Part::SectionLoads,
+            OutputSlot::Sensor(_) => Part::Sensors,
+            OutputSlot::TrimPitch
+            | OutputSlot::TrimControl(_)
+            | OutputSlot::TrimThrust
+            | OutputSlot::TrimClimbAngle
+            | OutputSlot::TrimRoll
+            | OutputSlot::TrimSideslip => Part::Trim,
+        }
+    }
+
+    /// Whether it is an angle that jumps by a whole turn where it passes half a turn.
+    pub fn turns(self) -> bool {
+        match self {
+            OutputSlot::Attitude(axis) => axis != Axis::Y,
+            OutputSlot::Path(PathQuantity::Track) | OutputSlot::Air(AirQuantity::AngleOfAttack) => true,
+            _ => false,
+        }
     }
 
     /// Whether it is one of the section loads, which only outputs have that were asked for them.

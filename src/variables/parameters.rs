@@ -108,7 +108,9 @@ fn actuators(model: &ReducedModel, start: &Settings) -> Vec<Variable> {
         let ([least, most], _) = setting.range();
         let slot = ParameterSlot::Actuator { control, setting };
         let name = format!("actuator.{name}.{}", setting.name());
-        Variable { unit: Some(unit), ..parameter(name, slot, start, text) }.between(least, most)
+        let min_beside_none = setting.least_beside_none();
+        Variable { unit: Some(unit), min_beside_none, ..parameter(name, slot, start, text) }
+            .between(least, most)
     };
     let controls = model.controls.iter().enumerate();
     controls

@@ -50,6 +50,7 @@ fn real(name: String, unit: Option<Unit>, slot: Slot, description: String) -> Va
         start: None,
         min: None,
         max: None,
+        min_beside_none: None,
         nominal: None,
         slot,
     }

@@ -272,6 +272,22 @@ fn only_an_aircraft_with_load_modes_has_the_parameter_and_its_mode_count_counts_
 }
 
 #[test]
+fn of_all_angles_roll_yaw_track_and_angle_of_attack_jump_by_whole_turns() {
+    let table = table();
+    let mut found = Vec::new();
+    for (_, variable) in table.iter() {
+        let Slot::Output(slot) = variable.slot else { continue };
+        if table.mirrored(slot).turns() {
+            assert_eq!(variable.unit, Some(Unit::Radian), "{}", variable.name);
+            found.push(variable.name.strip_prefix("sensor.").unwrap_or(&variable.name).to_owned());
+        }
+    }
+    found.sort();
+    let sensed = ["air.alpha", "attitude.roll", "attitude.yaw"].map(|name| [name; 2]);
+    assert_eq!(found, [sensed.as_flattened(), &["path.track"]].concat());
+}
+
+#[test]
 fn every_input_has_its_own_place() {
     let mut inputs = Inputs::zero(jet());
     let slots: Vec<_> = table()
@@ -363,5 +379,8 @@ fn a_sensors_channel_has_unit_and_dependencies_of_the_output_that_it_mirrors() {
     let flag = row("actuator.elevator.rate_limited");
     assert_eq!((flag.kind, flag.variability, flag.unit), (Type::Boolean, Variability::Discrete, None));
     assert_eq!(row("engine.left.time_constant").allowed(), "0 to 10000 s");
-    assert_eq!(row("actuator.rudder.frequency").allowed(), "0 to 1000 rad/s");
+    let frequency = row("actuator.rudder.frequency");
+    assert_eq!(frequency.allowed(), "0 or 0.001 to 1000 rad/s");
+    let allows = [0.0, -0.0, 1e-3, 1000.0, 1e-300, 9e-4, -1.0].map(|x| frequency.allows(Value::Real(x)));
+    assert_eq!(allows, [true, true, true, true, false, false, false]);
 }

@@ -48,6 +48,8 @@ pub struct Variable {
     pub min: Option<f64>,
     /// Largest value that is accepted (parameters) or possible (outputs).
     pub max: Option<f64>,
+    /// Where 0 stands for none: the smallest value beside it that is accepted.
+    pub min_beside_none: Option<f64>,
     /// Typical magnitude.
     pub nominal: Option<f64>,
     /// Where the value lives; it implies the causality.
@@ -55,7 +57,7 @@ pub struct Variable {
 }
 
 impl Variable {
-    /// Whether the value is within `min` and `max` (enumerations: one of the list; Booleans: either).
+    /// Whether the value is within `min` and `max`, and not just beside a 0 that stands for none (enumerations: one of the list; Booleans: either).
     pub fn allows(&self, value: Value) -> bool {
         let number = match value {
             Value::Real(x) => x,
@@ -66,6 +68,7 @@ impl Variable {
             && number.is_finite()
             && self.min.is_none_or(|min| number >= min)
             && self.max.is_none_or(|max| number <= max)
+            && self.min_beside_none.is_none_or(|min| number == 0.0 || number >= min)
     }
 
     /// What [`allows`](Self::allows) accepts, for people, with its unit.
@@ -84,7 +87,10 @@ impl Variable {
             Some(unit) => format!(" {}", unit.name()),
         };
         match (self.min, self.max) {
-            (Some(min), Some(max)) => format!("{min} to {max}{unit}"),
+            (Some(min), Some(max)) => match self.min_beside_none {
+                Some(beside) => format!("{min} or {beside} to {max}{unit}"),
+                None => format!("{min} to {max}{unit}"),
+            },
             (Some(min), None) => format!("{min}{unit} and above"),
             (None, Some(max)) => format!("{max}{unit} and below"),
             (None, None) if unit.is_empty() => "any finite number".to_owned(),

@@ -25,6 +25,7 @@ fn angle(commands: &[Asked], end: f64) -> f64 {
 fn step(value: f64) -> Command {
     Command { value, rate: 0.0 }
 }
+
 /// A name, what is asked for, and where the surface is at some times.
 type Case<'a> = (&'static str, &'a [Asked], &'a [(f64, f64)]);
 

@@ -1,6 +1,7 @@
 //! Flights of the generic business jet: what must not depend on when, nor on where to.
 
 mod devices;
+mod sensors;
 
 use std::sync::Arc;
 

@@ -95,7 +95,8 @@ fn booleans_of_actuators_are_read_in_flight_and_are_no_reals() {
 fn numbers_that_no_device_has_and_trims_that_none_can_hold_are_refused_by_name() {
     let fmu = Fmu::initialising();
     for (name, value, allowed) in [
-        ("actuator.elevator.frequency", -1.0, "0 to 1000 rad/s"),
+        ("actuator.elevator.frequency", -1.0, "0 or 0.001 to 1000 rad/s"),
+        ("actuator.elevator.frequency", 1e-300, "0 or 0.001 to 1000 rad/s"),
         ("actuator.rudder.rate_limit", 0.0, "0.000001 to 1000000000 rad/s"),
         ("engine.left.time_constant", -0.1, "0 to 10000 s"),
         ("sensor.noise.air_speed", -1.0, "0 to 1000000 m/s"),

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use super::endurance::{typical_section, wing};
 use super::*;
+use crate::devices::Noise;
 use crate::structure::ReducedModel;
 use crate::variables::{OutputSlot, ParameterSlot, Unit};
 
@@ -145,6 +146,14 @@ fn heading_airspeed_and_altitude_are_passed_on_one_to_one_also_where_the_yaw_ang
             assert!((derivative - 1.0).abs() < 1e-9, "{heading}: {derivatives:?}");
         }
         assert_eq!(fmu.by("heading", &["attitude.pitch", "trim.thrust"]), [0.0, 0.0]);
+        // Noise number 0 of this channel: mirrored and sampled, the sensor jumps where its angle does.
+        let noise = Noise::new(1, "sensor.attitude.yaw").number(0);
+        for (sampled, by_rms) in [(0, 0.0), (1, noise)] {
+            assert_eq!(fmu.set_boolean("sensor.enabled", sampled), Status::Ok);
+            let by = |known| fmu.by(known, &["sensor.attitude.yaw"])[0];
+            let found = [by("heading") - 1.0, by("sensor.noise.attitude") - by_rms];
+            assert!(found.iter().all(|apart| apart.abs() < 1e-9), "{heading} {sampled}: {found:?}");
+        }
     }
     // Troposphere: d ln ρ/dh = (L − g₀/R)/T with L = 6.5 mK/m.
     let fmu = Fmu::initialising();

@@ -13,6 +13,7 @@ mod life_cycle;
 mod load_modes;
 mod mutated;
 mod random;
+mod reading;
 mod state;
 mod time;
 mod variables;
