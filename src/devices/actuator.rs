@@ -81,7 +81,8 @@ impl Actuator {
 
     /// Whether the surface is the command, whatever that is.
     pub fn is_direct(&self) -> bool {
-        !self.lags() && self.stops() == [f64::NEG_INFINITY, f64::INFINITY]
+        // As it starts: whoever moves a limit from there is asked whether it acts alike on both sides.
+        !self.lags() && [self.minimum, self.maximum] == [-LIMITLESS, LIMITLESS]
     }
 
     /// Minimum and maximum, rad, infinite where there is none.

@@ -28,7 +28,8 @@ impl EngineLag {
 
     /// Whether the thrust is the command, whatever that is.
     pub fn is_direct(&self) -> bool {
-        !self.lags() && self.limits() == [f64::NEG_INFINITY, f64::INFINITY]
+        // As it starts: whoever moves a limit from there is asked whether it acts alike on both sides.
+        !self.lags() && [self.minimum, self.maximum] == [-LIMITLESS, LIMITLESS]
     }
 
     /// Minimum and maximum, N, infinite where there is none.

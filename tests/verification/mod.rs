@@ -20,6 +20,7 @@ mod free_modes;
 mod frequencies;
 mod geometrically_exact;
 mod gliding;
+mod gust_field;
 mod gusts;
 mod high_altitude;
 mod inflow;

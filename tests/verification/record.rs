@@ -47,6 +47,7 @@ const CLAIMS: &[Claim] = &[
     ("Phugoid and short period", "rigid_modes", &["rigid-modes"]),
     ("A held section in a gust", "sears", &["sears", "kussner"]),
     ("Gusts that penetrate", "gusts", &["gust", "gust-weak", "gust-other", "gust-constant", "gust-half"]),
+    ("A gust where O is", "gust_field", &["gust-field"]),
     (
         "Section loads",
         "section_loads",

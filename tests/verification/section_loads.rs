@@ -206,23 +206,23 @@ fn residual(model: &ReducedModel, loads: &[SectionLoads], roots: &[String]) -> [
     [sum(|loads| loads.force), sum(|loads| loads.moment)]
 }
 
-/// The most that is left over 2 s of a manoeuvre with three controls and an engine in an oblique gust.
+/// The most that is left over 2 s of a manoeuvre with three controls (rad at most) and an engine (N) in an oblique gust (m/s).
 fn most_left_over(
     (model, roots): &(Arc<ReducedModel>, Vec<String>),
     plant: PlantSettings,
     [pitching, rolling, yawing]: [usize; 3],
-    push: f64,
+    [angle, push, peak]: [f64; 3],
 ) -> [f64; 2] {
-    let oblique = GustSettings { direction: 0.5, inclination: 0.3, start: 0.1, ..gust(30.0) };
+    let oblique = GustSettings { direction: 0.5, inclination: 0.3, start: 0.1, peak, ..gust(30.0) };
     let settings = Settings { gust: oblique, ..plant.into() };
     let mut simulation = Simulation::new(Arc::clone(model), &settings, 0.0).unwrap();
     let mut inputs = Inputs::zero(model);
     let mut most = residual(model, &loads(&mut simulation), roots);
     for step in 1..=40 {
         let phase = 0.3 * f64::from(step);
-        inputs.controls[pitching] = 0.05 * libm::sin(phase);
-        inputs.controls[rolling] = 0.05 * libm::cos(phase);
-        inputs.controls[yawing] = 0.05 * libm::sin(2.0 * phase);
+        inputs.controls[pitching] = angle * libm::sin(phase);
+        inputs.controls[rolling] = angle * libm::cos(phase);
+        inputs.controls[yawing] = angle * libm::sin(2.0 * phase);
         inputs.thrust[0] = push * libm::sin(phase);
         simulation.set_inputs(&inputs, &Inputs::zero(model));
         simulation.advance_to(0.05 * f64::from(step)).unwrap();
@@ -251,7 +251,12 @@ fn components_that_meet_at_o_are_in_equilibrium_there() {
         (Fidelity::GeometricallyExact, 1.0),
         (Fidelity::GeometricallyExact, 0.1),
     ] {
-        let left = most_left_over(&jet, calm(fidelity, stiffness).plant, [ELEVATOR, AILERON, RUDDER], 5000.0);
+        let left = most_left_over(
+            &jet,
+            calm(fidelity, stiffness).plant,
+            [ELEVATOR, AILERON, RUDDER],
+            [0.05, 5000.0, 10.0],
+        );
         record.rounding(&format!("{fidelity:?}, stiffness {stiffness}: force"), 1e-13, left[0] / weight);
         record.rounding(&format!("{fidelity:?}, stiffness {stiffness}: moment"), 1e-13, left[1] / weight);
     }
@@ -259,7 +264,7 @@ fn components_that_meet_at_o_are_in_equilibrium_there() {
     let own_weight = lopsided.0.integrals.mass * lopsided.0.gravity;
     for fidelity in [Fidelity::Exact, Fidelity::GeometricallyExact] {
         let plant = PlantSettings { fidelity, ..PlantSettings::of(&lopsided.0) };
-        let left = most_left_over(&lopsided, plant, [0, 1, 2], 50.0);
+        let left = most_left_over(&lopsided, plant, [0, 1, 2], [0.01, 20.0, 2.0]);
         let case = format!("{fidelity:?}, small aircraft with winglets, a V-tail and an engine on one wing");
         record.rounding(&format!("{case}: force"), 1e-12, left[0] / own_weight);
         record.rounding(&format!("{case}: moment"), 1e-12, left[1] / own_weight);
