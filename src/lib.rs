@@ -50,7 +50,7 @@
 //! | [`devices`] | commands, settings, time | what acts, and what sampled sensors give |
 //! | [`flight`] | `ReducedModel`, settings | a flight in time |
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
-//! | [`Flight`] | `ReducedModel` | a flight by the names of variables |
+//! | [`Flight`], [`LinearModel`] | `ReducedModel` | a flight, a linear model by the names of variables |
 //! | `fmi` | everything above | an FMU without its C: instance, life cycle, saved states, model description (feature `fmi`) |
 //! | `fmi2` | `fmi` | the C ABI of FMI 2.0 (feature `fmi`) |
 //!
@@ -83,7 +83,7 @@ pub mod symmetry;
 pub mod variables;
 
 pub use aircraft::Aircraft;
-pub use by_name::{Flight, FlightError, Setting};
+pub use by_name::{Flight, FlightError, Inflow, LinearModel, LinearName, Setting};
 pub use structure::ReducedModel;
 
 /// The README's Rust compiles.

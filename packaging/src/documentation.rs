@@ -12,6 +12,13 @@ use crate::plan_view;
 
 const TEMPLATE: &str = include_str!("../../modelDescription/documentation.html");
 
+/// How a flight begins otherwise than straight and level.
+const CONDITIONS: &str = "<p>The parameters <code>condition.*</code> have the flight begin otherwise than straight and level: in a climb \
+     (<code>climb_angle</code>), a coordinated turn (<code>manoeuvre = turn</code>, by <code>bank_angle</code> or \
+     <code>load_factor</code>, negative to the left), a pull-up (<code>pull_up</code>, by <code>load_factor</code>; for a moment, since gravity \
+     turns away), with sideslip or bank (<code>lateral</code>), or without the thrust of one engine (<code>failed_engine</code>, by its number). The \
+     trim is then that of this flight, and inputs add to it.</p>\n";
+
 /// What positive section loads do.
 const SIGNS_OF_LOADS: &str = "<li><code>loads.*</code> are force and moment of all that acts outboard of a cut, in the axes of its \
      deformed section. <code>shear</code> is positive upwards (on a fin to the left), <code>shear_chordwise</code> forward (of a body to \
@@ -66,6 +73,7 @@ pub(crate) fn page(aircraft: &Aircraft, model: &ReducedModel, starts: &Settings)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{support}}", &support(aircraft))
         .replace("{{controls}}", &controls(aircraft))
+        .replace("{{conditions}}", if aircraft.support == Support::Free { CONDITIONS } else { "" })
         .replace("{{loads}}", if model.cuts.is_empty() { "" } else { SIGNS_OF_LOADS })
         .replace("{{limits_of_loads}}", if model.cuts.is_empty() { "" } else { LIMITS_OF_LOADS })
         .replace("{{level}}", starts.plant.fidelity.name())
@@ -278,6 +286,7 @@ mod tests {
         aircraft.support = Support::Clamped;
         let clamped = page_of(&aircraft);
         assert!(free.contains("flies trimmed") && !free.contains("wind tunnel"));
+        assert!(free.contains("a coordinated turn") && !clamped.contains("a coordinated turn"));
         assert!(clamped.contains("wind tunnel") && !clamped.contains("flies trimmed"));
         assert!(!free.contains("{{") && !clamped.contains("{{"));
     }

@@ -34,7 +34,8 @@ pub(crate) const TAKEN: &[&str] = &[
 ];
 
 /// What stands behind `trim.` without being a control.
-pub(crate) const TAKEN_BY_TRIM: &[&str] = &["pitch", "roll", "beta", "thrust", "climb_angle"];
+pub(crate) const TAKEN_BY_TRIM: &[&str] =
+    &["pitch", "roll", "beta", "thrust", "climb_angle", "alpha", "turn_rate", "pitch_rate", "load_factor"];
 
 /// Complains about names that variables have, roles given twice, and uses that make no sense.
 pub(super) fn controls(file: &FileSpec, report: &Report) {

@@ -60,6 +60,14 @@ impl Bounds {
         Bounds::usual_angles(USUAL_DEFLECTION)
     }
 
+    /// Minimum and maximum of the aircraft file, where it gives them.
+    pub fn given(&self) -> [Option<f64>; 2] {
+        [self.minimum, self.maximum].map(|bound| match bound {
+            Bound::Given(bound) => Some(bound),
+            Bound::None | Bound::Usual(_) => None,
+        })
+    }
+
     /// Whether all ends that there are are finite.
     pub(crate) fn are_finite(&self) -> bool {
         [self.minimum, self.maximum].iter().all(|end| end.value().is_none_or(f64::is_finite))

@@ -1,7 +1,11 @@
-//! A flight by the names of its variables: the face of the library for those who want neither an FMU nor its types.
+//! A flight, and linear models of one, by the names of variables: the face of the library for those who want neither an FMU nor its types.
 //!
 //! Names, units, signs and starts are those of the FMU; [`Flight::variables`] lists them.
 
+mod lags;
+mod linear_model;
+mod linear_names;
+mod linearising;
 mod setting;
 
 use std::sync::Arc;
@@ -11,6 +15,8 @@ use crate::plant::LimitExceeded;
 use crate::structure::ReducedModel;
 use crate::variables::{Slot, Value, Variable, VariableTable, nearest};
 
+pub use linear_model::{Inflow, LinearModel};
+pub use linear_names::Name as LinearName;
 pub use setting::Setting;
 
 use setting::{degrees, item_meant, value};

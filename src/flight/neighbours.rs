@@ -36,7 +36,7 @@ impl Neighbours {
     pub fn new(flight: &Simulation, settings: &Settings) -> Self {
         let plants = flight.flying.plants().clone();
         let condition = settings.plant.along_course().trim_condition();
-        let tangents = TrimTangents::new(plants.simplest(), &condition, &flight.trimmed);
+        let tangents = TrimTangents::new(plants.plant_of_trim(&condition), &condition, &flight.trimmed);
         Neighbours {
             model: Arc::clone(&flight.model),
             settings: settings.clone(),
@@ -61,7 +61,8 @@ impl Neighbours {
         with_loads: bool,
     ) -> Option<[Instant; 4]> {
         let around = changed.each_ref().map(|settings| {
-            (self.varied(self.plants.simplest(), settings), settings.plant.along_course().trim_condition())
+            let condition = settings.plant.along_course().trim_condition();
+            (self.varied(self.plants.plant_of_trim(&condition), settings), condition)
         });
         let trims = self.tangents.neighbours(&around)?;
         Some(from_fn(|place| {
@@ -79,22 +80,24 @@ impl Neighbours {
         with_loads: bool,
     ) -> Instant {
         let plants = self.plants.map(|plant| self.varied(plant, settings));
-        let mut steering = Steering::new(trim.point, settings, &self.model);
+        let condition = settings.plant.along_course().trim_condition();
+        let plant = plants.plant_of_trim(&condition);
+        let mut steering = Steering::new(trim, settings, &self.model);
         steering.set(inputs, rates, Moment::START);
         let course = Course::new(settings.plant.heading).beside(self.course);
         let sensors = Sensors::new(&self.model, &settings.sensors, || {
-            let plant = plants.simplest();
             plant.outputs_along(course, &trim.state, &trim.controls, &mut plant.workspace())
         });
         let acting = steering.at_rest();
-        let mut controls = plants.simplest().neutral_controls();
+        let mut controls = plant.neutral_controls();
         steering.write_at(Moment::START, acting, &mut controls);
-        let mut outputs = plants.outputs_at_trim(trim, &Acts::new(&steering, acting), &controls, course);
+        let mut outputs =
+            plants.outputs_at_trim((trim, &condition), &Acts::new(&steering, acting), &controls, course);
         if with_loads {
-            plants.add_loads_at_trim(trim, &controls, &mut outputs);
+            plants.add_loads_at_trim((trim, &condition), &controls, &mut outputs);
         }
         // The gust itself is still ahead.
-        let density = plants.simplest().air(&trim.state).density;
+        let density = plant.air(&trim.state).density;
         outputs.gust_peak_velocity = settings.gust.peak_velocity(settings.plant.altitude, density);
         let mut instant = Instant::new(outputs, trim.point, sensors.count());
         instant.write_devices(Moment::START, (&steering, acting), &sensors);

@@ -2,7 +2,7 @@
 
 use crate::air::{GustSettings, TurbulenceSettings};
 use crate::devices::{Actuator, ActuatorSetting, EngineLag, EngineSetting};
-use crate::plant::{PlantSettings, SettingError};
+use crate::plant::{ConditionSettings, PlantSettings, SettingError};
 use crate::sealed::{self, Writer};
 use crate::structure::ReducedModel;
 
@@ -90,6 +90,7 @@ impl Settings {
             mode_count,
             load_modes,
             inflow_states,
+            condition,
         } = *plant;
         let SensorSettings { enabled, period, time_constant, delay, noise, seed } = *sensors;
         let mut bytes = Vec::new();
@@ -111,6 +112,7 @@ impl Settings {
         writer.reals([period, time_constant].into_iter().chain(noise));
         write_gust(&mut writer, gust);
         write_turbulence(&mut writer, turbulence);
+        write_condition(&mut writer, &condition);
         sealed::hash(&bytes)
     }
 
@@ -144,6 +146,22 @@ impl Settings {
 }
 
 /// What tells gusts apart.
+fn write_condition(writer: &mut Writer, condition: &ConditionSettings) {
+    let ConditionSettings {
+        manoeuvre,
+        climb_angle,
+        bank_angle,
+        load_factor,
+        sideslip,
+        lateral,
+        failed_engine,
+    } = *condition;
+    writer.byte(manoeuvre as u8);
+    writer.byte(lateral as u8);
+    writer.count(u32::try_from(failed_engine).unwrap_or(u32::MAX));
+    writer.reals([climb_angle, bank_angle, load_factor, sideslip]);
+}
+
 fn write_gust(writer: &mut Writer, gust: &GustSettings) {
     let GustSettings {
         shape,
@@ -200,7 +218,7 @@ mod tests {
     use super::*;
     use crate::air::{GustCriterion, GustShape, Spectrum, TurbulenceComponents};
     use crate::equations::Fidelity;
-    use crate::plant::ModeSelection;
+    use crate::plant::{Lateral, ManoeuvreChoice, ModeSelection};
     use crate::structure::test_jet::jet;
 
     #[test]
@@ -240,6 +258,13 @@ mod tests {
             change(|s| s.turbulence.seed += 1),
             change(|s| s.turbulence.components = TurbulenceComponents::Lateral),
             change(|s| s.turbulence.start += 1.0),
+            change(|s| s.plant.condition.manoeuvre = ManoeuvreChoice::Turn),
+            change(|s| s.plant.condition.climb_angle = 0.1),
+            change(|s| s.plant.condition.bank_angle = 0.1),
+            change(|s| s.plant.condition.load_factor = 0.1),
+            change(|s| s.plant.condition.sideslip = 0.1),
+            change(|s| s.plant.condition.lateral = Lateral::Bank),
+            change(|s| s.plant.condition.failed_engine = 1),
             change(|s| s.actuators.set(1, Actuator { frequency: 1.0, ..Actuator::default() })),
             change(|s| s.actuators.set(1, Actuator { damping: 1.0, ..Actuator::default() })),
             change(|s| s.actuators.set(1, Actuator { rate_limit: 1.0, ..Actuator::default() })),
@@ -278,6 +303,10 @@ mod tests {
         for number in [1.0_f64, 0.0, 1.0, 0.0] {
             bytes.extend(number.to_le_bytes());
         }
+        // The manoeuvre and what is given of it, the engine that has failed, and the numbers of the condition.
+        bytes.extend([0, 0]);
+        bytes.extend(0_u32.to_le_bytes());
+        bytes.extend([0.0_f64; 4].iter().flat_map(|number| number.to_le_bytes()));
         assert_eq!(settings.hash(), sealed::hash(&bytes));
     }
 

@@ -86,23 +86,24 @@ impl Simulation {
         settings.check(&model)?;
         let along_course = settings.plant.along_course();
         let plants = Plants::under(&model, &along_course)?;
-        let found = plants.trim(&along_course.trim_condition())?;
+        let condition = along_course.trim_condition();
+        let found = plants.trim(&condition)?;
         let trimmed = found.trim().clone();
-        let gust = encounter(&model, settings, plants.simplest(), &trimmed);
+        let gust = encounter(&model, settings, plants.plant_of_trim(&condition), &trimmed);
         let gust_is_in_plane = gust.as_ref().map(|gust| gust.is_in_plane());
         let plants = match gust {
             Some(gust) => plants.map(|plant| plant.clone().in_gust(&gust)),
             None => plants,
         };
         let room = plants.most_states();
-        let attitude = plants.simplest().layout().attitude();
+        let attitude = plants.plant_of_trim(&condition).layout().attitude();
         let flying = FlyingPlant::new(plants, &found, |plant, trim| {
             let scale = ErrorScale { tolerance: settings.tolerance, floors: plant.magnitudes() };
             Integrator::new(plant.layout(), scale, plant.linear_part(trim))
         });
         let (course, steering) = (
             Course::new(settings.plant.heading).from(&trimmed.state[attitude]),
-            Steering::new(trimmed.point, settings, &model).in_gust(gust_is_in_plane),
+            Steering::new(&trimmed, settings, &model).in_gust(gust_is_in_plane),
         );
         steering.check_trim(&model)?;
         let plant = flying.plant();

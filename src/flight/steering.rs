@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use crate::devices::{Actuator, Command, EngineLag, Surface};
 use crate::equations::Controls;
-use crate::plant::{Course, TrimPoint};
+use crate::plant::{Course, Trim, TrimPoint};
 use crate::structure::ReducedModel;
 
 use super::acting::{Acting, ActuatorReading};
@@ -31,8 +31,8 @@ enum Following {
 struct Reference {
     /// rad per control.
     angles: Vec<f64>,
-    /// N per engine.
-    thrust: f64,
+    /// N, one per engine.
+    thrusts: Vec<f64>,
 }
 
 /// What acts on the aircraft from the last setting of the inputs on.
@@ -80,22 +80,25 @@ impl Following {
 
 impl Steering {
     /// Hands off, from the start on.
-    pub fn new(trim: TrimPoint, settings: &Settings, model: &ReducedModel) -> Self {
+    pub fn new(trim: &Trim, settings: &Settings, model: &ReducedModel) -> Self {
         let (inputs, rates) = (Inputs::zero(model), Inputs::zero(model));
         let course = Course::new(settings.plant.heading);
-        let point = match settings.input_reference {
-            InputReference::Trim => trim,
-            InputReference::Absolute => TrimPoint::default(),
+        let share = match settings.input_reference {
+            InputReference::Trim => 1.0,
+            InputReference::Absolute => 0.0,
         };
-        let reference = Reference { angles: point.angles(&model.controls).collect(), thrust: point.thrust };
+        let angles: Vec<f64> = trim.point.angles(&model.controls).collect();
+        let thrusts = &trim.controls.thrust;
+        let part = |values: &[f64]| values.iter().map(|value| share * value).collect();
+        let reference = Reference { angles: part(&angles), thrusts: part(thrusts) };
         let tunnel_flow = settings.plant.along_course().configuration(model.support).tunnel_flow;
-        let surfaces = trim.angles(&model.controls).map(|angle| Surface { angle, rate: 0.0 });
+        let surfaces = angles.iter().map(|&angle| Surface { angle, rate: 0.0 });
         let actuators: Vec<Actuator> =
             (0..model.controls.len()).map(|control| settings.actuators.get(control)).collect();
         let engines: Vec<EngineLag> =
             (0..model.engines.len()).map(|engine| settings.engines.get(engine)).collect();
         Steering {
-            trim,
+            trim: trim.point,
             reference,
             course,
             winds: [Vector3::zeros(); 3],
@@ -108,7 +111,7 @@ impl Steering {
             following: Following::of(&actuators, &engines),
             actuators,
             engines,
-            at_rest: Acting { surfaces: surfaces.collect(), thrusts: vec![trim.thrust; model.engines.len()] },
+            at_rest: Acting { surfaces: surfaces.collect(), thrusts: thrusts.clone() },
         }
     }
 
@@ -207,7 +210,7 @@ impl Steering {
     pub(super) fn thrust_asked(&self, engine: usize, elapsed: f64) -> Command {
         let Steering { inputs, rates, reference, .. } = self;
         let rate = rates.thrust[engine];
-        Command { value: reference.thrust + inputs.thrust[engine] + elapsed * rate, rate }
+        Command { value: reference.thrusts[engine] + inputs.thrust[engine] + elapsed * rate, rate }
     }
 
     /// Along the course, m/s, m/s², m/s³.

@@ -153,6 +153,9 @@ impl Instance {
                 "is a fixed parameter, not an input: there are derivatives by it only in initialisation mode"
                     .to_owned()
             }
+            Slot::Parameter(ParameterSlot::Condition(_)) => {
+                "chooses which flight is trimmed: there are no derivatives by it".to_owned()
+            }
             _ if !component.is_finite() => {
                 format!("has the component {component} in the direction, allowed are finite numbers")
             }
@@ -191,6 +194,7 @@ impl Instance {
             | ParameterSlot::Sensor(_)
             // Gust and turbulence are still ahead.
             | ParameterSlot::Gust(_)
+            | ParameterSlot::Condition(_)
             | ParameterSlot::Turbulence(_)
             | ParameterSlot::InflowStates => f64::INFINITY,
         }

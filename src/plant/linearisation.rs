@@ -102,45 +102,59 @@ impl StateMatrix {
     /// # Errors
     /// When the iteration does not converge.
     pub fn eigenvalues(&self) -> Result<Vec<Complex<f64>>, EigenvaluesNotFound> {
-        if self.unknowns.is_empty() {
-            return Ok(Vec::new());
-        }
-        let cap = MAX_ITERATIONS * self.unknowns.len();
-        let mut balanced = self.matrix.clone();
-        balance_parlett_reinsch(&mut balanced);
-        let schur = |deflation| Schur::try_new(balanced.clone(), deflation, cap);
-        let schur = DEFLATIONS.into_iter().find_map(schur).ok_or(EigenvaluesNotFound)?;
-        Ok(schur.complex_eigenvalues().iter().copied().collect())
+        eigenvalues(&self.matrix)
     }
+}
+
+/// All eigenvalues of a square matrix, 1/s.
+///
+/// # Errors
+/// When the iteration does not converge.
+pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, EigenvaluesNotFound> {
+    if matrix.is_empty() {
+        return Ok(Vec::new());
+    }
+    let cap = MAX_ITERATIONS * matrix.nrows();
+    let mut balanced = matrix.clone();
+    balance_parlett_reinsch(&mut balanced);
+    let schur = |deflation| Schur::try_new(balanced.clone(), deflation, cap);
+    let schur = DEFLATIONS.into_iter().find_map(schur).ok_or(EigenvaluesNotFound)?;
+    Ok(schur.complex_eigenvalues().iter().copied().collect())
+}
+
+/// The derivatives of so many numbers by departures, a column for each step, from their values at a departure of a column.
+pub(super) fn derivatives(
+    rows: usize,
+    steps: &[f64],
+    mut values: impl FnMut(usize, f64) -> Vec<f64>,
+) -> DMatrix<f64> {
+    let mut matrix = DMatrix::zeros(rows, steps.len());
+    for (place, (mut column, &step)) in matrix.column_iter_mut().zip(steps).enumerate() {
+        let around = [-2.0, -1.0, 1.0, 2.0].map(|steps| values(place, steps * step));
+        for (row, entry) in column.iter_mut().enumerate() {
+            *entry = derivative(around.each_ref().map(|values| values[row]), step);
+        }
+    }
+    matrix
 }
 
 impl Plant {
     /// Linearises the motion about a trim of this plant, controls and thrust held. Allocates.
     pub fn linearise(&self, trim: &Trim) -> StateMatrix {
-        let controls = &trim.controls;
         let unknowns = self.unknowns();
-        let airspeed = self.airspeed(&trim.state, controls).max(SLOWEST);
         let mut workspace = self.workspace();
         let mut rates = vec![0.0; trim.state.len()];
-        let mut rates_at = |unknown: Unknown, departure: f64| -> Vec<f64> {
+        let matrix = derivatives(unknowns.len(), &self.steps(&unknowns, trim), |column, departure| {
             let mut state = trim.state.clone();
-            self.displace(unknown, departure, &mut state);
-            self.rates(&state, controls, &mut rates, &mut workspace);
+            self.displace(unknowns[column], departure, &mut state);
+            self.rates(&state, &trim.controls, &mut rates, &mut workspace);
             unknowns.iter().map(|&row| self.rate_of(row, &state, &rates)).collect()
-        };
-        let mut matrix = DMatrix::zeros(unknowns.len(), unknowns.len());
-        for (mut column, &unknown) in matrix.column_iter_mut().zip(&unknowns) {
-            let step = STEP * self.magnitude(unknown, airspeed);
-            let rates = [-2.0, -1.0, 1.0, 2.0].map(|steps| rates_at(unknown, steps * step));
-            for (row, entry) in column.iter_mut().enumerate() {
-                *entry = derivative(rates.each_ref().map(|rates| rates[row]), step);
-            }
-        }
+        });
         StateMatrix { unknowns, matrix }
     }
 
     /// What moves.
-    fn unknowns(&self) -> Vec<Unknown> {
+    pub(super) fn unknowns(&self) -> Vec<Unknown> {
         let layout = self.layout();
         let freedom = self.equations.freedom;
         let [translations, rotations] = freedom.motions();
@@ -166,6 +180,17 @@ impl Plant {
             .collect()
     }
 
+    /// Steps of the differences by some unknowns.
+    pub(super) fn steps(&self, unknowns: &[Unknown], trim: &Trim) -> Vec<f64> {
+        let airspeed = self.speed_at(trim);
+        unknowns.iter().map(|&unknown| STEP * self.magnitude(unknown, airspeed)).collect()
+    }
+
+    /// What velocities at a trim are measured by, m/s.
+    pub(super) fn speed_at(&self, trim: &Trim) -> f64 {
+        self.airspeed(&trim.state, &trim.controls).max(SLOWEST)
+    }
+
     /// What an unknown is measured by: the airspeed, 1 rad, 1 rad/s, a deflection of some strip by 1 m or 1 rad.
     fn magnitude(&self, unknown: Unknown, airspeed: f64) -> f64 {
         match unknown {
@@ -178,7 +203,7 @@ impl Plant {
     }
 
     /// Adds a departure to one unknown of a state.
-    fn displace(&self, unknown: Unknown, departure: f64, state: &mut [f64]) {
+    pub(super) fn displace(&self, unknown: Unknown, departure: f64, state: &mut [f64]) {
         let layout = self.layout();
         let mut turn = |axis: usize| {
             let mut angles = Attitude::from_quaternion(&state[layout.attitude()]).euler_angles();
@@ -197,18 +222,29 @@ impl Plant {
         }
     }
 
-    /// The rate of an unknown at a state with these rates.
-    fn rate_of(&self, unknown: Unknown, state: &[f64], rates: &[f64]) -> f64 {
+    /// The value of an unknown in a state.
+    pub(super) fn value_of(&self, unknown: Unknown, state: &[f64]) -> f64 {
         let layout = self.layout();
+        let angles = || Attitude::from_quaternion(&state[layout.attitude()]).euler_angles();
+        match unknown {
+            Unknown::Roll => angles().x,
+            Unknown::Pitch => angles().y,
+            Unknown::Down => state[layout.position().end - 1],
+            Unknown::Velocity(axis) => state[layout.velocity().start + axis],
+            Unknown::Rate(axis) => state[layout.rate().start + axis],
+            Unknown::Coordinate(mode) => state[layout.coordinates().start + mode],
+            Unknown::CoordinateRate(mode) => state[layout.coordinate_rates().start + mode],
+            Unknown::Inflow { place, .. } => state[place],
+        }
+    }
+
+    /// The rate of an unknown at a state with these rates.
+    pub(super) fn rate_of(&self, unknown: Unknown, state: &[f64], rates: &[f64]) -> f64 {
         match unknown {
             Unknown::Roll => self.tilt_rates(state)[0],
             Unknown::Pitch => self.tilt_rates(state)[1],
-            Unknown::Down => rates[layout.position().end - 1],
-            Unknown::Velocity(axis) => rates[layout.velocity().start + axis],
-            Unknown::Rate(axis) => rates[layout.rate().start + axis],
-            Unknown::Coordinate(mode) => rates[layout.coordinates().start + mode],
-            Unknown::CoordinateRate(mode) => rates[layout.coordinate_rates().start + mode],
-            Unknown::Inflow { place, .. } => rates[place],
+            // Rates have the layout of the state.
+            other => self.value_of(other, rates),
         }
     }
 

@@ -257,7 +257,7 @@ fn beside_origin(
 /// (inertial acceleration − gravity)/g along x_b, y_b, −z_b; without gravity, in units of standard gravity.
 ///
 /// [theory: outputs.load-factor]
-fn load_factor(inertial: &Vector3<f64>, to_body: &Matrix3<f64>, gravity: f64) -> Vector3<f64> {
+pub(super) fn load_factor(inertial: &Vector3<f64>, to_body: &Matrix3<f64>, gravity: f64) -> Vector3<f64> {
     let unit = if gravity > 0.0 { gravity } else { STANDARD_GRAVITY };
     let specific_force = (inertial - to_body * Vector3::new(0.0, 0.0, gravity)) / unit;
     Vector3::new(specific_force.x, specific_force.y, -specific_force.z)

@@ -4,12 +4,13 @@ use std::fmt::Display;
 
 use nalgebra::Vector3;
 
-use crate::air::OutOfRange;
 use crate::aircraft::{ALTITUDES, Support};
 use crate::equations::{Configuration, Fidelity};
 use crate::strips::PetersInflow;
 use crate::structure::{ModeFamily, ModesInUse, ReducedModel};
 
+use super::manoeuvre::ConditionSettings;
+use super::setting_error::SettingError;
 use super::system::Plant;
 use super::trim::TrimCondition;
 
@@ -64,24 +65,8 @@ pub struct PlantSettings {
     pub load_modes: bool,
     /// Peters inflow states per strip, 0…[`MOST_INFLOW_STATES`](Self::MOST_INFLOW_STATES); 0 is steady aerodynamics.
     pub inflow_states: usize,
-}
-
-/// A setting that is outside its range.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{setting}: found {found}, allowed is {allowed}")]
-pub struct SettingError {
-    /// Name of the FMI parameter.
-    pub setting: String,
-    /// What was given.
-    pub found: String,
-    /// What is allowed.
-    pub allowed: String,
-}
-
-impl From<OutOfRange> for SettingError {
-    fn from(OutOfRange { setting, found, allowed }: OutOfRange) -> Self {
-        SettingError { setting: setting.to_owned(), found: found.to_string(), allowed: allowed.to_owned() }
-    }
+    /// How the flight begins: straight and level at first.
+    pub condition: ConditionSettings,
 }
 
 impl PlantSettings {
@@ -101,6 +86,7 @@ impl PlantSettings {
             mode_count: USUAL_MODES.min(model.natural_modes()),
             load_modes: model.has_load_modes(),
             inflow_states: model.inflow_states,
+            condition: ConditionSettings::default(),
         }
     }
 
@@ -110,6 +96,7 @@ impl PlantSettings {
     /// Names the first setting that is out of range.
     pub fn choose_modes(&self, model: &ReducedModel) -> Result<ModesInUse, SettingError> {
         self.check(model.support)?;
+        self.condition.check(model.support, model.engines.len())?;
         if self.fidelity == Fidelity::Rigid {
             return Ok(ModesInUse::chosen(&[]));
         }
@@ -138,7 +125,8 @@ impl PlantSettings {
 
     /// The flight to be trimmed.
     pub fn trim_condition(&self) -> TrimCondition {
-        TrimCondition { airspeed: self.airspeed, altitude: self.altitude, heading: self.heading }
+        let PlantSettings { airspeed, altitude, heading, condition, .. } = *self;
+        TrimCondition { airspeed, altitude, heading, manoeuvre: condition.manoeuvre() }
     }
 
     /// The same, with the heading along the course.

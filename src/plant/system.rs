@@ -131,6 +131,16 @@ impl Plant {
         self.equations.neutral_controls()
     }
 
+    /// Index of the packaged mode of a coordinate; none where it combines several.
+    pub fn packaged_mode(&self, coordinate: usize) -> Option<usize> {
+        self.packaged.modes.packaged(coordinate)
+    }
+
+    /// A strip of the plant as it is known in the packaged model.
+    pub fn packaged_strip(&self, strip: usize) -> &PackagedStrip {
+        &self.packaged.strips[strip]
+    }
+
     /// Number of engines.
     pub fn engine_count(&self) -> usize {
         self.equations.engine_count()

@@ -8,6 +8,8 @@
 use crate::aircraft::{Control, TrimRole};
 use crate::equations::Controls;
 
+use super::manoeuvre::Manoeuvre;
+
 /// The flight condition to be trimmed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrimCondition {
@@ -17,6 +19,8 @@ pub struct TrimCondition {
     pub altitude: f64,
     /// Yaw angle, rad.
     pub heading: f64,
+    /// Straight, a turn or a pull-up; of no account where the aircraft is clamped.
+    pub manoeuvre: Manoeuvre,
 }
 
 /// What holds an aircraft in steady flight, and how it flies then.
@@ -28,15 +32,21 @@ pub struct TrimPoint {
     pub roll: f64,
     /// β, rad, positive with the wind from the right.
     pub sideslip: f64,
-    /// γ of the path, rad, positive upwards; only an aircraft without engines has one.
+    /// γ of the path, rad, positive upwards; an aircraft without engines finds its own.
     pub climb_angle: f64,
+    /// ψ̇, rad/s, positive to the right.
+    pub turn_rate: f64,
+    /// About the body's y axis beside what turning has about it, rad/s.
+    pub pitch_rate: f64,
+    /// Across the flow at O; 0 of a clamped aircraft.
+    pub load_factor: f64,
     /// Of the control with the role of pitch, rad.
     pub pitch_control: f64,
     /// Of the control with the role of roll, rad.
     pub roll_control: f64,
     /// Of the control with the role of yaw, rad.
     pub yaw_control: f64,
-    /// N per engine.
+    /// N per engine that runs.
     pub thrust: f64,
 }
 

@@ -5,6 +5,7 @@ use std::fmt;
 use crate::aircraft::{Control, Support, TrimRole};
 use crate::kinematics::GeneralisedVector;
 
+use super::manoeuvre::Manoeuvre;
 use super::trim::TrimPoint;
 
 /// Why there is no trim.
@@ -31,6 +32,8 @@ pub enum TrimFailure {
         /// About O, nose right, N m.
         yawing: f64,
     },
+    /// The flight leaves the plane of symmetry, and there are not enough controls for roll and yaw to hold it.
+    NoControlAside,
     /// A clamped aircraft finds no shape at rest.
     NoRest,
     /// A clamped aircraft under point loads finds no shape at rest to which more of its load leads.
@@ -55,6 +58,8 @@ pub struct TrimError {
     pub steps: usize,
     /// Where they ended.
     pub point: TrimPoint,
+    /// Which flight it was to be.
+    pub manoeuvre: Manoeuvre,
     /// Those of the aircraft.
     pub controls: Vec<Control>,
     /// Whether it flies.
@@ -73,7 +78,7 @@ impl fmt::Display for TrimError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let TrimError { airspeed, altitude, density, steps, modal, .. } = self;
         let failure = self.failure_text();
-        if self.failure == TrimFailure::NoPitchControl {
+        if matches!(self.failure, TrimFailure::NoPitchControl | TrimFailure::NoControlAside) {
             return write!(f, "{failure}");
         }
         if self.support == Support::Clamped {
@@ -110,7 +115,8 @@ impl fmt::Display for TrimError {
 impl TrimError {
     /// Why, without where.
     fn failure_text(&self) -> String {
-        let (flight, engine) = if self.has_engines { ("level flight", ", an engine") } else { ("glide", "") };
+        let flight = self.manoeuvre.name(self.has_engines);
+        let engine = if self.has_engines { ", an engine" } else { "" };
         match self.failure {
             TrimFailure::NotFound | TrimFailure::TooSlow { .. } => format!("no steady {flight} found"),
             TrimFailure::NoAuthority => format!(
@@ -123,6 +129,10 @@ impl TrimError {
                 "no steady {flight}: the aircraft is not symmetric, and no control with trim = \"roll\" or \"yaw\" moves anything; a side force of \
                  {side_force:.1} N, a rolling moment of {rolling:.1} N m and a yawing moment of {yawing:.1} N m about O \
                  stay unbalanced"
+            ),
+            TrimFailure::NoControlAside => format!(
+                "no steady {flight}: it needs controls with trim = \"roll\" and trim = \"yaw\" that move something (an engine that fails \
+                 without sideslip, or a turn, one of them)"
             ),
             TrimFailure::NoRest => "no deformation at rest found in the wind tunnel".to_owned(),
             TrimFailure::NoRestUnderLoad { share } => format!(

@@ -5,12 +5,14 @@ use nalgebra::Vector3;
 use crate::air::STANDARD_GRAVITY;
 use crate::aircraft::{Support, TrimRole};
 use crate::equations::{Controls, Workspace};
-use crate::kinematics::{ASIDE, GeneralisedVector, IN_PLANE};
-use crate::math::{Attitude, central, largest, quaternion_of_euler_angles, solve};
+use crate::kinematics::{ASIDE, GeneralisedVector};
+use crate::math::{central, largest, quaternion_of_euler_angles, solve};
 
+use super::manoeuvre::{Manoeuvre, SteadyFlight};
 use super::system::Plant;
 use super::trim::{Trim, TrimCondition, TrimPoint};
 use super::trim_error::{TrimError, TrimFailure};
+use super::trim_problem::{Balance, TrimProblem, TrimUnknown, steady_load_factors};
 
 /// Newton steps before giving up.
 const MAX_STEPS: usize = 60;
@@ -23,30 +25,14 @@ const LARGEST_TURN: f64 = 0.2;
 
 /// Accelerations below this are in balance: m/s², rad/s², and modal accelerations relative to the largest
 /// elastic one.
-const BALANCED: f64 = 1e-7;
+pub(super) const BALANCED: f64 = 1e-7;
 
 /// An aircraft that goes aside or turns by less than this, m/s² or rad/s², is symmetric up to rounding.
 const STRAIGHT: f64 = 1e-10;
 
-/// Wings that do not carry the weight at this angle of attack are too slow, rad.
-const STEEP: f64 = 15.0 * std::f64::consts::PI / 180.0;
-
-/// What the search may change of a [`TrimPoint`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum TrimUnknown {
-    Pitch,
-    /// The angle of the control with this role.
-    Control(TrimRole),
-    /// In parts of the weight.
-    Thrust,
-    ClimbAngle,
-    Roll,
-    Sideslip,
-}
-
 /// How Newton's method ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum SearchEnd {
+pub(super) enum SearchEnd {
     /// The steps stopped shrinking.
     Steps(usize),
     /// They did not in so many.
@@ -57,44 +43,44 @@ enum SearchEnd {
 
 /// A search, then what it has found.
 pub(crate) struct Search<'a> {
-    plant: &'a Plant,
-    condition: TrimCondition,
-    /// The unknowns before q.
-    flight: Vec<TrimUnknown>,
-    /// The rows of ν that they balance.
-    rows: Vec<usize>,
-    values: Vec<f64>,
+    pub(super) plant: &'a Plant,
+    pub(super) condition: TrimCondition,
+    /// The unknowns before q, and what they balance.
+    pub(super) problem: TrimProblem,
+    pub(super) values: Vec<f64>,
     /// Whether the last steps led to where the rows vanish.
-    converged: bool,
-    state: Vec<f64>,
-    controls: Controls,
+    pub(super) converged: bool,
+    pub(super) state: Vec<f64>,
+    pub(super) controls: Controls,
     rates: Vec<f64>,
-    workspace: Workspace,
+    pub(super) workspace: Workspace,
 }
 
 impl<'a> Search<'a> {
     /// Searches in the plane of symmetry first; where the aircraft leaves it, all around.
     pub fn find(plant: &'a Plant, condition: TrimCondition) -> Result<Self, Box<TrimError>> {
-        let mut search = Search::new(plant, condition);
+        let mut search = Search::new(plant, condition, TrimProblem::in_plane(plant, &condition));
         if plant.support() == Support::Free && !moves_anything(plant, TrimRole::Pitch) {
             return Err(Box::new(search.without_pitch_control()));
+        }
+        if !condition.manoeuvre.is_symmetric() {
+            return Search::find_aside(plant, condition);
         }
         let in_plane = search.run();
         if search.is_straight() {
             return in_plane.map(|()| search);
         }
         let controls = lateral_controls(plant);
-        if controls == [false; 2] {
+        let Some(problem) = TrimProblem::all_around(plant, &condition, controls) else {
             return match in_plane {
                 Ok(()) => Ok(search),
                 Err(error) => Err(Box::new(search.without_lateral_controls(*error))),
             };
-        }
-        let mut all_around = Search::new(plant, condition);
+        };
+        let mut all_around = Search::new(plant, condition, problem);
         if search.converged {
-            all_around.values.clone_from(&search.values);
+            all_around.begin_at(&search);
         }
-        all_around.add_lateral(controls);
         match (all_around.run(), in_plane) {
             (Ok(()), _) => Ok(all_around),
             (Err(_), Ok(())) => Ok(search),
@@ -102,22 +88,62 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// Searches a flight that leaves the plane of symmetry, from the level one on [theory: trim.manoeuvres].
+    fn find_aside(plant: &'a Plant, condition: TrimCondition) -> Result<Self, Box<TrimError>> {
+        let level = TrimCondition { manoeuvre: Manoeuvre::LEVEL, ..condition };
+        let Some(problem) = TrimProblem::all_around(plant, &condition, lateral_controls(plant)) else {
+            let mut search = Search::new(plant, condition, TrimProblem::in_plane(plant, &level));
+            search.evaluate();
+            let error = search.error(SearchEnd::Steps(0), 0.0);
+            return Err(Box::new(TrimError { failure: TrimFailure::NoControlAside, ..error }));
+        };
+        let level = Search::find(plant, level)?;
+        let mut search = Search::new(plant, condition, problem);
+        search.begin_at(&level);
+        search.begin_turn();
+        search.run().map(|()| search)
+    }
+
+    /// Goes to where another search is, in what both may change.
+    pub(super) fn begin_at(&mut self, other: &Search) {
+        for (unknown, value) in self.problem.unknowns.iter().zip(&mut self.values) {
+            let theirs = other.problem.unknowns.iter().zip(&other.values);
+            let found = theirs.into_iter().find(|(other, _)| *other == unknown);
+            found.into_iter().for_each(|(_, found)| *value = *found);
+        }
+        let [flight, theirs] = [&self.problem, &other.problem].map(|problem| problem.unknowns.len());
+        self.values[flight..].copy_from_slice(&other.values[theirs..]);
+    }
+
+    /// Banks and turns as a point mass would.
+    fn begin_turn(&mut self) {
+        let TrimCondition { airspeed, manoeuvre, .. } = self.condition;
+        let bank_angle = match manoeuvre.flight {
+            SteadyFlight::Turn { bank_angle } => bank_angle,
+            SteadyFlight::TurnAtLoadFactor { load_factor } => {
+                let share = libm::cos(manoeuvre.climb_angle) / load_factor.abs();
+                libm::copysign(libm::acos(share), load_factor)
+            }
+            _ => return,
+        };
+        let turn_rate = self.plant.equations.gravity * libm::tan(bank_angle) / airspeed;
+        for (unknown, value) in self.problem.unknowns.iter().zip(&mut self.values) {
+            match unknown {
+                TrimUnknown::Roll => *value = bank_angle,
+                TrimUnknown::TurnRate => *value = turn_rate,
+                _ => {}
+            }
+        }
+    }
+
     /// What was found, or where the search is.
     pub fn point(&self) -> TrimPoint {
-        // Of a clamped aircraft the mount's; of a free one there is none.
-        let mount = &self.plant.equations.mount;
-        let mut point = TrimPoint { roll: mount.x, pitch: mount.y, ..TrimPoint::default() };
-        for (unknown, &value) in self.flight.iter().zip(&self.values) {
-            match unknown {
-                TrimUnknown::Pitch => point.pitch = value,
-                TrimUnknown::Control(TrimRole::Pitch) => point.pitch_control = value,
-                TrimUnknown::Control(TrimRole::Roll) => point.roll_control = value,
-                TrimUnknown::Control(TrimRole::Yaw) => point.yaw_control = value,
-                TrimUnknown::Thrust => point.thrust = value * self.weight_per_engine(),
-                TrimUnknown::ClimbAngle => point.climb_angle = value,
-                TrimUnknown::Roll => point.roll = value,
-                TrimUnknown::Sideslip => point.sideslip = value,
-            }
+        let mut point = self.problem.given;
+        for (unknown, &value) in self.problem.unknowns.iter().zip(&self.values) {
+            *unknown.of(&mut point) = value;
+        }
+        if self.problem.unknowns.contains(&TrimUnknown::Thrust) {
+            point.thrust *= self.weight_per_engine();
         }
         point
     }
@@ -128,15 +154,19 @@ impl<'a> Search<'a> {
         let steady = self.plant.layout().structure();
         state[plant.layout().structure()].copy_from_slice(&self.state[steady]);
         plant.equations.settle_inflow(&mut state, &self.controls);
-        Trim { point: self.point(), controls: self.controls.clone(), state, unknowns: self.values.clone() }
+        let [_, load_factor] = steady_load_factors(&plant.equations, &state);
+        let is_free = plant.support() == Support::Free;
+        let point = TrimPoint { load_factor: if is_free { load_factor } else { 0.0 }, ..self.point() };
+        Trim { point, controls: self.controls.clone(), state, unknowns: self.values.clone() }
     }
 
     /// At unknowns of a trim that such a plant has found.
     pub fn resume(plant: &'a Plant, condition: TrimCondition, unknowns: &[f64]) -> Self {
-        let mut search = Search::new(plant, condition);
-        if unknowns.len() > search.values.len() {
-            search.add_lateral(lateral_controls(plant));
-        }
+        let in_plane = Search::new(plant, condition, TrimProblem::in_plane(plant, &condition));
+        let all_around = || TrimProblem::all_around(plant, &condition, lateral_controls(plant));
+        let is_aside = unknowns.len() > in_plane.values.len();
+        let problem = if is_aside { all_around() } else { None };
+        let mut search = problem.map_or(in_plane, |problem| Search::new(plant, condition, problem));
         search.values.copy_from_slice(unknowns);
         search
     }
@@ -146,19 +176,12 @@ impl<'a> Search<'a> {
         self.values.iter_mut().zip(unknowns).for_each(|(place, unknown)| *place = unknown);
     }
 
-    /// In the plane of symmetry, all unknowns at zero.
-    fn new(plant: &'a Plant, condition: TrimCondition) -> Self {
-        let along = |along| vec![TrimUnknown::Pitch, TrimUnknown::Control(TrimRole::Pitch), along];
-        let flight = match (plant.support(), plant.engine_count()) {
-            (Support::Free, 0) => along(TrimUnknown::ClimbAngle),
-            (Support::Free, _) => along(TrimUnknown::Thrust),
-            (Support::Clamped, _) => Vec::new(),
-        };
+    /// All unknowns at zero.
+    pub(super) fn new(plant: &'a Plant, condition: TrimCondition, problem: TrimProblem) -> Self {
         Search {
             condition,
-            rows: IN_PLANE[..flight.len()].to_vec(),
-            values: vec![0.0; flight.len() + plant.layout().modes()],
-            flight,
+            values: vec![0.0; problem.unknowns.len() + plant.layout().modes()],
+            problem,
             converged: false,
             state: vec![0.0; plant.layout().len()],
             controls: plant.neutral_controls(),
@@ -168,38 +191,35 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Takes bank angle and the controls for roll and yaw that there are as unknowns too; sideslip for one that is not.
-    ///
-    /// [theory: trim.lateral]
-    fn add_lateral(&mut self, [roll, yaw]: [bool; 2]) {
-        let place = self.flight.len();
-        let control = |there, role| if there { TrimUnknown::Control(role) } else { TrimUnknown::Sideslip };
-        self.flight.extend([TrimUnknown::Roll, control(roll, TrimRole::Roll), control(yaw, TrimRole::Yaw)]);
-        self.rows.extend(ASIDE);
-        self.values.splice(place..place, [0.0; 3]);
+    /// N per engine that runs.
+    fn weight_per_engine(&self) -> f64 {
+        let failed = usize::from(self.condition.manoeuvre.failed_engine.is_some());
+        self.weight() / (self.plant.engine_count() - failed.min(self.plant.engine_count())).max(1) as f64
     }
 
-    fn weight_per_engine(&self) -> f64 {
-        let weight = self.plant.equations.integrals().mass * STANDARD_GRAVITY;
-        weight / self.plant.engine_count().max(1) as f64
+    fn weight(&self) -> f64 {
+        self.plant.equations.integrals().mass * STANDARD_GRAVITY
     }
 
     /// Writes the unknowns into state and controls, and evaluates the equations there.
-    fn evaluate(&mut self) {
+    pub(super) fn evaluate(&mut self) {
         let point = self.point();
         for (angle, trimmed) in self.controls.angles.iter_mut().zip(point.angles(self.plant.controls())) {
             *angle = trimmed;
         }
-        self.controls.thrust.fill(point.thrust);
+        let TrimCondition { airspeed, altitude, heading, manoeuvre } = self.condition;
+        for (engine, thrust) in self.controls.thrust.iter_mut().enumerate() {
+            *thrust = if manoeuvre.failed_engine == Some(engine) { 0.0 } else { point.thrust };
+        }
         let layout = *self.plant.layout();
-        let TrimCondition { airspeed, altitude, heading } = self.condition;
         self.state[layout.position().end - 1] = 0.0 - altitude;
         if self.plant.support() == Support::Free {
             self.state[layout.velocity()].copy_from_slice(&point.velocity(airspeed));
+            self.state[layout.rate()].copy_from_slice(point.rate().as_slice());
         }
         let angles = Vector3::new(point.roll, point.pitch, heading + self.plant.equations.mount.z);
         self.state[layout.attitude()].copy_from_slice(&quaternion_of_euler_angles(&angles));
-        self.state[layout.coordinates()].copy_from_slice(&self.values[self.flight.len()..]);
+        self.state[layout.coordinates()].copy_from_slice(&self.values[self.problem.unknowns.len()..]);
         self.plant.rates(&self.state, &self.controls, &mut self.rates, &mut self.workspace);
     }
 
@@ -208,12 +228,22 @@ impl<'a> Search<'a> {
     /// [theory: trim.residual]
     pub fn residual(&mut self, out: &mut [f64]) {
         self.evaluate();
-        let forces = self.workspace.forces();
-        let (flight, elastic) = out.split_at_mut(self.rows.len());
-        for (out, &row) in flight.iter_mut().zip(&self.rows) {
-            *out = forces[row];
+        let (forces, weight) = (self.workspace.forces(), self.weight());
+        let accelerations = self.workspace.accelerations();
+        let velocity = self.plant.equations.motion(&self.state).velocity;
+        let [aside, across] = steady_load_factors(&self.plant.equations, &self.state);
+        let (flight, elastic) = out.split_at_mut(self.problem.balances.len());
+        for (out, balance) in flight.iter_mut().zip(&self.problem.balances) {
+            *out = match *balance {
+                Balance::Row(row) => forces[row],
+                Balance::Acceleration(row) => accelerations[row],
+                Balance::AcrossPath => accelerations[2] * velocity.x - accelerations[0] * velocity.z,
+                Balance::Coordination => weight * aside,
+                Balance::LoadFactor(asked) => weight * (across - asked),
+            };
         }
-        elastic.copy_from_slice(GeneralisedVector::of(forces).modal);
+        let elastic_rows = if self.problem.is_held { accelerations } else { forces };
+        elastic.copy_from_slice(GeneralisedVector::of(elastic_rows).modal);
     }
 
     /// What was found, or where the search is, in its own units and order.
@@ -232,7 +262,7 @@ impl<'a> Search<'a> {
     }
 
     /// Iterates until the steps stop shrinking [theory: trim.newton].
-    fn iterate(&mut self) -> SearchEnd {
+    pub(super) fn iterate(&mut self) -> SearchEnd {
         let n = self.values.len();
         let (mut jacobian, mut step) = (vec![0.0; n * n], vec![0.0; n]);
         let mut previous = f64::INFINITY;
@@ -242,8 +272,12 @@ impl<'a> Search<'a> {
             if !solve(&jacobian, &mut step) {
                 return SearchEnd::Singular(count);
             }
-            let angles =
-                self.flight.iter().zip(&step).filter(|(unknown, _)| **unknown != TrimUnknown::Thrust);
+            let angles = self
+                .problem
+                .unknowns
+                .iter()
+                .zip(&step)
+                .filter(|(unknown, _)| **unknown != TrimUnknown::Thrust);
             let largest_turn = largest(angles.map(|(_, &turn)| turn));
             let damping = (LARGEST_TURN / largest_turn).min(1.0);
             for (value, step) in self.values.iter_mut().zip(&step) {
@@ -277,7 +311,7 @@ impl<'a> Search<'a> {
     }
 
     /// v̇ and ω̇ of the last evaluation.
-    fn rigid(&self) -> [f64; 6] {
+    pub(super) fn rigid(&self) -> [f64; 6] {
         GeneralisedVector::rigid_part(self.workspace.accelerations())
     }
 
@@ -293,70 +327,18 @@ impl<'a> Search<'a> {
         let modal = largest(GeneralisedVector::of(self.workspace.accelerations()).modal.iter().copied());
         let elastic = largest(self.workspace.elastic_force.iter().copied()).max(1.0);
         let reversed = self.plant.reversed_strip(&self.state, &self.controls, &self.workspace);
+        let [aside, across] = steady_load_factors(&self.plant.equations, &self.state);
+        let meets = |balance: &Balance| match *balance {
+            Balance::Row(_) | Balance::Acceleration(_) | Balance::AcrossPath => true,
+            Balance::Coordination => aside.abs() < BALANCED,
+            Balance::LoadFactor(asked) => (across - asked).abs() < BALANCED,
+        };
         let in_balance = self.workspace.accelerations().iter().all(|a| a.is_finite())
+            && self.problem.balances.iter().all(meets)
             && largest(self.rigid()) < BALANCED
             && modal < BALANCED * elastic
             && reversed.is_none();
         if in_balance { Ok(()) } else { Err(Box::new(self.error(end, modal))) }
-    }
-
-    /// Why the search ended out of balance, and where.
-    fn error(&self, end: SearchEnd, modal: f64) -> TrimError {
-        let TrimCondition { airspeed, altitude, .. } = self.condition;
-        let (SearchEnd::Steps(steps) | SearchEnd::TooMany(steps) | SearchEnd::Singular(steps)) = end;
-        let failure = match (self.plant.support(), end) {
-            (Support::Clamped, _) => TrimFailure::NoRest,
-            (Support::Free, end) => match (self.share_carried(), end) {
-                (Some(share), _) if share < 1.0 => TrimFailure::TooSlow { share },
-                (_, SearchEnd::Singular(_)) => TrimFailure::NoAuthority,
-                (_, SearchEnd::Steps(_) | SearchEnd::TooMany(_)) => TrimFailure::NotFound,
-            },
-        };
-        TrimError {
-            failure,
-            airspeed,
-            altitude,
-            density: self.plant.air(&self.state).density,
-            steps,
-            point: self.point(),
-            support: self.plant.support(),
-            controls: self.plant.controls().to_vec(),
-            has_engines: self.plant.engine_count() > 0,
-            rigid: self.rigid(),
-            modal,
-        }
-    }
-
-    /// What nothing holds in pitch.
-    fn without_pitch_control(&mut self) -> TrimError {
-        self.evaluate();
-        TrimError { failure: TrimFailure::NoPitchControl, ..self.error(SearchEnd::Steps(0), 0.0) }
-    }
-
-    /// What an aircraft whose plane of symmetry is in balance lacks, if it has no control for roll or yaw.
-    fn without_lateral_controls(&self, error: TrimError) -> TrimError {
-        let goes_aside = ASIDE.iter().any(|&row| self.rigid()[row].abs() >= BALANCED);
-        if !self.converged || !goes_aside {
-            return error;
-        }
-        let forces = self.workspace.forces();
-        let [side_force, rolling, yawing] = ASIDE.map(|row| forces[row]);
-        TrimError { failure: TrimFailure::NoLateralControl { side_force, rolling, yawing }, ..error }
-    }
-
-    /// Which share of the weight level, undeformed wings carry at 15° of incidence, without thrust and controls; none
-    /// without wings or weight.
-    fn share_carried(&self) -> Option<f64> {
-        let mut level = Search::new(self.plant, self.condition);
-        *level.values.first_mut()? = STEEP;
-        level.evaluate();
-        let layout = self.plant.layout();
-        let attitude = Attitude::from_quaternion(&level.state[layout.attitude()]);
-        let force = GeneralisedVector::of(level.workspace.forces()).translation;
-        let downwards = attitude.body_from_inertial.tr_mul(&force).z;
-        let weight = self.plant.equations.integrals().mass * self.plant.equations.gravity;
-        let share = 1.0 - downwards / weight;
-        (share.is_finite() && share > 1e-9).then_some(share)
     }
 }
 

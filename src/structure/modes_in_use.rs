@@ -73,6 +73,14 @@ impl ModesInUse {
         self.coordinates.is_empty()
     }
 
+    /// The packaged mode that a coordinate is of, unless it combines several.
+    pub fn packaged(&self, coordinate: usize) -> Option<usize> {
+        match self.coordinates.get(coordinate)? {
+            Coordinate::Packaged(mode) => Some(*mode),
+            Coordinate::Combined(..) => None,
+        }
+    }
+
     /// Writes the coordinates of the packaged modes, of which those that do not take part are zero.
     pub fn write_packaged(&self, in_use: &[f64], packaged: &mut [f64]) {
         packaged.fill(0.0);

@@ -167,7 +167,8 @@ impl<M> FlyingPlant<M> {
 
     /// The plant of a flight that was [symmetric](Self::is_symmetric) or not, if there is one.
     pub fn recorded(&self, is_symmetric: bool) -> Option<RecordedPlant> {
-        let form = self.plants.form(is_symmetric)?;
+        // A flight that began aside has no seat for its half.
+        let form = self.plants.form(is_symmetric).filter(|_| !is_symmetric || self.seats.half().is_some())?;
         Some(RecordedPlant { form, states: self.plants.forms().of(form).layout().len() })
     }
 

@@ -67,7 +67,8 @@ impl<T> Forms<T> {
         std::iter::once(&self.whole).chain(&self.half)
     }
 
-    pub(super) fn whole(&self) -> &T {
+    /// That of the whole aircraft.
+    pub fn whole(&self) -> &T {
         &self.whole
     }
 

@@ -6,8 +6,8 @@
 use crate::equations::{Configuration, Controls, EquationsOfMotion};
 use crate::math::{ROUNDING, are_alike};
 use crate::plant::{
-    Course, Outputs, Packaged, PackagedStrip, Plant, PlantSettings, SettingError, Trim, TrimCondition,
-    TrimError,
+    Course, LimitedTrimError, Outputs, Packaged, PackagedStrip, Plant, PlantSettings, SettingError, Trim,
+    TrimCondition, TrimError, TrimLimits,
 };
 use crate::structure::{ModesInUse, ReducedModel};
 
@@ -129,23 +129,24 @@ impl Plants {
         self.plants.iter().fold(0, |most, plant| most.max(plant.layout().len()))
     }
 
-    /// The form with the fewest states.
-    fn simplest_form(&self) -> Form {
-        if self.halving.is_some() { Form::HALF } else { Form::WHOLE }
+    /// The form with the fewest states in which an aircraft can fly like that.
+    fn form_of_trim(&self, condition: &TrimCondition) -> Form {
+        let is_half = self.halving.is_some() && condition.manoeuvre.is_symmetric();
+        if is_half { Form::HALF } else { Form::WHOLE }
     }
 
-    /// The plant with the fewest states, with which trims are found.
-    pub(crate) fn simplest(&self) -> &Plant {
-        self.plants.of(self.simplest_form())
+    /// Its plant, with which the trim is found.
+    pub(crate) fn plant_of_trim(&self, condition: &TrimCondition) -> &Plant {
+        self.plants.of(self.form_of_trim(condition))
     }
 
-    /// Trims the aircraft in its simplest form. Allocates.
+    /// Trims the aircraft in the simplest form that can fly like that. Allocates.
     ///
     /// # Errors
     /// When there is no trim.
     pub fn trim(&self, condition: &TrimCondition) -> Result<Trimmed, Box<TrimError>> {
-        let (form, trim) = (self.simplest_form(), self.simplest().trim(condition)?);
-        let Some(Halving { unfolding, .. }) = &self.halving else {
+        let (form, trim) = (self.form_of_trim(condition), self.plant_of_trim(condition).trim(condition)?);
+        let Some(Halving { unfolding, .. }) = self.halving.as_ref().filter(|_| form == Form::HALF) else {
             return Ok(Trimmed { form, trims: Forms::new(trim, None) });
         };
         let mut unfolded = Trim { state: Vec::new(), ..trim.clone() };
@@ -153,20 +154,38 @@ impl Plants {
         Ok(Trimmed { form, trims: Forms::new(unfolded, Some(trim)) })
     }
 
-    /// The outputs at a trim of the [simplest](Self::simplest) plant under other actions, in axes along a course. Allocates.
+    /// The plant with which a trim is found, and the trim, where controls and engines can give it. Allocates.
+    ///
+    /// # Errors
+    /// As for [`Plant::trim_within`].
+    pub fn trim_within(
+        &self,
+        condition: &TrimCondition,
+        limits: &TrimLimits,
+    ) -> (&Plant, Result<Trim, LimitedTrimError>) {
+        let plant = self.plant_of_trim(condition);
+        (plant, plant.trim_within(condition, limits))
+    }
+
+    /// The outputs at a trim of [its plant](Self::plant_of_trim) under other actions, in axes along a course. Allocates.
     pub(crate) fn outputs_at_trim(
         &self,
-        trim: &Trim,
+        (trim, condition): (&Trim, &TrimCondition),
         actions: &impl Actions,
         controls: &Controls,
         course: Course,
     ) -> Outputs {
-        self.outputs_under(self.simplest_form(), actions, &trim.state, controls, course)
+        self.outputs_under(self.form_of_trim(condition), actions, &trim.state, controls, course)
     }
 
     /// Adds the section loads there to outputs. Allocates.
-    pub(crate) fn add_loads_at_trim(&self, trim: &Trim, controls: &Controls, outputs: &mut Outputs) {
-        self.add_loads(self.simplest_form(), &trim.state, controls, outputs);
+    pub(crate) fn add_loads_at_trim(
+        &self,
+        (trim, condition): (&Trim, &TrimCondition),
+        controls: &Controls,
+        outputs: &mut Outputs,
+    ) {
+        self.add_loads(self.form_of_trim(condition), &trim.state, controls, outputs);
     }
 
     /// The same at a state of some form.

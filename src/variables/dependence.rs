@@ -42,10 +42,11 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Opt
         OutputSlot::Attitude(Axis::Z) => parameter == Heading,
         OutputSlot::Wind(_) => matches!(parameter, Heading | Airspeed),
         OutputSlot::GustPeakVelocity => matches!(parameter, Altitude | ParameterSlot::Gust(_)),
-        OutputSlot::Position(_)
-        | OutputSlot::Rate(_)
-        | OutputSlot::StationRate { .. }
-        | OutputSlot::ModalRate(_) => false,
+        OutputSlot::Position(_) | OutputSlot::ModalRate(_) => false,
+        // Straight flight turns at no rate, whatever else is set.
+        OutputSlot::Rate(_) | OutputSlot::StationRate { .. } => {
+            matches!(parameter, ParameterSlot::Condition(_))
+        }
         OutputSlot::Acceleration(_)
         | OutputSlot::LoadFactor(_)
         | OutputSlot::SpecificForce { .. }
@@ -88,7 +89,11 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Opt
         | OutputSlot::TrimThrust
         | OutputSlot::TrimClimbAngle
         | OutputSlot::TrimRoll
-        | OutputSlot::TrimSideslip => trims(parameter),
+        | OutputSlot::TrimSideslip
+        | OutputSlot::TrimAngleOfAttack
+        | OutputSlot::TrimTurnRate
+        | OutputSlot::TrimPitchRate
+        | OutputSlot::TrimLoadFactor => trims(parameter),
         // Through what it mirrors.
         OutputSlot::Sensor(_) => false,
     }
@@ -116,6 +121,11 @@ fn limits_engine(parameter: ParameterSlot, engine: usize) -> bool {
 
 /// The parameters that the trim depends on; inflow and damping vanish in steady flight.
 fn trims(parameter: ParameterSlot) -> bool {
-    use ParameterSlot::{Airspeed, Altitude, LoadModes, ModeCount, ModeFamily, Model, StiffnessScale};
-    matches!(parameter, Model | Airspeed | Altitude | StiffnessScale | ModeFamily | ModeCount | LoadModes)
+    use ParameterSlot::{
+        Airspeed, Altitude, Condition, LoadModes, ModeCount, ModeFamily, Model, StiffnessScale,
+    };
+    matches!(
+        parameter,
+        Model | Airspeed | Altitude | StiffnessScale | ModeFamily | ModeCount | LoadModes | Condition(_)
+    )
 }

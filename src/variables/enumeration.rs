@@ -20,11 +20,15 @@ pub enum EnumerationType {
     TurbulenceSpectrum,
     /// [`TurbulenceComponents`](crate::air::TurbulenceComponents).
     TurbulenceComponents,
+    /// [`ManoeuvreChoice`](crate::plant::ManoeuvreChoice).
+    Manoeuvre,
+    /// [`Lateral`](crate::plant::Lateral).
+    Lateral,
 }
 
 impl EnumerationType {
     /// All enumerations, in the order of the model description.
-    pub const ALL: [EnumerationType; 7] = [
+    pub const ALL: [EnumerationType; 9] = [
         EnumerationType::Model,
         EnumerationType::InputReference,
         EnumerationType::ModeFamily,
@@ -32,6 +36,8 @@ impl EnumerationType {
         EnumerationType::GustCriterion,
         EnumerationType::TurbulenceSpectrum,
         EnumerationType::TurbulenceComponents,
+        EnumerationType::Manoeuvre,
+        EnumerationType::Lateral,
     ];
 
     /// Name of the type.
@@ -44,6 +50,8 @@ impl EnumerationType {
             EnumerationType::GustCriterion => "GustCriterion",
             EnumerationType::TurbulenceSpectrum => "TurbulenceSpectrum",
             EnumerationType::TurbulenceComponents => "TurbulenceComponents",
+            EnumerationType::Manoeuvre => "Manoeuvre",
+            EnumerationType::Lateral => "Lateral",
         }
     }
 
@@ -57,6 +65,8 @@ impl EnumerationType {
             EnumerationType::GustCriterion => "What the peak of a single gust follows from",
             EnumerationType::TurbulenceSpectrum => "Spectrum of continuous turbulence",
             EnumerationType::TurbulenceComponents => "Components of the turbulence that blow",
+            EnumerationType::Manoeuvre => "Flight that is trimmed at the start",
+            EnumerationType::Lateral => "What is given of a straight flight",
         }
     }
 
@@ -88,6 +98,14 @@ impl EnumerationType {
                 ("vertical", "Down alone"),
                 ("lateral", "To the right alone"),
             ],
+            EnumerationType::Manoeuvre => &[
+                ("straight", "A straight path"),
+                ("turn", "A turn without lateral load factor"),
+                ("pull_up", "A pull-up or push-over, for a moment"),
+            ],
+            EnumerationType::Lateral => {
+                &[("sideslip", "condition.sideslip is given"), ("bank", "condition.bank_angle is given")]
+            }
         }
     }
 }

@@ -6,6 +6,8 @@
 
 mod air_quantity;
 mod axis;
+mod condition_slot;
+mod conditions;
 mod dependence;
 mod devices;
 mod enumeration;
@@ -27,6 +29,7 @@ mod variable;
 
 pub use air_quantity::AirQuantity;
 pub use axis::Axis;
+pub use condition_slot::ConditionSetting;
 pub use enumeration::EnumerationType;
 pub use gust_slot::{GustSetting, TurbulenceSetting};
 pub use load_component::LoadComponent;

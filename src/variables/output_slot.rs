@@ -103,6 +103,10 @@ pub enum OutputSlot {
     TrimClimbAngle,
     TrimRoll,
     TrimSideslip,
+    TrimAngleOfAttack,
+    TrimTurnRate,
+    TrimPitchRate,
+    TrimLoadFactor,
     /// Of the surface of the control with this index.
     ActuatorRate(usize),
     /// Whether the actuator of the control with this index moves as fast as it can.
@@ -149,7 +153,11 @@ impl OutputSlot {
             | OutputSlot::TrimThrust
             | OutputSlot::TrimClimbAngle
             | OutputSlot::TrimRoll
-            | OutputSlot::TrimSideslip => Part::Trim,
+            | OutputSlot::TrimSideslip
+            | OutputSlot::TrimAngleOfAttack
+            | OutputSlot::TrimTurnRate
+            | OutputSlot::TrimPitchRate
+            | OutputSlot::TrimLoadFactor => Part::Trim,
         }
     }
 
@@ -232,6 +240,10 @@ impl OutputSlot {
             OutputSlot::TrimClimbAngle => trim.climb_angle,
             OutputSlot::TrimRoll => trim.roll,
             OutputSlot::TrimSideslip => trim.sideslip,
+            OutputSlot::TrimAngleOfAttack => trim.angle_of_attack(),
+            OutputSlot::TrimTurnRate => trim.turn_rate,
+            OutputSlot::TrimPitchRate => trim.pitch_rate,
+            OutputSlot::TrimLoadFactor => trim.load_factor,
             OutputSlot::ActuatorRate(control) => instant.actuators[control].rate,
             OutputSlot::Sensor(channel) => instant.sensors[channel],
             OutputSlot::RateLimited(_) | OutputSlot::PositionLimited(_) => self.get(instant).number(),

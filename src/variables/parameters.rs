@@ -6,6 +6,7 @@ use crate::flight::{NoiseKind, SensorSettings, Settings};
 use crate::plant::PlantSettings;
 use crate::structure::ReducedModel;
 
+use super::conditions;
 use super::enumeration::EnumerationType;
 use super::gusts;
 use super::row::parameter;
@@ -83,6 +84,7 @@ pub(super) fn parameters(model: &ReducedModel, start: &Settings) -> Vec<Variable
     rows.extend(engines(model, start));
     rows.extend(sensors(start));
     rows.extend(gusts::parameters(start));
+    rows.extend(conditions::parameters(model, start));
     rows
 }
 

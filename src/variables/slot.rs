@@ -6,6 +6,7 @@ use crate::flight::{InputReference, Inputs, NoiseKind, SensorSettings, Settings}
 use crate::plant::ModeSelection;
 
 use super::axis::Axis;
+use super::condition_slot::ConditionSetting;
 use super::gust_slot::{GustSetting, TurbulenceSetting};
 use super::output_slot::OutputSlot;
 use super::value::Value;
@@ -51,6 +52,7 @@ pub enum ParameterSlot {
         setting: EngineSetting,
     },
     Sensor(SensorSetting),
+    Condition(ConditionSetting),
     Gust(GustSetting),
     Turbulence(TurbulenceSetting),
 }
@@ -121,6 +123,7 @@ impl ParameterSlot {
                 Value::Real(*setting.of(&mut settings.engines.get(engine)))
             }
             ParameterSlot::Sensor(setting) => setting.get(&settings.sensors),
+            ParameterSlot::Condition(setting) => setting.get(&settings.plant.condition),
             ParameterSlot::Gust(setting) => setting.get(&settings.gust),
             ParameterSlot::Turbulence(setting) => setting.get(&settings.turbulence),
         }
@@ -169,6 +172,7 @@ impl ParameterSlot {
                 settings.engines.set(engine, lag);
             }
             (ParameterSlot::Sensor(setting), value) => setting.set(&mut settings.sensors, value),
+            (ParameterSlot::Condition(setting), value) => setting.set(&mut settings.plant.condition, value),
             (ParameterSlot::Gust(setting), value) => setting.set(&mut settings.gust, value),
             (ParameterSlot::Turbulence(setting), value) => setting.set(&mut settings.turbulence, value),
             _ => {}

@@ -226,14 +226,31 @@ fn controls_and_trim(model: &ReducedModel) -> Vec<Variable> {
         Some(if glides {
             ("climb_angle", Unit::Radian, OutputSlot::TrimClimbAngle, "Angle of the path above the horizon")
         } else {
-            ("thrust", Unit::Newton, OutputSlot::TrimThrust, "Thrust per engine")
+            ("thrust", Unit::Newton, OutputSlot::TrimThrust, "Thrust per engine that runs")
         }),
         Some(("roll", Unit::Radian, OutputSlot::TrimRoll, "Bank angle")),
         Some(("beta", Unit::Radian, OutputSlot::TrimSideslip, "Sideslip angle")),
         with_role(TrimRole::Roll),
         with_role(TrimRole::Yaw),
     ];
-    for (name, unit, slot, text) in trim.into_iter().flatten() {
+    let flown = [
+        ("alpha", Unit::Radian, OutputSlot::TrimAngleOfAttack, "Angle of attack"),
+        (
+            "turn_rate",
+            Unit::RadianPerSecond,
+            OutputSlot::TrimTurnRate,
+            "Rate of turn, positive to the right,",
+        ),
+        (
+            "pitch_rate",
+            Unit::RadianPerSecond,
+            OutputSlot::TrimPitchRate,
+            "Pitch rate, beside that of a turn,",
+        ),
+        ("load_factor", Unit::One, OutputSlot::TrimLoadFactor, "Load factor across the flow"),
+    ];
+    let flown = flown.into_iter().filter(|_| model.support == Support::Free);
+    for (name, unit, slot, text) in trim.into_iter().flatten().chain(flown) {
         let text = format!("{text} of the trim found at initialisation");
         let row = output(format!("trim.{name}"), unit, slot, text);
         rows.push(Variable { variability: Variability::Discrete, ..row });

@@ -42,6 +42,8 @@ fn the_jet_has_exactly_the_variables_of_the_contract() {
         "gust.criterion gust.alleviation gust.maximum_operating_altitude gust.peak_velocity turbulence.spectrum",
         "turbulence.intensity turbulence.scale turbulence.seed turbulence.components turbulence.start",
         "engine.right.thrust trim.pitch trim.elevator trim.thrust trim.roll trim.beta trim.aileron trim.rudder",
+        "trim.alpha trim.turn_rate trim.pitch_rate trim.load_factor condition.manoeuvre condition.climb_angle",
+        "condition.bank_angle condition.load_factor condition.sideslip condition.lateral condition.failed_engine",
     ]
     .iter()
     .flat_map(|line| line.split(' ').map(str::to_owned))
@@ -148,7 +150,7 @@ fn controls_bring_variables_by_their_names_and_only_those_with_roles_stand_in_th
         known.iter().filter(|known| matches!(table.get(**known).unwrap().slot, Slot::Parameter(_))).count()
     };
     // Frequency and limits of its own actuator, and what the trim depends on.
-    assert_eq!([0, 1, 2, 3].map(parameters), [3, 10, 3, 3]);
+    assert_eq!([0, 1, 2, 3].map(parameters), [3, 17, 3, 3]);
 }
 
 #[test]
@@ -353,7 +355,10 @@ fn the_trim_depends_at_initialisation_on_what_defines_steady_flight() {
     let table = table();
     let dependencies = table.initial_dependencies(OutputSlot::TrimPitch);
     let names: Vec<_> = dependencies.iter().map(|r| table.get(*r).unwrap().name.as_str()).collect();
-    assert_eq!(names, ["model", "airspeed", "altitude", "stiffness_scale", "mode_family", "mode_count"]);
+    let [condition, others]: [Vec<_>; 2] = [true, false]
+        .map(|is| names.iter().copied().filter(|name| name.starts_with("condition.") == is).collect());
+    assert_eq!(others, ["model", "airspeed", "altitude", "stiffness_scale", "mode_family", "mode_count"]);
+    assert_eq!(condition.len(), 7);
 }
 
 #[test]

@@ -8,6 +8,7 @@ pub mod plain_loads;
 pub mod plain_points;
 pub mod plain_sections;
 pub mod planar;
+pub mod response;
 pub mod ritz;
 pub mod rod;
 pub mod strip;

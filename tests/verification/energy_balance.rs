@@ -8,7 +8,7 @@
 
 use flexible_aircraft::equations::{EquationsOfMotion, Fidelity, Mechanics};
 use flexible_aircraft::math::Attitude;
-use flexible_aircraft::plant::{Plant, TrimCondition};
+use flexible_aircraft::plant::{Manoeuvre, Plant, TrimCondition};
 use flexible_aircraft::structure::{BeamSection, ReducedEngine, ReducedModel};
 use nalgebra::{DVector, Vector3};
 
@@ -88,7 +88,9 @@ fn balance(fidelity: Fidelity) -> (f64, f64) {
     const STEP: f64 = 1e-3;
     let (model, plant) = soft_jet(fidelity);
     let equations = plant.equations();
-    let trim = plant.trim(&TrimCondition { airspeed: 127.0, altitude: 7620.0, heading: 0.0 }).unwrap();
+    let condition =
+        TrimCondition { airspeed: 127.0, altitude: 7620.0, heading: 0.0, manoeuvre: Manoeuvre::LEVEL };
+    let trim = plant.trim(&condition).unwrap();
     let mut workspace = plant.workspace();
     let moving = Moving::at(&model, fidelity);
     let mut slope = |time: f64, state: &DVector<f64>| {

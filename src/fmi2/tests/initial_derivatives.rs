@@ -62,6 +62,11 @@ impl Initialisation {
             _ => None,
         });
         for (parameter, slot, name) in parameters {
+            if matches!(slot, ParameterSlot::Condition(_)) {
+                // Which flight is trimmed is a choice: there is no small one.
+                assert!(fmu.derivatives(&references, &[parameter], &[1.0]).is_err(), "{name}");
+                continue;
+            }
             let derivatives = fmu.derivatives(&references, &[parameter], &[1.0]).unwrap();
             let at = fmu.get_references(&[parameter]).unwrap()[0];
             let step = match slot {

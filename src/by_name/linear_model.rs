@@ -1,0 +1,75 @@
+//! A linear model by the names of the FMU's variables [theory: linearisation.inputs, linearisation.outputs].
+
+use nalgebra::{Complex, DMatrix};
+
+use crate::plant::{EigenvaluesNotFound, eigenvalues};
+
+use super::linear_names::Name;
+
+/// What becomes of the wake in a linear model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Inflow {
+    /// Its states are states of the model.
+    Kept,
+    /// There is none: the aircraft with `inflow_states = 0`.
+    Steady,
+}
+
+/// ẋ = A x + B u + B′ u̇, y = C x + D u + D′ u̇: small departures from the trim with which a flight begins, SI units.
+///
+/// n states, m inputs, p outputs. Inputs are those of the FMU, the wind uniform; outputs all that are Real and change with
+/// time, but for sensors, section loads among them. B′ and D′ are zero but for the wind. Actuators and engines that lag have
+/// states, their limits are left out, as are gust and turbulence, which are still ahead. Position north and east and heading
+/// are held.
+///
+/// ```
+/// use flexible_aircraft::{Aircraft, Inflow, LinearModel, flight::Settings};
+///
+/// let jet = Aircraft::read("aircraft/generic-business-jet.toml")?.reduce()?;
+/// let mut settings = Settings::of(&jet);
+/// settings.plant.mode_count = 2;
+/// let model = LinearModel::new(jet, &settings, Inflow::Steady)?;
+/// let place = |names: &[flexible_aircraft::LinearName], name: &str| names.iter().position(|n| n.name == name);
+/// let row = place(&model.states, "rate.y").ok_or("no such state")?;
+/// let column = place(&model.inputs, "elevator").ok_or("no such input")?;
+/// assert!(model.b[(row, column)] < -0.1); // rad/s² per rad: positive is nose-down
+/// assert_eq!((model.states[row].unit, model.inputs[column].unit), ("rad/s", "rad"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinearModel {
+    /// A, n × n.
+    pub a: DMatrix<f64>,
+    /// B, n × m.
+    pub b: DMatrix<f64>,
+    /// C, p × n.
+    pub c: DMatrix<f64>,
+    /// D, p × m.
+    pub d: DMatrix<f64>,
+    /// B′, n × m.
+    pub bd: DMatrix<f64>,
+    /// D′, p × m.
+    pub dd: DMatrix<f64>,
+    /// States of the trim.
+    pub x0: Vec<f64>,
+    /// Inputs of the trim, absolute: angles of the controls and thrusts, in still air.
+    pub u0: Vec<f64>,
+    /// Outputs of the trim.
+    pub y0: Vec<f64>,
+    /// Of the states.
+    pub states: Vec<Name>,
+    /// Of the inputs.
+    pub inputs: Vec<Name>,
+    /// Of the outputs.
+    pub outputs: Vec<Name>,
+}
+
+impl LinearModel {
+    /// The eigenvalues of A, 1/s, in no particular order.
+    ///
+    /// # Errors
+    /// When the iteration does not converge.
+    pub fn eigenvalues(&self) -> Result<Vec<Complex<f64>>, EigenvaluesNotFound> {
+        eigenvalues(&self.a)
+    }
+}
