@@ -5,7 +5,9 @@
 
 mod dots;
 mod legend;
+mod stack;
 mod thinning;
+mod window;
 
 use kuva::plot::LinePlot;
 use kuva::plot::line::LineStyle;
@@ -17,7 +19,9 @@ use crate::mark_labels::upright_labels;
 use dots::dots;
 pub use legend::legend;
 use legend::{Sign, entries};
+pub use stack::stacked;
 use thinning::thinned;
+pub use window::Window;
 
 /// Size of a chart, px of its view box; it scales.
 const WIDTH: f64 = 720.0;
@@ -72,15 +76,6 @@ pub struct Axis {
     pub tick: Option<f64>,
 }
 
-/// A closed range of numbers, `min` < `max`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Window {
-    /// Lower end.
-    pub min: f64,
-    /// Upper end.
-    pub max: f64,
-}
-
 /// A labelled curve; it may leave the window.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
@@ -111,26 +106,20 @@ pub enum Mark {
     Points(String, Vec<(f64, f64)>),
 }
 
-impl Window {
-    /// From `min` to `max`.
-    pub const fn new(min: f64, max: f64) -> Self {
-        Window { min, max }
-    }
-
-    /// max − min.
-    pub fn width(&self) -> f64 {
-        self.max - self.min
-    }
-
-    /// Whether a value is inside.
-    pub fn contains(&self, value: f64) -> bool {
-        (self.min..=self.max).contains(&value)
-    }
-}
-
 impl Chart {
     /// The chart with its legend as an SVG element that stands alone in a file and scales within a page.
     pub fn to_svg(&self) -> String {
+        let (drawing, height) = self.with_legend(HEIGHT);
+        element(WIDTH, height, &drawing)
+    }
+
+    /// The same without the legend, for several charts that share one.
+    pub fn to_svg_without_legend(&self) -> String {
+        element(WIDTH, HEIGHT, &self.panel(HEIGHT))
+    }
+
+    /// The chart, so high (px), above its legend, and the height of both, px.
+    fn with_legend(&self, height: f64) -> (String, f64) {
         let curves = self.curves.iter().enumerate();
         let curves = curves.map(|(index, curve)| (curve.label.as_str(), Sign::Stroke(Style::of(index))));
         let points = self.marks.iter().filter_map(|mark| match mark {
@@ -138,22 +127,17 @@ impl Chart {
             Mark::Vertical(..) | Mark::Limit(_) => None,
         });
         let named: Vec<(&str, Sign)> = curves.chain(points).collect();
-        let (legend, legend_height) = entries(&named, MARGINS.0, WIDTH, HEIGHT);
-        element(WIDTH, HEIGHT + legend_height, &(self.panel() + &legend))
+        let (legend, legend_height) = entries(&named, MARGINS.0, WIDTH, height);
+        (self.panel(height) + &legend, height + legend_height)
     }
 
-    /// The same without the legend, for several charts that share one.
-    pub fn to_svg_without_legend(&self) -> String {
-        element(WIDTH, HEIGHT, &self.panel())
-    }
-
-    fn panel(&self) -> String {
+    fn panel(&self, height: f64) -> String {
         let plots: Vec<Plot> = self.curves.iter().enumerate().map(|(i, curve)| self.plot(i, curve)).collect();
-        let layout = self.layout(&plots);
+        let layout = self.layout(&plots, height);
         let computed = ComputedLayout::from_layout(&layout);
-        let frame = [computed.margin_top, HEIGHT - computed.margin_bottom];
+        let frame = [computed.margin_top, height - computed.margin_bottom];
         kuva::render_to_svg(plots, layout)
-            + &self.upright_label()
+            + &self.upright_label(height)
             + &dots(self, frame)
             + &self.mark_labels(frame)
     }
@@ -170,10 +154,10 @@ impl Chart {
     }
 
     /// The label of the vertical axis, where no tick label reaches.
-    fn upright_label(&self) -> String {
+    fn upright_label(&self, height: f64) -> String {
         format!(
             "<text transform=\"rotate(-90)\" x=\"{}\" y=\"22\" text-anchor=\"middle\" font-size=\"17\">{}</text>",
-            -0.495 * HEIGHT,
+            -0.495 * height,
             escaped(&self.y.label)
         )
     }
@@ -187,14 +171,14 @@ impl Chart {
         Plot::Line(plot.with_stroke_width(width).with_line_style(LineStyle::Custom(dash.to_owned())))
     }
 
-    fn layout(&self, plots: &[Plot]) -> Layout {
+    fn layout(&self, plots: &[Plot], height: f64) -> Layout {
         // So much wider that rounding does not hide the ticks at the ends.
         let shown =
             |Window { min, max }: Window| Window::new(min - 1e-9 * (max - min), max + 1e-9 * (max - min));
         let (x, y) = (&shown(self.x.window), &shown(self.y.window));
         let mut layout = Layout::auto_from_plots(plots)
             .with_width(WIDTH)
-            .with_height(HEIGHT)
+            .with_height(height)
             .with_title(&self.title)
             .with_x_label(&self.x.label)
             .with_x_axis_min(x.min)

@@ -1,7 +1,7 @@
 //! Files that commands write: whole or not at all, and never over what was read.
 
 use std::fs::File;
-use std::io::{self, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use flexible_aircraft_packaging::{Draft, FileError, is_stream, open_stream, replaced_by};
@@ -96,12 +96,12 @@ impl Drafts {
     ///
     /// # Errors
     /// When one cannot be written; what was there then stays.
-    pub fn keep<'c>(mut self, contents: impl IntoIterator<Item = &'c str>) -> Result<(), FileError> {
+    pub fn keep(mut self, contents: impl IntoIterator<Item = impl AsRef<[u8]>>) -> Result<(), FileError> {
         let mut written = 0;
         for (draft, content) in self.0.iter_mut().zip(contents) {
             let output = draft.output().to_owned();
             let failed = |source| FileError { action: "write", path: output, source };
-            draft.write_all(content.as_bytes()).map_err(failed)?;
+            draft.write_all(content.as_ref()).map_err(failed)?;
             written += 1;
         }
         for draft in self.0.drain(written..) {
@@ -141,6 +141,33 @@ impl Sink {
             return open_stream(output).map(|file: File| Sink::Stream(Box::new(file))).map_err(failed);
         }
         Draft::new(output).map(Sink::File)
+    }
+
+    /// The same for work that goes on when nobody reads any more.
+    pub fn unheard(self) -> Self {
+        match self {
+            Sink::Stream(stream) => Sink::Stream(Box::new(Unheard(stream))),
+            file => file,
+        }
+    }
+}
+
+/// A stream that takes everything where nobody reads.
+struct Unheard<W>(W);
+
+impl<W: Write> Write for Unheard<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self.0.write(bytes) {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(bytes.len()),
+            written => written,
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self.0.flush() {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+            flushed => flushed,
+        }
     }
 }
 

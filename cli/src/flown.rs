@@ -1,4 +1,4 @@
-//! What flies and how: the options that `flexair simulate`, `gust` and `loads` share, and the trim that they begin with.
+//! What flies and how: the options that `flexair simulate`, `trim`, `linearise`, `gust` and `loads` share, and the trim that they begin with.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -96,9 +96,15 @@ pub fn condition(model: &ReducedModel, settings: &Settings) -> String {
         Some(air) => format!("air of {} kg/m³", Plain(air.density)),
         None => format!("{} m", Plain(plant.altitude)),
     };
+    format!("{} m/s, {air}, {}", Plain(plant.airspeed), level(settings))
+}
+
+/// Level and modes.
+pub fn level(settings: &Settings) -> String {
+    let plant = &settings.plant;
     let modes = match plant.fidelity {
         Fidelity::Rigid => String::new(),
         _ => format!(", {} modes", plant.mode_count),
     };
-    format!("{} m/s, {air}, model = {}{modes}", Plain(plant.airspeed), plant.fidelity.name())
+    format!("model = {}{modes}", plant.fidelity.name())
 }

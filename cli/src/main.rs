@@ -20,6 +20,7 @@ mod files;
 mod flown;
 mod flutter;
 mod gust;
+mod linearise;
 mod loads;
 mod manoeuvre;
 mod mark_labels;
@@ -32,6 +33,8 @@ mod simulate;
 mod ssp;
 mod sweep;
 mod terminal;
+mod trim;
+mod watched;
 mod workspace;
 
 use diagnostics::Report as _;
@@ -53,8 +56,15 @@ enum Command {
     /// Fly the flights of the thesis, and write a page that lays the results beside its figures and table
     Reproduce(ReproduceOptions),
 
-    /// Fly an aircraft without any FMI tool: inputs from a file, all outputs into another
+    /// Fly an aircraft without any FMI tool: inputs that are built in or from a file, all outputs into a table
     Simulate(simulate::SimulateOptions),
+
+    /// Trim an aircraft in level flight, climbs, turns, pull-ups, sideslip or with an engine out: a table over speeds and altitudes
+    Trim(trim::TrimOptions),
+
+    /// Write a linear model about a trim, for control laws: matrices with names and units as JSON, tables, for NumPy and MATLAB
+    #[command(visible_alias = "linearize")]
+    Linearise(linearise::LineariseOptions),
 
     /// Find the airspeeds at which an aircraft flutters or diverges, and draw V–g and V–f plots
     Flutter(flutter::FlutterOptions),
@@ -180,6 +190,8 @@ fn main() -> ExitCode {
         Command::Merge(options) => merge::run(&options).map_err(|error| error.report()),
         Command::Reproduce(options) => reproduce::run(&options).map_err(|error| error.report()),
         Command::Simulate(options) => simulate::run(&options).map_err(|error| error.report()),
+        Command::Trim(options) => trim::run(&options).map_err(|error| error.report()),
+        Command::Linearise(options) => linearise::run(&options).map_err(|error| error.report()),
         Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
         Command::Converge(options) => converge::run(&options).map_err(|error| error.report()),
         Command::Gust(options) => gust::run(&options).map_err(|error| error.report()),
@@ -231,6 +243,8 @@ mod tests {
             "flutter --from 1 --to 2",
             "converge",
             "gust",
+            "trim",
+            "linearise",
             "bench",
             "reproduce",
         ];

@@ -34,6 +34,18 @@ pub fn rounded(number: f64) -> String {
     fixed(number, (5.0 - number.abs().log10().floor()).clamp(0.0, 9.0) as usize)
 }
 
+/// Columns of equal widths, to the right.
+pub fn aligned(lines: &[Vec<String>]) -> String {
+    let columns = lines.first().map_or(0, Vec::len);
+    let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let line = |line: &Vec<String>| {
+        let cells = line.iter().zip(&widths).map(|(cell, width)| format!("{cell:>width$}"));
+        cells.collect::<Vec<_>>().join("  ") + "\n"
+    };
+    lines.iter().map(line).collect()
+}
+
 /// A table on its way to where it is written.
 pub struct NumberTable<W: Write> {
     writer: csv::Writer<W>,

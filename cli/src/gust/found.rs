@@ -3,7 +3,7 @@
 use flexible_aircraft::flight::{Instant, Simulation};
 
 use super::case::Case;
-use super::watched::Watched;
+use crate::watched::Watched;
 
 /// Least and greatest of an output, and when, s.
 #[derive(Clone, Copy, Debug, PartialEq)]

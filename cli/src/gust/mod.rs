@@ -12,6 +12,7 @@ use crate::files::{Drafts, Overwriting, refuse_overwriting};
 use crate::flown::{self, FlownOptions, seconds, trimmed};
 use crate::simulate::schedule::Schedule;
 use crate::sweep::{Failures, Sweep, TooManyLooks};
+use crate::watched::{NoSuchOutput, Watched, is_part};
 use crate::{diagnostics, terminal, workspace};
 
 mod alleviation;
@@ -22,12 +23,10 @@ mod plot;
 mod report;
 pub mod set;
 mod table;
-mod watched;
 
 use case::Case;
 use found::{Flown, Found};
 use set::GustSetOptions;
-use watched::Watched;
 
 /// How the names of the files end that are written: all cases, the worst of them, the plot.
 const OUTPUTS: [&str; 3] = ["gusts.csv", "worst.csv", "gusts.svg"];
@@ -80,7 +79,7 @@ pub enum Error {
     #[error(transparent)]
     Looks(#[from] TooManyLooks),
     #[error(transparent)]
-    Output(#[from] watched::NoSuchOutput),
+    Output(#[from] NoSuchOutput),
     #[error(transparent)]
     Trim(#[from] SimulationError),
     #[error(transparent)]
@@ -102,7 +101,7 @@ pub fn run(options: &GustOptions) -> Result<(), Error> {
     let variables = VariableTable::new(&model);
     let settings = options.flown.settings(&variables, &model)?;
     let cases = options.gusts.cases(&settings, &options.flown.set, options.duration)?;
-    let watched = Watched::choose(&options.output_names, &variables)?;
+    let watched = watched(&options.output_names, &variables)?;
     let schedule = Schedule::hands_off(options.duration);
     let sweep = Sweep::new(&model, &settings, &schedule, options.step);
     sweep.check(cases.len())?;
@@ -127,6 +126,19 @@ pub fn run(options: &GustOptions) -> Result<(), Error> {
         terminal::print(&format!("{}\n", path.display()))?;
     }
     failures.map_or(Ok(()), |failures| Err(failures.into()))
+}
+
+/// The outputs of these names; the usual ones where none is named.
+fn watched(names: &[String], variables: &VariableTable) -> Result<Vec<Watched>, NoSuchOutput> {
+    if names.is_empty() {
+        return Ok(Watched::all(variables).filter(|output| is_usual(&output.name)).collect());
+    }
+    Watched::choose("--output-names", names, variables)
+}
+
+fn is_usual(name: &str) -> bool {
+    let is_up = name.starts_with("deflection.") && name.ends_with(".up");
+    is_up || ["loads", "load_factor"].iter().any(|part| is_part(part, name))
 }
 
 /// What each gust did to the watched outputs, and which could not be flown to the end.

@@ -1,8 +1,8 @@
 //! What gusts add to the trim, over their gradients.
 
 use super::found::{Extremes, Found};
-use super::watched::Watched;
 use crate::chart::{Axis, Chart, Curve, Window};
+use crate::watched::Watched;
 
 /// Curves that a plot bears.
 const MOST_CURVES: usize = 8;

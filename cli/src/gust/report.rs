@@ -6,9 +6,9 @@ use flexible_aircraft::structure::ReducedModel;
 use super::found::{Flown, Found};
 use super::set::peaks;
 use super::table::Worst;
-use super::watched::Watched;
 use crate::flown::condition;
 use crate::numbers::rounded;
+use crate::watched::Watched;
 
 /// What was flown, how long that took, and the worst of each output.
 pub fn text(

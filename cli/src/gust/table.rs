@@ -2,8 +2,8 @@
 
 use super::case::Case;
 use super::found::{Extremes, Flown, Found};
-use super::watched::Watched;
 use crate::numbers::Plain;
+use crate::watched::Watched;
 
 /// The gust that has made the most, and the least, of an output.
 pub struct Worst<'s> {

@@ -58,7 +58,7 @@ fn along_component(analysis: &Analysis, component: &str, quantity: &str, load: L
         x: Axis::new("fraction of the length, from the root (1)", Window::new(0.0, 1.0)),
         y: Axis::new(
             format!("{quantity} ({unit})"),
-            around(curves.iter().flat_map(|c| c.points.iter().map(|p| p.1))),
+            Window::around(curves.iter().flat_map(|c| c.points.iter().map(|p| p.1))),
         ),
         curves,
         marks: Vec::new(),
@@ -78,8 +78,8 @@ pub fn bending_over_torsion(analysis: &Analysis) -> Vec<Chart> {
         let points = || curves.iter().flat_map(|curve| curve.points.iter());
         Chart {
             title: format!("{}: bending against torsion", cut.name),
-            x: Axis::new("torsion (kN m)", around(points().map(|point| point.0))),
-            y: Axis::new("bending (kN m)", around(points().map(|point| point.1))),
+            x: Axis::new("torsion (kN m)", Window::around(points().map(|point| point.0))),
+            y: Axis::new("bending (kN m)", Window::around(points().map(|point| point.1))),
             curves,
             marks: Vec::new(),
             frame: None,
@@ -99,17 +99,4 @@ fn drawn(analysis: &Analysis, cut: usize) -> impl Iterator<Item = &Carried> {
     };
     let few = analysis.flights.len() <= MOST_FLIGHTS;
     analysis.flights.iter().filter(move |flight| few || sets_it(flight))
-}
-
-/// A window around some values, and a little more; one around 0 where all are the same.
-fn around(values: impl Iterator<Item = f64>) -> Window {
-    let (least, most) = values
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)));
-    // Of what is nothing but rounding there is nothing to see.
-    let size = least.abs().max(most.abs());
-    if !size.is_finite() || size < 1e-9 {
-        return Window::new(-1.0, 1.0);
-    }
-    let margin = (0.08 * (most - least)).max(1e-3 * size);
-    Window::new(least - margin, most + margin)
 }

@@ -11,6 +11,7 @@ use crate::flown::trimmed;
 use crate::numbers::NumberTable;
 use crate::progress::Progress;
 
+use super::plot::Recorded;
 use super::schedule::Schedule;
 
 /// Why a flight did not reach the end of its schedule.
@@ -54,7 +55,7 @@ impl<'s> Flight<'s> {
     }
 
     /// Flies, and writes the outputs at each communication point, as a master reads them at the end of the step that
-    /// leads there.
+    /// leads there; and records those that are to be drawn.
     ///
     /// # Errors
     /// When the flight has to end, or the table takes no rows.
@@ -62,12 +63,16 @@ impl<'s> Flight<'s> {
         &mut self,
         step: Option<f64>,
         table: &mut NumberTable<W>,
+        mut recorded: Option<&mut Recorded>,
         progress: &Progress,
     ) -> Result<(), Interruption> {
         let Flight { simulation, model, schedule, slots, .. } = self;
         schedule.fly(simulation, model, step, |time, simulation| {
             // All outputs are written, section loads among them.
             let instant = simulation.instant_with_loads();
+            if let Some(recorded) = &mut recorded {
+                recorded.look(time, instant);
+            }
             let values = slots.iter().map(|slot| slot.number(instant));
             table.row(std::iter::once(time).chain(values))?;
             progress.advance();
@@ -99,7 +104,7 @@ mod tests {
         let schedule = Schedule::parse(inputs.as_bytes(), &variables).unwrap();
         let mut flight = Flight::new(model, &settings, &schedule, &variables).unwrap();
         let mut table = NumberTable::new(Vec::new(), flight.names()).unwrap();
-        let flown = flight.fly(step, &mut table, &Progress::hidden());
+        let flown = flight.fly(step, &mut table, None, &Progress::hidden());
         let text = String::from_utf8(table.into_sink().unwrap()).unwrap();
         (text.lines().map(String::from).collect(), flown)
     }

@@ -6,7 +6,7 @@ use flexible_aircraft::variables::{InputSlot, Slot, Unit, VariableTable};
 use super::schedule::Mistake;
 use flexible_aircraft_packaging::assignment::did_you_mean;
 
-/// What the numbers of a column are.
+/// What the numbers of a column are, other than times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     pub name: String,
@@ -15,12 +15,8 @@ pub struct Column {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Meaning {
-    Time,
     /// Of an input; a surface's is an angle.
-    Value {
-        slot: InputSlot,
-        is_surface: bool,
-    },
+    Value { slot: InputSlot, is_surface: bool },
     /// Of change of an input, per second.
     Rate(InputSlot),
 }
@@ -33,7 +29,7 @@ pub fn other_separator(line: &str) -> Option<&'static str> {
     found.filter(|_| !line.contains(',')).map(|(_, name)| *name)
 }
 
-/// What the names say; the first is the time.
+/// What the names say behind the first, which is that of the time.
 pub fn columns(names: &[&str], line: usize, variables: &VariableTable) -> Result<Vec<Column>, Mistake> {
     let text = names.join(",");
     if text.starts_with('#') {
@@ -54,15 +50,17 @@ pub fn columns(names: &[&str], line: usize, variables: &VariableTable) -> Result
         if names[..index].contains(name) {
             return Err(mistake("each name once".to_owned()));
         }
-        let meaning = match index {
-            0 if *name == "time" => Meaning::Time,
+        match index {
+            0 if *name == "time" => {}
             0 if is_time(name) => {
                 return Err(mistake(format!("`time`, in small letters, in s{}", bare(name))));
             }
             0 => return Err(mistake(format!("`time`, in s{}", bare(name)))),
-            _ => meaning(name, names, variables).map_err(mistake)?,
-        };
-        columns.push(Column { name: (*name).to_owned(), meaning });
+            _ => {
+                let meaning = meaning(name, names, variables).map_err(mistake)?;
+                columns.push(Column { name: (*name).to_owned(), meaning });
+            }
+        }
     }
     Ok(columns)
 }
@@ -77,25 +75,29 @@ fn is_time(name: &str) -> bool {
 fn meaning(name: &str, names: &[&str], variables: &VariableTable) -> Result<Meaning, String> {
     let rate_of = name.strip_prefix("der(").and_then(|rest| rest.strip_suffix(')'));
     let wanted = rate_of.unwrap_or(name);
-    let found = variables.iter().find(|(_, variable)| variable.name == wanted);
-    match found.map(|(_, variable)| (variable.slot, variable.unit)) {
-        Some((Slot::Input(slot), _)) if rate_of.is_some() => {
-            if !names.contains(&wanted) {
-                return Err(format!("a derivative beside the column of its input, `{wanted}`"));
-            }
-            Ok(Meaning::Rate(slot))
-        }
-        Some((Slot::Input(slot), unit)) => {
-            Ok(Meaning::Value { slot, is_surface: unit == Some(Unit::Radian) })
-        }
-        Some((Slot::Parameter(_), _)) => Err(format!("an input; it is a parameter: --set {wanted}=VALUE")),
+    let (slot, is_surface) = input(wanted, variables).map_err(|allowed| match variables.named(wanted) {
+        Some(_) => allowed,
+        None => format!("{allowed}, and der(…) of each"),
+    })?;
+    match rate_of {
+        None => Ok(Meaning::Value { slot, is_surface }),
+        Some(_) if names.contains(&wanted) => Ok(Meaning::Rate(slot)),
+        Some(_) => Err(format!("a derivative beside the column of its input, `{wanted}`")),
+    }
+}
+
+/// The place of the input of a name, and whether it is the angle of a surface; or what is allowed instead.
+pub fn input(name: &str, variables: &VariableTable) -> Result<(InputSlot, bool), String> {
+    match variables.named(name).map(|variable| (variable.slot, variable.unit)) {
+        Some((Slot::Input(slot), unit)) => Ok((slot, unit == Some(Unit::Radian))),
+        Some((Slot::Parameter(_), _)) => Err(format!("an input; it is a parameter: --set {name}=VALUE")),
         Some((Slot::Output(_), _)) => Err("an input; it is an output, which is computed".to_owned()),
         None => {
             let inputs = variables.iter().filter(|(_, variable)| matches!(variable.slot, Slot::Input(_)));
             let inputs: Vec<&str> = inputs.map(|(_, variable)| variable.name.as_str()).collect();
-            let meant = probably_meant(without_unit(wanted), inputs.iter().copied()).map(str::to_owned);
+            let meant = probably_meant(without_unit(name), inputs.iter().copied()).map(str::to_owned);
             let (meant, bare) = (did_you_mean(&meant), bare(name));
-            Err(format!("an input{meant}{bare}; there are {}, and der(…) of each", inputs.join(", ")))
+            Err(format!("an input{meant}{bare}; there are {}", inputs.join(", ")))
         }
     }
 }

@@ -4,23 +4,30 @@
 use std::fs::File;
 use std::io::{self, ErrorKind, IsTerminal, Read};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::Args;
 use flexible_aircraft::flight::SimulationError;
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::FileError;
 
-use crate::files::{Overwriting, STANDARD, Sink, named, refuse_overwriting};
+use crate::files::{Drafts, Overwriting, STANDARD, Sink, named, refuse_overwriting};
 use crate::flown::{self, FlownOptions, seconds};
 use crate::numbers::NumberTable;
 use crate::progress::Progress;
+use crate::watched::{NoSuchOutput, Watched};
 use crate::{terminal, workspace};
 
 mod flight;
+mod given;
 mod header;
+mod plot;
 pub mod schedule;
+mod shape;
 
 use flight::{Flight, Interruption};
+use given::Given;
+use plot::Recorded;
 use schedule::{Mistake, Schedule};
 
 /// More rows than anybody reads: more than a day in steps of 10 ms.
@@ -29,13 +36,43 @@ const MOST_ROWS: f64 = 1e7;
 /// Bytes of a table of inputs.
 const MOST_BYTES: u64 = 1 << 30;
 
+/// Seconds that are flown without a table unless the user says otherwise, and between rows then.
+const USUAL_DURATION: f64 = 10.0;
+const USUAL_STEP: f64 = 0.01;
+
 /// Options of `flexair simulate`.
 #[derive(Args)]
+#[command(
+    after_help = "Shapes of --input; amplitudes are in the unit of the input (rad, N, m/s), times in s, frequencies in Hz:
+  2311:AMPLITUDE[@START[:UNIT]]               pulses of 2, 3, 1 and 1 unit times that change sign; 3211 and others likewise
+  step:AMPLITUDE[@START]                      stays
+  pulse:AMPLITUDE[@START[:LENGTH]]            one pulse
+  doublet:AMPLITUDE[@START[:LENGTH]]          two, one each way, of this length each
+  sine:AMPLITUDE[@START[:FREQUENCY]]          goes on
+  sweep:AMPLITUDE[@START[:LENGTH[:FROM:TO]]]  a sine whose frequency grows, by the same factor in equal times
+START is 1, UNIT 0.7, LENGTH 1 (of a sweep 20), FREQUENCY 1, FROM 0.1 and TO 5 unless they are given. The first pulse has the sign of the \
+amplitude. Sweeps and sines are straight between rows.
+
+Inputs are those of the FMU: the controls of the aircraft file, thrust_<engine>, wind_north and so on. A step of the wind meets all of the aircraft at \
+once; gusts that it flies into are built in: --set gust.shape=one_minus_cosine.
+
+Example: an elevator 2-3-1-1, nose-up first, flown for 15 s and drawn
+  flexair simulate --input elevator=2311:-0.05@1:0.7 --duration 15 --output flight.csv --plot flight.svg"
+)]
 pub struct SimulateOptions {
     /// Comma-separated values: `time` (s), then any inputs of the FMU, and `der(…)` of inputs that ramp. Each row
-    /// is a communication point; its inputs act until the next. `-` is standard input
+    /// is a communication point; its inputs act until the next. `-` is standard input [default: nobody touches what no
+    /// --input gives]
     #[arg(value_name = "INPUTS")]
-    inputs: PathBuf,
+    inputs: Option<PathBuf>,
+
+    /// An input that does what is built in, as in `elevator=2311:0.05` (see below), beside the columns of INPUTS. May be repeated
+    #[arg(long, value_name = "NAME=SHAPE")]
+    input: Vec<Given>,
+
+    /// How long to fly where there is no table, s, from 0 s on [default: 10]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, conflicts_with = "inputs")]
+    duration: Option<f64>,
 
     /// The aircraft file (TOML)
     #[arg(long, value_name = "FILE", default_value_os_t = workspace::aircraft())]
@@ -44,7 +81,8 @@ pub struct SimulateOptions {
     #[command(flatten)]
     flown: FlownOptions,
 
-    /// Further communication points between the rows, at all multiples of this, s; the inputs of the row before go on
+    /// Further communication points between the rows, at all multiples of this, s; the inputs of the row before go on [default: 0.01
+    /// where there is no table, and with sweeps and sines; otherwise none]
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     step: Option<f64>,
 
@@ -52,6 +90,14 @@ pub struct SimulateOptions {
     /// step that leads there. `-` is standard output
     #[arg(short, long, value_name = "FILE", default_value = STANDARD)]
     output: PathBuf,
+
+    /// Where to draw pitch, load factor, upward deflections of the first stations and the inputs (SVG)
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+
+    /// Outputs to draw instead: names, or the first parts of them, as in `load_factor`
+    #[arg(long, value_name = "NAME,NAME,…", value_delimiter = ',', requires = "plot")]
+    plot_names: Vec<String>,
 }
 
 /// Why `flexair simulate` did not succeed.
@@ -65,6 +111,10 @@ pub enum Error {
     Overwriting(#[from] Overwriting),
     #[error("{}: {source}", named(path, "standard input"))]
     Inputs { path: PathBuf, source: Mistake },
+    #[error(transparent)]
+    Given(#[from] given::Error),
+    #[error(transparent)]
+    Output(#[from] NoSuchOutput),
     #[error("{}: found more than {MOST_BYTES} bytes, which no table of inputs has", named(.0, "standard input"))]
     Endless(PathBuf),
     #[error(
@@ -77,36 +127,88 @@ pub enum Error {
     Unfinished { source: Box<SimulationError>, kept: PathBuf },
 }
 
-/// Flies, and writes what comes out.
+impl SimulateOptions {
+    /// Between further communication points, s.
+    fn step(&self) -> Option<f64> {
+        let has_waves = self.input.iter().any(|given| given.shape.highest_frequency().is_some());
+        self.step.or((self.inputs.is_none() || has_waves).then_some(USUAL_STEP))
+    }
+
+    /// What is given over time.
+    fn schedule(&self, variables: &VariableTable) -> Result<Schedule, Error> {
+        let table = match &self.inputs {
+            Some(path) => Schedule::parse(&read(path)?, variables)
+                .map_err(|source| Error::Inputs { path: path.clone(), source })?,
+            None => Schedule::hands_off(self.duration.unwrap_or(USUAL_DURATION)),
+        };
+        if let (Some(path), 1) = (&self.inputs, table.len()) {
+            let (inputs, time) = (named(path, "standard input"), table.start());
+            terminal::note(&format!(
+                "note: {inputs} has one row: nothing is flown, the row written is the trim at {time} s"
+            ));
+        }
+        let step = self.step();
+        let rows = table.point_count(step);
+        if let Some(step) = step.filter(|_| rows > MOST_ROWS) {
+            return Err(Error::Rows { step, rows });
+        }
+        let step = step.unwrap_or(USUAL_STEP);
+        Ok(self.input.iter().try_fold(table, |table, given| given.add_to(table, variables, step))?)
+    }
+
+    /// What is to be drawn.
+    fn recorded(&self, variables: &VariableTable, rows: f64) -> Result<Option<Recorded>, Error> {
+        let outputs = match self.plot_names.as_slice() {
+            [] => plot::usual(variables),
+            names => Watched::choose("--plot-names", names, variables)?,
+        };
+        Ok(self.plot.as_ref().map(|_| Recorded::new(outputs, rows)))
+    }
+}
+
+/// Flies, and writes and draws what comes out.
 pub fn run(options: &SimulateOptions) -> Result<(), Error> {
-    let SimulateOptions { inputs, output, step, .. } = options;
+    let SimulateOptions { output, plot, .. } = options;
     let unfinished = unfinished(output);
-    let outputs = if output == Path::new(STANDARD) { vec![&**output] } else { vec![&**output, &unfinished] };
-    refuse_overwriting(&outputs, [inputs.as_path(), &options.aircraft])?;
+    let mut outputs = vec![output.as_path()];
+    outputs.extend(Some(unfinished.as_path()).filter(|_| output != Path::new(STANDARD)));
+    outputs.extend(plot.as_deref());
+    let inputs = [options.inputs.as_deref(), Some(options.aircraft.as_path())];
+    refuse_overwriting(&outputs, inputs.into_iter().flatten())?;
+    let drawing = plot.as_deref().map(|plot| Drafts::new([plot])).transpose()?;
     let aircraft = options.flown.read(&options.aircraft)?;
     let model = options.flown.reduce(&aircraft)?;
     let variables = VariableTable::new(&model);
     let settings = options.flown.settings(&variables, &model)?;
-    let schedule = Schedule::parse(&read(inputs)?, &variables)
-        .map_err(|source| Error::Inputs { path: inputs.clone(), source })?;
-    let rows = schedule.point_count(*step);
-    if let Some(step) = step.filter(|_| rows > MOST_ROWS) {
-        return Err(Error::Rows { step, rows });
-    }
-    if schedule.len() == 1 {
-        let (inputs, time) = (named(inputs, "standard input"), schedule.start());
-        terminal::note(&format!(
-            "note: {inputs} has one row: nothing is flown, the row written is the trim at {time} s"
-        ));
-    }
-    let mut flight = Flight::new(model, &settings, &schedule, &variables)?;
+    let schedule = options.schedule(&variables)?;
+    let rows = schedule.point_count(options.step());
+    let mut recorded = options.recorded(&variables, rows)?;
+    let mut flight = Flight::new(Arc::clone(&model), &settings, &schedule, &variables)?;
     let progress = if output == Path::new(STANDARD) && io::stdout().is_terminal() {
         Progress::hidden()
     } else {
         Progress::new(rows as usize, "rows")
     };
-    let kept = unfinished;
-    match fly(&mut flight, *step, Sink::open(output)?, &progress) {
+    let sink = Sink::open(output)?;
+    // A plot is drawn for whoever reads no rows, too.
+    let sink = if recorded.is_some() { sink.unheard() } else { sink };
+    let flown = fly(&mut flight, options.step(), sink, recorded.as_mut(), &progress);
+    let is_whole = flown.as_ref().ok().map(|(_, end)| end.is_none());
+    let kept = keep(flown, output, unfinished);
+    if let (Some(drawing), Some(recorded), Some(is_whole)) = (drawing, recorded, is_whole) {
+        let svg = recorded.plot(&schedule, &variables, &model, &settings, is_whole);
+        return kept.and(drawing.keep([svg.as_str()]).map_err(Error::from));
+    }
+    kept
+}
+
+/// Keeps what has been written, under another name where the flight ended early.
+fn keep(
+    flown: io::Result<(Sink, Option<SimulationError>)>,
+    output: &Path,
+    unfinished: PathBuf,
+) -> Result<(), Error> {
+    match flown {
         // Who reads had enough.
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         Err(source) => {
@@ -116,8 +218,8 @@ pub fn run(options: &SimulateOptions) -> Result<(), Error> {
         Ok((Sink::Stream(_), end)) => end.map_or(Ok(()), |error| Err(error.into())),
         Ok((Sink::File(draft), None)) => Ok(draft.keep()?),
         Ok((Sink::File(draft), Some(source))) => {
-            draft.keep_as(&kept)?;
-            Err(Error::Unfinished { source: Box::new(source), kept })
+            draft.keep_as(&unfinished)?;
+            Err(Error::Unfinished { source: Box::new(source), kept: unfinished })
         }
     }
 }
@@ -127,10 +229,11 @@ fn fly(
     flight: &mut Flight<'_>,
     step: Option<f64>,
     sink: Sink,
+    recorded: Option<&mut Recorded>,
     progress: &Progress,
 ) -> io::Result<(Sink, Option<SimulationError>)> {
     let mut table = NumberTable::new(sink, flight.names())?;
-    let end = match flight.fly(step, &mut table, progress) {
+    let end = match flight.fly(step, &mut table, recorded, progress) {
         Ok(()) => None,
         Err(Interruption::Flight(error)) => Some(error),
         Err(Interruption::Sink(error)) => return Err(error),

@@ -1,19 +1,32 @@
-//! What the inputs do over time: a table of comma-separated values, a communication step from each row to the next.
+//! What the inputs do over time: a table of comma-separated values, shapes that are built in, or both; a communication step
+//! from each row to the next.
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 use flexible_aircraft::flight::{Inputs, Simulation, SimulationError};
 use flexible_aircraft::structure::ReducedModel;
-use flexible_aircraft::variables::VariableTable;
-use flexible_aircraft::variables::instead_of_degrees;
+use flexible_aircraft::variables::{InputSlot, VariableTable, instead_of_degrees};
 
 use super::header::{Column, Meaning, columns, other_separator};
+use super::shape::Shape;
+
+/// Rows that a history shows, about.
+pub const MOST_DRAWN: usize = 20_000;
 
 /// Inputs over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
     columns: Vec<Column>,
-    /// A number per column each, the first of which is the time, s.
-    rows: Vec<Vec<f64>>,
+    /// Ascending in time, at least one; the first has all numbers.
+    rows: Vec<Row>,
+}
+
+/// What is set at a time.
+#[derive(Clone, Debug, PartialEq)]
+struct Row {
+    /// s.
+    time: f64,
+    /// One per column; none where its input goes on as it does.
+    numbers: Vec<Option<f64>>,
 }
 
 /// A communication point.
@@ -66,12 +79,12 @@ impl Schedule {
         let head = head.max(1);
         let names: Vec<&str> = if names.is_empty() { vec![""] } else { names.iter().collect() };
         let columns = columns(&names, head, variables)?;
-        let mut rows: Vec<Vec<f64>> = Vec::new();
+        let mut rows: Vec<Row> = Vec::new();
         while let Some((line, record)) = next()? {
             let row = row(&record, line, &columns)?;
-            if let Some(last) = rows.last().filter(|last| row[0] <= last[0]) {
-                let allowed = format!("a time after that of the row before, {} s", last[0]);
-                return Err(Mistake::new(line, "time", format!("{} s", row[0]), allowed));
+            if let Some(last) = rows.last().filter(|last| row.time <= last.time) {
+                let allowed = format!("a time after that of the row before, {} s", last.time);
+                return Err(Mistake::new(line, "time", format!("{} s", row.time), allowed));
             }
             rows.push(row);
         }
@@ -83,18 +96,69 @@ impl Schedule {
 
     /// Nothing is touched for a time, s.
     pub fn hands_off(duration: f64) -> Self {
-        let columns = vec![Column { name: "time".to_owned(), meaning: Meaning::Time }];
-        Schedule { columns, rows: vec![vec![0.0], vec![duration]] }
+        let rows = [0.0, duration].map(|time| Row { time, numbers: Vec::new() });
+        Schedule { columns: Vec::new(), rows: rows.into() }
+    }
+
+    /// An input does what a shape says, too; where that is curved, in chords between the multiples of a step, s.
+    pub fn with(self, input: &str, slot: InputSlot, shape: &Shape, step: f64) -> Self {
+        let [start, end] = [self.start(), self.end()];
+        let inside = shape.edges().into_iter().filter(|edge| start < *edge && *edge < end);
+        let edges: Vec<f64> = std::iter::once(start).chain(inside).chain([end]).collect();
+        let mut rows = Vec::new();
+        for pair in edges.windows(2) {
+            let [from, to] = [pair[0], pair[1]];
+            let curved = Some(step).filter(|_| shape.is_curved_from(from)).into_iter();
+            let between = curved.flat_map(|step| multiples(step, from - start, to - start));
+            let times = std::iter::once(from).chain(between.map(|past| start + past)).chain([to]);
+            let times: Vec<f64> = times.collect();
+            rows.extend(times.windows(2).map(|chord| Row {
+                time: chord[0],
+                numbers: vec![Some(shape.value(chord[0])), Some(shape.slope(chord[0], chord[1]))],
+            }));
+        }
+        // Whoever asked has looked for degrees.
+        let value = Column { name: input.to_owned(), meaning: Meaning::Value { slot, is_surface: false } };
+        let rate = Column { name: format!("der({input})"), meaning: Meaning::Rate(slot) };
+        self.beside(Schedule { columns: vec![value, rate], rows })
+    }
+
+    /// Both at once, from the same start on. A row of one alone leaves the inputs of the other as they go on.
+    fn beside(self, other: Schedule) -> Self {
+        let [ours, theirs] = [&self, &other].map(|schedule| vec![None; schedule.columns.len()]);
+        let before = self.rows.into_iter().map(|Row { time, numbers }| (time, [numbers, theirs.clone()]));
+        let behind = other.rows.into_iter().map(|Row { time, numbers }| (time, [ours.clone(), numbers]));
+        let rows = before.chain(behind).map(|(time, numbers)| Row { time, numbers: numbers.concat() });
+        let mut rows: Vec<Row> = rows.collect();
+        rows.sort_by(|one, other| one.time.total_cmp(&other.time));
+        rows.dedup_by(|next, row| {
+            let is_part = next.is_part_of(row);
+            if is_part {
+                row.take(next);
+            }
+            is_part
+        });
+        Schedule { columns: [self.columns, other.columns].concat(), rows }
+    }
+
+    /// Whether there is a column of this name.
+    pub fn has_column(&self, name: &str) -> bool {
+        self.columns.iter().any(|column| column.name == name)
     }
 
     /// From the first communication point to the last, s.
     pub fn duration(&self) -> f64 {
-        self.rows[self.rows.len() - 1][0] - self.start()
+        self.end() - self.start()
     }
 
     /// The first communication point, s.
     pub fn start(&self) -> f64 {
-        self.rows[0][0]
+        self.rows[0].time
+    }
+
+    /// The last communication point, s.
+    pub fn end(&self) -> f64 {
+        self.rows[self.rows.len() - 1].time
     }
 
     /// How many rows there are: at least one.
@@ -107,11 +171,43 @@ impl Schedule {
         self.rows.len() as f64 + step.map_or(0.0, |step| self.duration() / step)
     }
 
+    /// What each input that is set does over time: its name, and (s, value), both values where it jumps. Of very many rows
+    /// some stand for all.
+    pub fn histories(&self, model: &ReducedModel) -> Vec<(&str, Vec<(f64, f64)>)> {
+        let values = self.columns.iter().filter_map(|column| match column.meaning {
+            Meaning::Value { slot, .. } => Some((slot, (column.name.as_str(), Vec::new()))),
+            Meaning::Rate(_) => None,
+        });
+        let (slots, mut histories): (Vec<InputSlot>, Vec<_>) = values.unzip();
+        let [mut inputs, mut rates] = [Inputs::zero(model), Inputs::zero(model)];
+        let (mut before, every) = (self.start(), self.rows.len().div_ceil(MOST_DRAWN));
+        for (index, Row { time, .. }) in self.rows.iter().enumerate() {
+            // As a flight has it [theory: integration.inputs].
+            let elapsed = time - before;
+            inputs.wind += elapsed * (inputs.wind_rate + 0.5 * elapsed * rates.wind_rate);
+            inputs.add(elapsed, &rates);
+            let arrived: Vec<f64> = slots.iter().map(|slot| slot.get(&inputs)).collect();
+            self.write(index, &mut inputs, &mut rates);
+            before = *time;
+            if index % every != 0 && index + 1 != self.rows.len() {
+                continue;
+            }
+            for ((slot, (_, history)), arrived) in slots.iter().zip(&mut histories).zip(arrived) {
+                let value = slot.get(&inputs);
+                if index > 0 && arrived != value {
+                    history.push((*time, arrived));
+                }
+                history.push((*time, value));
+            }
+        }
+        histories
+    }
+
     /// Communication points, ascending: the rows, and between them the multiples of the step, s, from the start on.
     fn points(&self, step: Option<f64>) -> impl Iterator<Item = Point> {
         let start = self.start();
         (0..self.rows.len()).flat_map(move |row| {
-            let (time, end) = (self.rows[row][0], self.rows.get(row + 1).map(|next| next[0]));
+            let (time, end) = (self.rows[row].time, self.rows.get(row + 1).map(|next| next.time));
             let between = step.zip(end).into_iter().flat_map(move |(step, end)| {
                 multiples(step, time - start, end - start)
                     .map(move |past| Point { time: start + past, row: None })
@@ -150,12 +246,28 @@ impl Schedule {
 
     /// Writes the inputs that act from the communication point with this row on, and their rates.
     fn write(&self, row: usize, inputs: &mut Inputs, rates: &mut Inputs) {
-        for (column, number) in self.columns.iter().zip(&self.rows[row]) {
-            match column.meaning {
-                Meaning::Time => {}
-                Meaning::Value { slot, .. } => *slot.of(inputs) = *number,
-                Meaning::Rate(slot) => *slot.of(rates) = *number,
+        for (column, number) in self.columns.iter().zip(&self.rows[row].numbers) {
+            match (column.meaning, number) {
+                (Meaning::Value { slot, .. }, Some(number)) => *slot.of(inputs) = *number,
+                (Meaning::Rate(slot), Some(number)) => *slot.of(rates) = *number,
+                (_, None) => {}
             }
+        }
+    }
+}
+
+impl Row {
+    /// Whether it is at the time of the one before, but for rounding, and sets other inputs.
+    fn is_part_of(&self, other: &Row) -> bool {
+        const ROUNDING: f64 = 1e-9;
+        let mut both = self.numbers.iter().zip(&other.numbers);
+        self.time - other.time < ROUNDING && !both.any(|(one, other)| one.is_some() && other.is_some())
+    }
+
+    /// Sets what the other does, too.
+    fn take(&mut self, other: &Row) {
+        for (number, other) in self.numbers.iter_mut().zip(&other.numbers) {
+            *number = number.or(*other);
         }
     }
 }
@@ -197,8 +309,8 @@ fn line(record: &StringRecord, text: &str) -> usize {
     position.line() as usize + empty
 }
 
-/// The finite numbers of a line, one per column.
-fn row(record: &StringRecord, line: usize, columns: &[Column]) -> Result<Vec<f64>, Mistake> {
+/// The finite numbers of a line: a time, and one per column.
+fn row(record: &StringRecord, line: usize, columns: &[Column]) -> Result<Row, Mistake> {
     if record.iter().any(|cell| cell.contains('\n')) {
         let (found, allowed) = ("a quoted text over several lines", "quotes that are closed in their line");
         return Err(Mistake::new(line, "all of it", found, allowed));
@@ -206,22 +318,27 @@ fn row(record: &StringRecord, line: usize, columns: &[Column]) -> Result<Vec<f64
     if record[0].starts_with('#') {
         return Err(Mistake::new(line, "all of it", "`#`", "numbers: there are no comments"));
     }
-    if record.len() != columns.len() {
+    if record.len() != 1 + columns.len() {
         let found = match other_separator(&record[0]).filter(|_| record.len() == 1) {
             Some(separator) => format!("{separator} between the numbers"),
             None if record.len() == 1 => "1 column".to_owned(),
             None => format!("{} columns", record.len()),
         };
-        let allowed = format!("{}, as in the line of names, with commas between them", columns.len());
+        let allowed = format!("{}, as in the line of names, with commas between them", 1 + columns.len());
         return Err(Mistake::new(line, "all of it", found, allowed));
     }
-    record.iter().zip(columns).map(|(cell, column)| number(cell, line, column)).collect()
+    let time = number(&record[0], line, "time")?;
+    let numbers = record.iter().skip(1).zip(columns).map(|(cell, column)| of_column(cell, line, column));
+    Ok(Row { time, numbers: numbers.map(|number| number.map(Some)).collect::<Result<_, _>>()? })
 }
 
-fn number(cell: &str, line: usize, column: &Column) -> Result<f64, Mistake> {
+fn number(cell: &str, line: usize, column: &str) -> Result<f64, Mistake> {
     let number: Option<f64> = cell.parse().ok().filter(|number: &f64| number.is_finite());
-    let number =
-        number.ok_or_else(|| Mistake::new(line, &column.name, format!("`{cell}`"), "a finite number"))?;
+    number.ok_or_else(|| Mistake::new(line, column, format!("`{cell}`"), "a finite number"))
+}
+
+fn of_column(cell: &str, line: usize, column: &Column) -> Result<f64, Mistake> {
+    let number = number(cell, line, &column.name)?;
     let is_surface = matches!(column.meaning, Meaning::Value { is_surface: true, .. });
     match instead_of_degrees(number).filter(|_| is_surface) {
         Some(allowed) => Err(Mistake::new(line, &column.name, number.to_string(), allowed)),

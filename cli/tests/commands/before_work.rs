@@ -36,6 +36,8 @@ fn what_cannot_be_written_is_found_before_the_work() {
         "reproduce --aircraft small.toml --output file/new",
         "gust small.toml --modes 2 --output file/new",
         "loads --aircraft small.toml --modes 2 --all-nodes --output file/new",
+        "simulate --modes 2 --duration 0.1 --output new/flight.csv --plot file/new/flight.svg",
+        "linearise small.toml --modes 2 --output file/new",
         "bench --fmu jet.fmu --output new/a.md --plot file/new/a.svg",
     ] {
         let errors = complaint(folder.path(), line);

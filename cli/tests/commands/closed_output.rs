@@ -19,6 +19,12 @@ fn lines() -> Vec<(&'static str, String, Option<&'static str>)> {
             "converge --modes 2,3 --from 100 --to 130 --points 2 --output converged".into(),
             Some("converged"),
         ),
+        ("trim", "trim --modes 2 --csv trims.csv".into(), Some("trims.csv")),
+        (
+            "linearise",
+            "linearise --modes 2 --inflow steady --output linear".into(),
+            Some("linear/generic-business-jet-linear.json"),
+        ),
         ("loads", "loads --modes 2 --duration 0.1 --output carried".into(), Some("carried")),
         (
             "gust",
@@ -66,6 +72,15 @@ fn every_command_does_its_work_when_nobody_reads_what_it_says() {
     for (name, line, written) in &lines {
         check_unread(folder.path(), name, line, *written);
     }
+}
+
+#[test]
+fn a_flight_is_drawn_to_its_end_when_nobody_reads_its_rows() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = "simulate --modes 2 --input elevator=step:0.01@0.1 --duration 0.5 --plot flight.svg";
+    check_unread(folder.path(), "simulate", line, Some("flight.svg"));
+    let drawn = std::fs::read_to_string(folder.path().join("flight.svg")).unwrap();
+    assert!(drawn.contains("attitude.pitch") && !drawn.contains(">ended<"));
 }
 
 /// Apart from the others, because it takes long.

@@ -26,6 +26,7 @@ fn every_command_refuses_an_output_that_is_an_input() {
     let lines = [
         "simulate inputs.csv --output ./inputs.csv".to_owned(),
         "simulate inputs.csv --output missing/../inputs.csv".to_owned(),
+        "simulate inputs.csv --output flight.csv --plot ./inputs.csv".to_owned(),
         "ssp a.fmu --output missing/../a.fmu".to_owned(),
         "merge a.fmu law.fmu --output missing/../law.fmu".to_owned(),
         "simulate inputs.csv --aircraft jet.toml --output hard.toml".to_owned(),

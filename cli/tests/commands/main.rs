@@ -9,6 +9,8 @@ mod files;
 #[cfg(test)]
 mod gust;
 #[cfg(test)]
+mod linearise;
+#[cfg(test)]
 mod loads;
 #[cfg(test)]
 mod package;
@@ -16,3 +18,5 @@ mod package;
 mod simulate;
 #[cfg(test)]
 mod support;
+#[cfg(test)]
+mod trim;

@@ -5,6 +5,7 @@ use std::path::Path;
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::structure::ReducedModel;
 
+use super::super::header::input;
 use super::*;
 
 fn small_aircraft() -> ReducedModel {
@@ -48,6 +49,55 @@ fn a_step_puts_rows_between_those_of_the_table() {
     );
     let rows: Vec<Option<usize>> = schedule.points(Some(0.01)).map(|point| point.row).collect();
     assert_eq!(rows, [Some(0), None, Some(1), None, None, None, Some(2)]);
+}
+
+#[test]
+fn a_shape_has_rows_at_its_edges_and_leaves_the_columns_of_a_table_as_they_go_on() {
+    let model = small_aircraft();
+    let (slot, _) = input("elevator", &variables()).unwrap();
+    let table = schedule("time,wind_down,der(wind_down)\n0,0,2\n1,5,0\n2,5,0\n");
+    let both = table.with("elevator", slot, &"pulse:0.1@0.25:0.5".parse().unwrap(), 0.1);
+    assert_eq!(times(&both, None), [0.0, 0.25, 0.75, 1.0, 2.0]);
+    assert!(both.has_column("elevator") && both.has_column("wind_down") && !both.has_column("rudder"));
+    let wind = vec![(0.0, 0.0), (0.25, 0.5), (0.75, 1.5), (1.0, 2.0), (1.0, 5.0), (2.0, 5.0)];
+    let elevator =
+        vec![(0.0, 0.0), (0.25, 0.0), (0.25, 0.1), (0.75, 0.1), (0.75, 0.0), (1.0, 0.0), (2.0, 0.0)];
+    assert_eq!(both.histories(&model), [("wind_down", wind), ("elevator", elevator)]);
+}
+
+/// From its start on there are chords between the multiples of the step, each of which ends where the next begins.
+#[test]
+fn a_wave_is_continuous_and_none_of_its_rows_is_there_twice() {
+    let (slot, _) = input("elevator", &variables()).unwrap();
+    let wave = Schedule::hands_off(2.0).with("elevator", slot, &"sine:0.1@0.505:1".parse().unwrap(), 0.1);
+    assert_eq!(times(&wave, None).len(), 2 + 14 + 1);
+    assert_eq!(times(&wave, Some(0.1)).len(), 21 + 1);
+    let histories = wave.histories(&small_aircraft());
+    let history = &histories[0].1;
+    for pair in history.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+        assert!((pair[0].1 - pair[1].1).abs() < 1e-14, "{pair:?}");
+    }
+    let peak = history.iter().map(|point| point.1).fold(0.0, f64::max);
+    // Of the rows that at 0.8 s and 1.8 s are nearest to the peaks.
+    let expected = 0.1 * (0.295 * std::f64::consts::TAU).sin();
+    assert!((peak - expected).abs() < 1e-12, "{peak}");
+}
+
+/// The wind changes at once where it steps, and at a rate where it swings.
+#[test]
+fn a_shape_of_the_wind_gives_its_rate() {
+    let variables = variables();
+    let (slot, _) = input("wind_down", &variables).unwrap();
+    let rate = |shape: &str, row: usize| {
+        let schedule = Schedule::hands_off(2.0).with("wind_down", slot, &shape.parse().unwrap(), 0.1);
+        let [mut inputs, mut rates] = [Inputs::zero(&small_aircraft()), Inputs::zero(&small_aircraft())];
+        schedule.write(row, &mut inputs, &mut rates);
+        (inputs.wind.z, rates.wind.z)
+    };
+    assert_eq!(rate("step:-5@1", 1), (-5.0, 0.0));
+    let (wind, slope) = rate("sine:2@0:1", 0);
+    let chord = 2.0 * (0.2 * std::f64::consts::PI).sin() / 0.1;
+    assert!(wind == 0.0 && (slope - chord).abs() < 1e-12, "{slope} {chord}");
 }
 
 /// 57 · 0.01 is 0.5700000000000001, and 29 · 0.1 is 2.9000000000000004.

@@ -1,4 +1,4 @@
-//! The outputs that are watched in gusts.
+//! The outputs that a command watches, chosen by their names or by the first parts of them.
 
 use flexible_aircraft::variables::{
     OutputSlot, Slot, Type, Unit, Variability, Variable, VariableTable, probably_meant,
@@ -6,8 +6,9 @@ use flexible_aircraft::variables::{
 
 /// A name that no output has.
 #[derive(Debug, PartialEq, thiserror::Error)]
-#[error("--output-names {found}: there is no such output; {instead}")]
+#[error("{option} {found}: there is no such output; {instead}")]
 pub struct NoSuchOutput {
+    option: &'static str,
     found: String,
     instead: String,
 }
@@ -22,15 +23,21 @@ pub struct Watched {
 }
 
 impl Watched {
-    /// All outputs whose names are these or begin with them; the usual ones where none is named.
+    /// All outputs that change in flight.
+    pub fn all(variables: &VariableTable) -> impl Iterator<Item = Self> {
+        variables.iter().filter_map(|(_, variable)| Watched::of(variable))
+    }
+
+    /// Those whose names an option gives, whole or their first parts, each once.
     ///
     /// # Errors
     /// At the first name that no output has or begins with.
-    pub fn choose(names: &[String], variables: &VariableTable) -> Result<Vec<Self>, NoSuchOutput> {
-        let all: Vec<Watched> = variables.iter().filter_map(|(_, variable)| Watched::of(variable)).collect();
-        if names.is_empty() {
-            return Ok(all.into_iter().filter(|output| is_usual(&output.name)).collect());
-        }
+    pub fn choose(
+        option: &'static str,
+        names: &[String],
+        variables: &VariableTable,
+    ) -> Result<Vec<Self>, NoSuchOutput> {
+        let all: Vec<Watched> = Watched::all(variables).collect();
         let mut chosen: Vec<Watched> = Vec::new();
         for name in names {
             let found: Vec<&Watched> = all.iter().filter(|output| is_part(name, &output.name)).collect();
@@ -40,7 +47,7 @@ impl Watched {
                     Some(meant) => format!("did you mean `{meant}`?"),
                     None => "the page in the FMU lists them all".to_owned(),
                 };
-                return Err(NoSuchOutput { found: name.clone(), instead });
+                return Err(NoSuchOutput { option, found: name.clone(), instead });
             }
             for output in found {
                 if !chosen.contains(output) {
@@ -61,11 +68,6 @@ impl Watched {
 }
 
 /// Whether a name is another or its first parts.
-fn is_part(part: &str, name: &str) -> bool {
+pub fn is_part(part: &str, name: &str) -> bool {
     name.strip_prefix(part).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-}
-
-fn is_usual(name: &str) -> bool {
-    let is_up = name.starts_with("deflection.") && name.ends_with(".up");
-    is_up || ["loads", "load_factor"].iter().any(|part| is_part(part, name))
 }

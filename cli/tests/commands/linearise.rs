@@ -1,0 +1,135 @@
+//! `flexair linearise`.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::support::{names, run, text, workspace};
+
+const FILES: [&str; 12] =
+    ["A", "B", "Bd", "C", "D", "Dd", "linear.json", "linear.mat", "linear.npz", "u", "x", "y"];
+
+/// All formats of a small model of the jet.
+fn linearise(folder: &Path, output: &str) -> String {
+    let line =
+        format!("linearise --modes 2 --set inflow_states=1 --format json,csv,npz,mat,json --output {output}");
+    let found = run(folder, &line);
+    assert!(found.status.success(), "{}", text(&found.stderr));
+    text(&found.stdout)
+}
+
+fn file(name: &str) -> String {
+    let ending = if name.contains('.') { "" } else { ".csv" };
+    format!("generic-business-jet-{name}{ending}")
+}
+
+#[test]
+fn shapes_agree_and_labels_are_words_that_stand_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let printed = linearise(folder.path(), "out");
+    assert!(printed.contains("level flight, 127 m/s, 7620 m") && printed.contains(" to half"), "{printed}");
+    assert_eq!(names(&folder.path().join("out")), FILES.map(file));
+    let json = std::fs::read_to_string(folder.path().join("out").join(file("linear.json"))).unwrap();
+    let json: Value = serde_json::from_str(&json).unwrap();
+    let length = |key: &str| json[key].as_array().unwrap().len();
+    let [n, m, p] = ["x0", "u0", "y0"].map(length);
+    for (prefix, count) in [("x", n), ("u", m), ("y", p)] {
+        for list in ["names", "units", "labels"] {
+            assert_eq!(length(&format!("{prefix}_{list}")), count);
+        }
+    }
+    for (key, rows, columns) in
+        [("A", n, n), ("B", n, m), ("C", p, n), ("D", p, m), ("Bd", n, m), ("Dd", p, m)]
+    {
+        let matrix = json[key].as_array().unwrap();
+        assert_eq!(matrix.len(), rows, "{key}");
+        assert!(matrix.iter().all(|row| row.as_array().unwrap().len() == columns), "{key}");
+        assert!(matrix.iter().all(|row| row.as_array().unwrap().iter().all(Value::is_f64)), "{key}");
+    }
+    let texts = |key: &str| -> Vec<String> {
+        json[key].as_array().unwrap().iter().map(|text| text.as_str().unwrap().to_owned()).collect()
+    };
+    let mut signals = [texts("u_labels"), texts("y_labels")].concat();
+    assert!(signals.contains(&"wind_down".to_owned()) && signals.contains(&"wind_down_out".to_owned()));
+    let is_word =
+        |label: &String| label.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_');
+    assert!(signals.iter().chain(&texts("x_labels")).all(is_word));
+    signals.sort();
+    signals.dedup();
+    assert_eq!(signals.len(), m + p);
+    assert_eq!(texts("x_names")[..3], ["position.down", "attitude.roll", "attitude.pitch"]);
+}
+
+#[test]
+fn tables_have_the_names_of_rows_and_columns_and_the_numbers_of_the_other_files() {
+    let folder = tempfile::tempdir().unwrap();
+    linearise(folder.path(), "out");
+    let bytes = |name: &str| std::fs::read(folder.path().join("out").join(file(name))).unwrap();
+    let table = text(&bytes("B"));
+    let head = table.lines().next().unwrap();
+    assert!(
+        head.starts_with(",elevator,aileron,") && head.ends_with(",wind_north,wind_east,wind_down"),
+        "{head}"
+    );
+    let row = table.lines().find(|line| line.starts_with("rate.y,")).unwrap();
+    let elevator = row.split(',').nth(1).unwrap();
+    let json: Value = serde_json::from_slice(&bytes("linear.json")).unwrap();
+    let of_json = json["B"][7][0].as_f64().unwrap();
+    assert_eq!((json["x_names"][7].as_str(), elevator.parse().ok()), (Some("rate.y"), Some(of_json)));
+    let holds = |name: &str| bytes(name).windows(8).any(|part| *part == of_json.to_le_bytes());
+    assert!(holds("linear.npz") && holds("linear.mat"));
+    assert!(text(&bytes("A")).contains(",\"inflow[1,1]\","));
+    assert!(text(&bytes("y")).starts_with("name,label,unit,value\n"));
+    assert!(text(&bytes("x")).contains("\nrate.y,rate_y,rad/s,"));
+}
+
+#[test]
+fn two_runs_write_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    for output in ["one", "other"] {
+        linearise(folder.path(), output);
+    }
+    for name in FILES.map(file) {
+        let [one, other] =
+            ["one", "other"].map(|of| std::fs::read(folder.path().join(of).join(&name)).unwrap());
+        assert!(one == other, "{name}");
+    }
+}
+
+#[test]
+fn a_turn_is_linearised_and_what_cannot_be_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let turn =
+        "linearize --modes 2 --inflow steady --set condition.manoeuvre=turn --set condition.bank_angle=0.5";
+    let found = run(folder.path(), turn);
+    assert!(found.status.success(), "{}", text(&found.stderr));
+    assert!(text(&found.stdout).contains("turn, 127 m/s, 7620 m"));
+    assert!(folder.path().join("target/linear").join(file("linear.json")).exists());
+    let jet = workspace("aircraft/generic-business-jet.toml");
+    for (options, reason) in [
+        ("--set airspeed=1e9", "--set airspeed=1e9: found `1e9`, allowed is"),
+        ("--set elevator=1", "--set elevator=1: "),
+        ("--set condition.manoeuvre=turn", "condition.bank_angle: found 0, allowed is an angle other than 0"),
+        ("--format xls", "invalid value 'xls'"),
+        ("--inflow half", "invalid value 'half'"),
+    ] {
+        let failed = run(folder.path(), &format!("linearise {} {options} --output out", jet.display()));
+        let errors = text(&failed.stderr);
+        assert!(!failed.status.success() && errors.contains(reason), "{options}: {errors}");
+        assert!(!folder.path().join("out").exists(), "{options}");
+    }
+}
+
+#[test]
+fn a_wing_in_a_tunnel_has_modes_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let wing = workspace("aircraft/goland-wing.toml");
+    let line = format!("linearise {} --modes 2 --inflow steady --format csv --output out", wing.display());
+    let found = run(folder.path(), &line);
+    assert!(found.status.success(), "{}", text(&found.stderr));
+    let printed = text(&found.stdout);
+    assert!(printed.contains("rest in the tunnel") && printed.contains("\n4 states, "), "{printed}");
+    let table = std::fs::read_to_string(folder.path().join("out/goland-wing-A.csv")).unwrap();
+    assert_eq!(table.lines().next(), Some(",modal.q[1],modal.q[2],modal.q_dot[1],modal.q_dot[2]"));
+    assert_eq!(table.lines().count(), 5);
+}
