@@ -196,11 +196,11 @@ impl ConditionSettings {
     }
 
     fn check_failed(&self, engines: usize) -> Result<(), SettingError> {
-        let found = self.failed_engine;
-        if found == 0 {
+        let found = self.failed_engine as f64;
+        if self.failed_engine == 0 {
             return Ok(());
         }
-        unless(found <= engines, "failed_engine", found, &format!("0 (none) to {engines}"))?;
+        unless(self.failed_engine <= engines, "failed_engine", found, &format!("0 (none) to {engines}"))?;
         unless(engines > 1, "failed_engine", found, "0: the aircraft has no other engine")?;
         let is_straight = self.manoeuvre == ManoeuvreChoice::Straight;
         unless(is_straight, "failed_engine", found, "0 in a turn or a pull-up")
@@ -223,7 +223,7 @@ impl ConditionSettings {
     }
 }
 
-fn unless(inside: bool, name: &str, found: impl ToString, allowed: &str) -> Result<(), SettingError> {
+fn unless(inside: bool, name: &str, found: f64, allowed: &str) -> Result<(), SettingError> {
     let error = || SettingError {
         setting: format!("condition.{name}"),
         found: found.to_string(),

@@ -1,6 +1,6 @@
 //! Trims beyond level flight, against an independent computation [theory: trim.manoeuvres].
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_6, PI};
 
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Settings, Simulation};
@@ -27,7 +27,7 @@ fn climb(degrees: f64) -> ConditionSettings {
 }
 
 fn turn() -> ConditionSettings {
-    ConditionSettings { manoeuvre: ManoeuvreChoice::Turn, bank_angle: PI / 6.0, ..straight() }
+    ConditionSettings { manoeuvre: ManoeuvreChoice::Turn, bank_angle: FRAC_PI_6, ..straight() }
 }
 
 fn turn_at(load_factor: f64) -> ConditionSettings {
@@ -92,7 +92,7 @@ fn table() -> Vec<Row> {
             "nominal, turn φ 30°",
             1.0,
             turn(),
-            [0.161578, -0.000090, 0.523599, 0.140190, -0.346782, -0.005023, 0.031179],
+            [0.161578, -0.000090, FRAC_PI_6, 0.140190, -0.346782, -0.005023, 0.031179],
             59_991.0,
             0.043998,
             [0.63068, 0.62883],
@@ -155,7 +155,7 @@ fn table() -> Vec<Row> {
             "tenth, turn φ 30°",
             0.1,
             turn(),
-            [0.184251, 0.000179, 0.523599, 0.160106, -0.479947, -0.005304, 0.028990],
+            [0.184251, 0.000179, FRAC_PI_6, 0.160106, -0.479947, -0.005304, 0.028990],
             63_494.4,
             0.043823,
             [2.88060, 2.87619],

@@ -172,11 +172,7 @@ fn analyse(options: &LoadsOptions, aircraft: &Aircraft) -> Result<Analysis, Erro
     let sweep = Sweep::new(&model, &settings, &schedule, options.step);
     sweep.check(cases.gusts.len())?;
     trimmed(&model, &settings, schedule.start())?;
-    let flown = sweep.fly(
-        &cases.gusts,
-        |case| Carried::begin(case, model.cuts.len(), named),
-        |carried, time, flight| carried.look(time, flight),
-    );
+    let flown = sweep.fly(&cases.gusts, |case| Carried::begin(case, model.cuts.len(), named), Carried::look);
     let (flights, failures) = Failures::part(flown, |case| cases.names[case].clone());
     if let Some(failures) = failures.as_ref().filter(|_| flights.is_empty()) {
         return Err(failures.clone().into());

@@ -142,8 +142,8 @@ mod tests {
 
     fn added(inputs: &[&str], schedule: Schedule) -> Result<Schedule, Error> {
         let variables = variables();
-        let inputs = inputs.iter().map(|input| input.parse::<Given>().unwrap());
-        inputs.fold(Ok(schedule), |schedule, input| input.add_to(schedule?, &variables, 0.01))
+        let mut inputs = inputs.iter().map(|input| input.parse::<Given>().unwrap());
+        inputs.try_fold(schedule, |schedule, input| input.add_to(schedule, &variables, 0.01))
     }
 
     fn parsed(table: &str) -> Schedule {

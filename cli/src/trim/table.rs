@@ -4,11 +4,14 @@ use flexible_aircraft::aircraft::{Support, TrimRole};
 use flexible_aircraft::flight::Settings;
 use flexible_aircraft::plant::{PlantSettings, TrimPoint};
 use flexible_aircraft::structure::ReducedModel;
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::points::{Point, Status};
 use crate::flown::level;
 use crate::numbers::{Plain, aligned, fixed};
+
+/// Of a trim at a point.
+type Value = Box<dyn Fn(&Point, &TrimPoint) -> f64>;
 
 /// A column: its name, its unit, and its value in a trim.
 struct Column {
@@ -16,7 +19,7 @@ struct Column {
     unit: &'static str,
     /// Places for people.
     places: usize,
-    value: Box<dyn Fn(&Point, &TrimPoint) -> f64>,
+    value: Value,
 }
 
 /// Of what a trim of an aircraft consists.
@@ -138,7 +141,7 @@ pub fn csv(model: &ReducedModel, points: &[Point]) -> String {
 /// The same with units.
 pub fn json(model: &ReducedModel, points: &[Point]) -> String {
     let columns = columns(model);
-    let units: serde_json::Map<String, Value> = points
+    let units: serde_json::Map<String, serde_json::Value> = points
         .iter()
         .take(1)
         .flat_map(|point| axes(point).map(|(name, unit, _)| (name.to_owned(), json!(unit))))
@@ -156,8 +159,8 @@ pub fn json(model: &ReducedModel, points: &[Point]) -> String {
         row.insert("status".to_owned(), json!(point.status.name()));
         row.insert("message".to_owned(), json!(point.message));
         row.insert("warnings".to_owned(), json!(point.warnings));
-        Value::Object(row)
+        serde_json::Value::Object(row)
     };
-    let rows: Vec<Value> = points.iter().map(row).collect();
+    let rows: Vec<serde_json::Value> = points.iter().map(row).collect();
     format!("{:#}\n", json!({ "aircraft": model.name, "units": units, "trims": rows }))
 }
