@@ -8,6 +8,7 @@ use super::linear_names::Name;
 
 /// What becomes of the wake in a linear model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Inflow {
     /// Its states are states of the model.
     Kept,
@@ -56,11 +57,11 @@ pub struct LinearModel {
     pub u0: Vec<f64>,
     /// Outputs of the trim.
     pub y0: Vec<f64>,
-    /// Of the states.
+    /// Name and unit of each state, in the order of A's rows.
     pub states: Vec<Name>,
-    /// Of the inputs.
+    /// Name and unit of each input, in the order of B's columns.
     pub inputs: Vec<Name>,
-    /// Of the outputs.
+    /// Name and unit of each output, in the order of C's rows.
     pub outputs: Vec<Name>,
 }
 

@@ -32,6 +32,11 @@ impl EngineLag {
         !self.lags() && [self.minimum, self.maximum] == [-LIMITLESS, LIMITLESS]
     }
 
+    /// The same with limits that no thrust at all is within.
+    pub fn with_zero(self) -> Self {
+        EngineLag { minimum: self.minimum.min(0.0), maximum: self.maximum.max(0.0), ..self }
+    }
+
     /// Minimum and maximum, N, infinite where there is none.
     pub fn limits(&self) -> [f64; 2] {
         acting_limits(self.minimum, self.maximum)

@@ -145,7 +145,7 @@ impl Settings {
     }
 }
 
-/// What tells gusts apart.
+/// What tells flight conditions apart.
 fn write_condition(writer: &mut Writer, condition: &ConditionSettings) {
     let ConditionSettings {
         manoeuvre,
@@ -162,6 +162,7 @@ fn write_condition(writer: &mut Writer, condition: &ConditionSettings) {
     writer.reals([climb_angle, bank_angle, load_factor, sideslip]);
 }
 
+/// What tells gusts apart.
 fn write_gust(writer: &mut Writer, gust: &GustSettings) {
     let GustSettings {
         shape,

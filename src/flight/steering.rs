@@ -95,8 +95,13 @@ impl Steering {
         let surfaces = angles.iter().map(|&angle| Surface { angle, rate: 0.0 });
         let actuators: Vec<Actuator> =
             (0..model.controls.len()).map(|control| settings.actuators.get(control)).collect();
-        let engines: Vec<EngineLag> =
-            (0..model.engines.len()).map(|engine| settings.engines.get(engine)).collect();
+        let failed = settings.plant.condition.manoeuvre().failed_engine;
+        let engine = |number: usize| match settings.engines.get(number) {
+            // One that has failed gives nothing, whatever those that run must give.
+            lag if failed == Some(number) => lag.with_zero(),
+            lag => lag,
+        };
+        let engines: Vec<EngineLag> = (0..model.engines.len()).map(engine).collect();
         Steering {
             trim: trim.point,
             reference,

@@ -154,7 +154,7 @@ impl Instance {
                     .to_owned()
             }
             Slot::Parameter(ParameterSlot::Condition(_)) => {
-                "chooses which flight is trimmed: there are no derivatives by it".to_owned()
+                "is part of the flight condition: there are derivatives by airspeed, altitude and heading, and none by it".to_owned()
             }
             _ if !component.is_finite() => {
                 format!("has the component {component} in the direction, allowed are finite numbers")

@@ -48,8 +48,9 @@ impl LimitExceeded {
         let used = plant.controls().iter().zip(&controls.angles);
         let used = used
             .map(|(control, &angle)| (LimitedQuantity::Control(control.name.clone()), control.limits, angle));
-        // The engines share the thrust equally: the first speaks for all.
-        let thrust = controls.thrust.first().map(|&thrust| (LimitedQuantity::Thrust, limits.thrust, thrust));
+        // The engines that run share the thrust equally.
+        let has_engines = plant.engine_count() > 0;
+        let thrust = has_engines.then_some((LimitedQuantity::Thrust, limits.thrust, trim.point.thrust));
         // What is clamped needs neither controls nor engines.
         let is_free = plant.support() == Support::Free;
         let used = used.chain(thrust).filter(|_| is_free);

@@ -17,14 +17,18 @@ use super::outputs::Outputs;
 use super::system::Plant;
 use super::trim::Trim;
 
-/// Steps of the differences by inputs: rad, N, parts of the airspeed, m/s².
+/// Steps of the differences by inputs [theory: linearisation.differences]: of angles, rad.
 const CONTROL_STEP: f64 = 1e-2;
+/// Of thrusts, N.
 const THRUST_STEP: f64 = 1e3;
+/// Of the wind, parts of the airspeed.
 const WIND_STEP: f64 = 1e-3;
+/// Of its rate, m/s².
 const WIND_RATE_STEP: f64 = 1.0;
 
 /// An input of a linear model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum LinearInput {
     /// The angle of the control with this index, rad.
     Control(usize),

@@ -14,8 +14,8 @@ const FIRST_STEP: f64 = 1.0 / 8.0;
 const SMALLEST_STEP: f64 = 1.0 / 1024.0;
 
 impl Plant {
-    /// Finds steady straight flight, without sideslip where the controls for roll and yaw can hold it, and q at which all
-    /// accelerations vanish, thrust equal on all engines. A clamped aircraft keeps its attitude; only q is found, under point
+    /// Finds the flight of the condition, straight and level without sideslip unless it says otherwise, and q at which all
+    /// accelerations vanish, thrust equal on all engines that run. A clamped aircraft keeps its attitude; only q is found, under point
     /// loads the one to which a growing load leads.
     ///
     /// # Errors

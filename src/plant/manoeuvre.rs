@@ -65,18 +65,18 @@ pub enum Lateral {
     Bank,
 }
 
-/// The manoeuvre as a user sets it: what is of no account for the choice is kept.
+/// The manoeuvre as a user sets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConditionSettings {
     /// Which manoeuvre.
     pub manoeuvre: ManoeuvreChoice,
     /// γ, rad.
     pub climb_angle: f64,
-    /// φ, rad, of a turn or of a straight flight whose bank is given.
+    /// φ, rad, of a turn or of a straight flight whose bank is given, else 0.
     pub bank_angle: f64,
-    /// n of a turn or of a pull-up; 0 where it is not given.
+    /// n, 1, across the flow, of a turn or of a pull-up; 0 where it is not given [theory: outputs.load-factor].
     pub load_factor: f64,
-    /// β, rad, of a straight flight whose sideslip is given.
+    /// β, rad, of a straight flight whose sideslip is given, else 0.
     pub sideslip: f64,
     /// Which of the two is given.
     pub lateral: Lateral,
@@ -84,7 +84,7 @@ pub struct ConditionSettings {
     pub failed_engine: usize,
 }
 
-/// Angles of a condition, rad: within 85°.
+/// Angles of a condition, rad: within 84.8°.
 pub const STEEPEST: f64 = 1.48;
 
 /// Load factors of a condition.
@@ -107,6 +107,17 @@ impl Manoeuvre {
             SteadyFlight::Straight { .. } if self.climb_angle > 0.0 => "climb",
             SteadyFlight::Straight { .. } if self.climb_angle < 0.0 => "descent",
             SteadyFlight::Straight { .. } => "level flight",
+        }
+    }
+
+    /// Whether sideslip may hold it where one of the controls for roll and yaw is not there.
+    pub fn is_held_by_one_control(&self) -> bool {
+        match self.flight {
+            SteadyFlight::Straight { sideslip } => sideslip == 0.0,
+            SteadyFlight::Banked { .. } => false,
+            SteadyFlight::Turn { .. }
+            | SteadyFlight::TurnAtLoadFactor { .. }
+            | SteadyFlight::PullUp { .. } => true,
         }
     }
 
@@ -161,10 +172,11 @@ impl ConditionSettings {
             return self.check_clamped();
         }
         let ConditionSettings { climb_angle, bank_angle, load_factor, sideslip, .. } = *self;
+        let allowed = format!("-{STEEPEST} to {STEEPEST} (rad)");
         for (name, angle) in
             [("climb_angle", climb_angle), ("bank_angle", bank_angle), ("sideslip", sideslip)]
         {
-            unless(angle.abs() <= STEEPEST, name, angle, "-1.48 to 1.48 (rad)")?;
+            unless(angle.abs() <= STEEPEST, name, angle, &allowed)?;
         }
         let inside = load_factor.abs() <= LARGEST_LOAD_FACTOR;
         unless(inside, "load_factor", load_factor, "-20 to 20, 0 for none given")?;
@@ -176,6 +188,7 @@ impl ConditionSettings {
 
     fn check_flight(&self) -> Result<(), SettingError> {
         let ConditionSettings { climb_angle, bank_angle, load_factor, .. } = *self;
+        self.check_unused()?;
         match self.manoeuvre {
             ManoeuvreChoice::Straight => Ok(()),
             ManoeuvreChoice::Turn if load_factor == 0.0 => {
@@ -193,6 +206,23 @@ impl ConditionSettings {
                 unless(load_factor != 0.0, "load_factor", load_factor, "a number other than 0 in a pull-up")
             }
         }
+    }
+
+    /// That nothing is given which the flight finds by itself.
+    fn check_unused(&self) -> Result<(), SettingError> {
+        let (bank, sideslip) = (("bank_angle", self.bank_angle), ("sideslip", self.sideslip));
+        let (unused, flight): (&[_], _) = match (self.manoeuvre, self.lateral) {
+            (ManoeuvreChoice::Straight, Lateral::Sideslip) => {
+                (&[bank], "a straight flight with condition.lateral = sideslip")
+            }
+            (ManoeuvreChoice::Straight, Lateral::Bank) => {
+                (&[sideslip], "a straight flight with condition.lateral = bank")
+            }
+            (ManoeuvreChoice::Turn, _) => (&[sideslip], "a turn"),
+            (ManoeuvreChoice::PullUp, _) => (&[bank, sideslip], "a pull-up"),
+        };
+        let allowed = format!("0 (rad) in {flight}, which finds it");
+        unused.iter().try_for_each(|&(name, value)| unless(value == 0.0, name, value, &allowed))
     }
 
     fn check_failed(&self, engines: usize) -> Result<(), SettingError> {

@@ -1,5 +1,7 @@
-//! Trim: steady straight flight, without sideslip where the controls for roll and yaw can hold it, or the static deformation in a
-//! wind tunnel [theory: trim.steady-flight, trim.unknowns, trim.lateral, trim.glide, trim.tunnel; thesis §5.1].
+//! Trim: steady straight flight, without sideslip where the controls for roll and yaw can hold it, or another manoeuvre, or the
+//! static deformation in a wind tunnel.
+//!
+//! [theory: trim.steady-flight, trim.unknowns, trim.lateral, trim.manoeuvres, trim.glide, trim.tunnel; thesis §5.1]
 //!
 //! Pitch, its control and thrust balance a symmetric aircraft. Where another one would go aside, bank angle and the controls for
 //! roll and yaw are unknowns too, sideslip instead of a control that it has not. Without engines the climb angle takes the place
@@ -101,7 +103,7 @@ impl TrimPoint {
 
     /// For people, without what is 0, by the names of some controls; `engines` says whether there are any.
     pub fn describe(&self, controls: &[Control], engines: bool) -> String {
-        let TrimPoint { pitch, roll, sideslip, climb_angle, thrust, .. } = *self;
+        let TrimPoint { pitch, roll, sideslip, climb_angle, turn_rate, pitch_rate, thrust, .. } = *self;
         let with_role = |role| {
             let control = controls.iter().find(|control| control.role == Some(role));
             control.map(|control| (control.name.as_str(), self.control(role)))
@@ -115,11 +117,18 @@ impl TrimPoint {
         for (name, angle) in aside.filter(|(_, angle)| angle.abs() >= 5e-6) {
             text += &format!(", {name} {angle:.5} rad");
         }
-        text + &if engines {
-            format!(", thrust {thrust:.0} N per engine")
-        } else {
-            format!(", climb angle {climb_angle:.5} rad")
+        for (name, rate) in [("turn rate", turn_rate), ("pitch rate", pitch_rate)] {
+            if rate.abs() >= 5e-6 {
+                text += &format!(", {name} {rate:.5} rad/s");
+            }
         }
+        if !engines || climb_angle != 0.0 {
+            text += &format!(", climb angle {climb_angle:.5} rad");
+        }
+        if engines {
+            text += &format!(", thrust {thrust:.0} N per engine");
+        }
+        text
     }
 }
 

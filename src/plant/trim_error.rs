@@ -43,6 +43,9 @@ pub enum TrimFailure {
     },
 }
 
+/// Accelerations below this, m/s² and rad/s², are not worth a word.
+const NEGLIGIBLE: f64 = 1e-7;
+
 /// A trim that was not found, and where the search ended.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrimError {
@@ -130,10 +133,14 @@ impl TrimError {
                  {side_force:.1} N, a rolling moment of {rolling:.1} N m and a yawing moment of {yawing:.1} N m about O \
                  stay unbalanced"
             ),
-            TrimFailure::NoControlAside => format!(
-                "no steady {flight}: it needs controls with trim = \"roll\" and trim = \"yaw\" that move something (an engine that fails \
-                 without sideslip, or a turn, one of them)"
-            ),
+            TrimFailure::NoControlAside => {
+                let needed = if self.manoeuvre.is_held_by_one_control() {
+                    "a control with trim = \"roll\" or trim = \"yaw\" that moves"
+                } else {
+                    "controls with trim = \"roll\" and trim = \"yaw\" that move"
+                };
+                format!("no steady {flight}: it needs {needed} something")
+            }
             TrimFailure::NoRest => "no deformation at rest found in the wind tunnel".to_owned(),
             TrimFailure::NoRestUnderLoad { share } => format!(
                 "no deformation at rest found in the wind tunnel to which more than {:.1} % of the load leads",
@@ -165,6 +172,6 @@ impl TrimError {
     fn most_unbalanced(&self) -> Option<(&'static str, &'static str)> {
         let components = self.rigid.into_iter().zip(GeneralisedVector::RIGID_COMPONENTS);
         let (left, component) = components.max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()))?;
-        (left != 0.0).then_some(component)
+        (left.abs() > NEGLIGIBLE).then_some(component)
     }
 }

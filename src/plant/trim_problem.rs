@@ -36,8 +36,10 @@ pub(super) enum Balance {
     Row(usize),
     /// The acceleration in this row of ν.
     Acceleration(usize),
-    /// The acceleration across the path, in the aircraft's plane of symmetry.
+    /// The acceleration across the path in the aircraft's plane of symmetry.
     AcrossPath,
+    /// The acceleration across the path and that.
+    AsideOfPath,
     /// The load factor along the wings.
     Coordination,
     /// What the load factor across the flow differs from this by.
@@ -150,11 +152,12 @@ impl TrimProblem {
 impl TrimProblem {
     /// The same with an unknown held at a value (thrust in N), and what it balances dropped [theory: trim.limits].
     pub fn holding(mut self, held: TrimUnknown, value: f64) -> Self {
+        let ([forward, downward, pitching], [aside, rolling, yawing]) = (IN_PLANE, ASIDE);
         let paired = match held {
-            TrimUnknown::Control(TrimRole::Pitch) => 4,
-            TrimUnknown::Control(TrimRole::Roll) => 3,
-            TrimUnknown::Control(TrimRole::Yaw) => 5,
-            _ => 0,
+            TrimUnknown::Control(TrimRole::Pitch) => pitching,
+            TrimUnknown::Control(TrimRole::Roll) => rolling,
+            TrimUnknown::Control(TrimRole::Yaw) => yawing,
+            _ => forward,
         };
         for balance in &mut self.balances {
             if let Balance::Row(row) = *balance {
@@ -163,8 +166,13 @@ impl TrimProblem {
         }
         self.balances.retain(|balance| *balance != Balance::Acceleration(paired));
         if held == TrimUnknown::Thrust {
-            let across = self.balances.iter_mut().find(|balance| **balance == Balance::Acceleration(2));
-            across.into_iter().for_each(|balance| *balance = Balance::AcrossPath);
+            for balance in &mut self.balances {
+                *balance = match *balance {
+                    Balance::Acceleration(row) if row == downward => Balance::AcrossPath,
+                    Balance::Acceleration(row) if row == aside => Balance::AsideOfPath,
+                    other => other,
+                };
+            }
         }
         self.unknowns.retain(|unknown| *unknown != held);
         *held.of(&mut self.given) = value;

@@ -63,7 +63,7 @@ impl<'a> Search<'a> {
         if plant.support() == Support::Free && !moves_anything(plant, TrimRole::Pitch) {
             return Err(Box::new(search.without_pitch_control()));
         }
-        if !condition.manoeuvre.is_symmetric() {
+        if plant.support() == Support::Free && !condition.manoeuvre.is_symmetric() {
             return Search::find_aside(plant, condition);
         }
         let in_plane = search.run();
@@ -97,7 +97,9 @@ impl<'a> Search<'a> {
             let error = search.error(SearchEnd::Steps(0), 0.0);
             return Err(Box::new(TrimError { failure: TrimFailure::NoControlAside, ..error }));
         };
-        let level = Search::find(plant, level)?;
+        let of_this =
+            |error: Box<TrimError>| Box::new(TrimError { manoeuvre: condition.manoeuvre, ..*error });
+        let level = Search::find(plant, level).map_err(of_this)?;
         let mut search = Search::new(plant, condition, problem);
         search.begin_at(&level);
         search.begin_turn();
@@ -230,6 +232,7 @@ impl<'a> Search<'a> {
         self.evaluate();
         let (forces, weight) = (self.workspace.forces(), self.weight());
         let accelerations = self.workspace.accelerations();
+        let acceleration = GeneralisedVector::of(accelerations).translation;
         let velocity = self.plant.equations.motion(&self.state).velocity;
         let [aside, across] = steady_load_factors(&self.plant.equations, &self.state);
         let (flight, elastic) = out.split_at_mut(self.problem.balances.len());
@@ -237,7 +240,10 @@ impl<'a> Search<'a> {
             *out = match *balance {
                 Balance::Row(row) => forces[row],
                 Balance::Acceleration(row) => accelerations[row],
-                Balance::AcrossPath => accelerations[2] * velocity.x - accelerations[0] * velocity.z,
+                Balance::AcrossPath => acceleration.z * velocity.x - acceleration.x * velocity.z,
+                Balance::AsideOfPath => {
+                    acceleration.y * velocity.norm_squared() - velocity.y * acceleration.dot(&velocity)
+                }
                 Balance::Coordination => weight * aside,
                 Balance::LoadFactor(asked) => weight * (across - asked),
             };
@@ -326,19 +332,21 @@ impl<'a> Search<'a> {
         self.evaluate();
         let modal = largest(GeneralisedVector::of(self.workspace.accelerations()).modal.iter().copied());
         let elastic = largest(self.workspace.elastic_force.iter().copied()).max(1.0);
-        let reversed = self.plant.reversed_strip(&self.state, &self.controls, &self.workspace);
+        let in_balance = self.is_valid() && largest(self.rigid()) < BALANCED && modal < BALANCED * elastic;
+        if in_balance { Ok(()) } else { Err(Box::new(self.error(end, modal))) }
+    }
+
+    /// Whether the last evaluation is a flight, with the load factors that are asked for; whatever accelerates.
+    pub(super) fn is_valid(&self) -> bool {
         let [aside, across] = steady_load_factors(&self.plant.equations, &self.state);
         let meets = |balance: &Balance| match *balance {
-            Balance::Row(_) | Balance::Acceleration(_) | Balance::AcrossPath => true,
+            Balance::Row(_) | Balance::Acceleration(_) | Balance::AcrossPath | Balance::AsideOfPath => true,
             Balance::Coordination => aside.abs() < BALANCED,
             Balance::LoadFactor(asked) => (across - asked).abs() < BALANCED,
         };
-        let in_balance = self.workspace.accelerations().iter().all(|a| a.is_finite())
+        self.workspace.accelerations().iter().all(|a| a.is_finite())
             && self.problem.balances.iter().all(meets)
-            && largest(self.rigid()) < BALANCED
-            && modal < BALANCED * elastic
-            && reversed.is_none();
-        if in_balance { Ok(()) } else { Err(Box::new(self.error(end, modal))) }
+            && self.plant.reversed_strip(&self.state, &self.controls, &self.workspace).is_none()
     }
 }
 

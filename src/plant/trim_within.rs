@@ -78,10 +78,10 @@ impl Plant {
             held.extend(beyond);
             let mut next = Search::new(&steady, *condition, problem);
             next.begin_at(&search);
-            let is_found = matches!(next.iterate(), SearchEnd::Steps(_));
+            let has_ended = matches!(next.iterate(), SearchEnd::Steps(_));
             next.evaluate();
             search = next;
-            if !is_found {
+            if !has_ended || !search.is_valid() {
                 let held = held.into_iter().map(|(_, held)| held).collect();
                 return Err(LimitedTrimError::Beyond(Shortfall { held, found: false }));
             }

@@ -3,6 +3,7 @@
 //! An aircraft with a mirror plane that nothing has ever moved out of symmetry needs half its strips, half its modes
 //! and half its rigid motion. As soon as something acts on one side alone, the whole aircraft takes over for good.
 
+use crate::aircraft::Support;
 use crate::equations::{Configuration, Controls, EquationsOfMotion};
 use crate::math::{ROUNDING, are_alike};
 use crate::plant::{
@@ -131,7 +132,8 @@ impl Plants {
 
     /// The form with the fewest states in which an aircraft can fly like that.
     fn form_of_trim(&self, condition: &TrimCondition) -> Form {
-        let is_half = self.halving.is_some() && condition.manoeuvre.is_symmetric();
+        let is_clamped = self.whole().support() == Support::Clamped;
+        let is_half = self.halving.is_some() && (is_clamped || condition.manoeuvre.is_symmetric());
         if is_half { Form::HALF } else { Form::WHOLE }
     }
 

@@ -71,7 +71,10 @@ pub(super) fn parameters(model: &ReducedModel, start: &Settings) -> Vec<Variable
             .enumerate()
             .map(|(i, engine)| format!("{}: {}", i + 1, engine.name))
             .collect();
-        let text = format!("Engine that gives no thrust in a straight flight; 0: none, {}", names.join(", "));
+        let text = format!(
+            "Engine without thrust in the trim of a straight flight, whose input acts all the same; 0: none, {}",
+            names.join(", ")
+        );
         let failed = Variable { kind: Type::Integer, ..row("failed_engine", C::FailedEngine, &text) };
         rows.push(failed.between(0.0, model.engines.len() as f64));
     }

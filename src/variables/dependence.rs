@@ -33,7 +33,7 @@ pub(super) fn direct(output: OutputSlot, input: InputSlot) -> bool {
     }
 }
 
-/// Whether a parameter acts on the value of an output at initialisation, in trimmed level flight; `roles` has that of each
+/// Whether a parameter acts on the value of an output at initialisation, in the trimmed flight; `roles` has that of each
 /// control.
 pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Option<TrimRole>]) -> bool {
     use ParameterSlot::{Airspeed, Altitude, Heading, InputReference, StructuralDamping, Tolerance};
@@ -43,10 +43,8 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Opt
         OutputSlot::Wind(_) => matches!(parameter, Heading | Airspeed),
         OutputSlot::GustPeakVelocity => matches!(parameter, Altitude | ParameterSlot::Gust(_)),
         OutputSlot::Position(_) | OutputSlot::ModalRate(_) => false,
-        // Straight flight turns at no rate, whatever else is set.
-        OutputSlot::Rate(_) | OutputSlot::StationRate { .. } => {
-            matches!(parameter, ParameterSlot::Condition(_))
-        }
+        // In straight flight nothing turns; in a turn or a pull-up the rate is the trim's.
+        OutputSlot::Rate(_) | OutputSlot::StationRate { .. } => trims(parameter),
         OutputSlot::Acceleration(_)
         | OutputSlot::LoadFactor(_)
         | OutputSlot::SpecificForce { .. }

@@ -236,7 +236,7 @@ fn a_small_step_is_answered_in_flight_as_the_linear_model_has_it() {
                 peak = peak.max(linear[row].abs());
                 deviation = deviation.max((flown - linear[row]).abs());
             }
-            record.error(&format!("{input} → {output}"), 1e-3, deviation / peak);
+            record.error(&format!("{input} → {output}"), 3e-5, deviation / peak);
         }
     }
     record.finish();
@@ -249,6 +249,7 @@ fn the_state_matrix_is_that_of_the_plant() {
     let trim = plant.trim(&plant_settings.trim_condition()).unwrap();
     let expected = plant.linearise(&trim).matrix;
     let model = LinearModel::new(jet(), &plant_settings.into(), Inflow::Kept).unwrap();
-    assert!((&model.a - &expected).amax() < 1e-8 * expected.amax());
-    assert_eq!(model.eigenvalues().unwrap().len(), model.states.len());
+    for (found, expected) in model.a.row_iter().zip(expected.row_iter()) {
+        assert!((found - expected).amax() <= 1e-8 * expected.amax());
+    }
 }

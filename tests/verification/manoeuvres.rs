@@ -1,12 +1,17 @@
 //! Trims beyond level flight, against an independent computation [theory: trim.manoeuvres].
 
 use std::f64::consts::{FRAC_PI_6, PI};
+use std::sync::Arc;
 
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Settings, Simulation};
-use flexible_aircraft::plant::{ConditionSettings, Lateral, ManoeuvreChoice, Outputs, PlantSettings};
+use flexible_aircraft::plant::{
+    ConditionSettings, Held, Lateral, LimitedTrimError, ManoeuvreChoice, Outputs, PlantSettings, Shortfall,
+    TrimLimits,
+};
+use flexible_aircraft::symmetry::Plants;
 
-use crate::support::{jet, up};
+use crate::support::{ELEVATOR, RUDDER, jet, up};
 
 use super::record::Record;
 
@@ -252,17 +257,88 @@ fn load_factors_and_rates_of_turns_and_pull_ups_are_those_of_their_closed_forms(
 
 #[test]
 fn a_flight_that_begins_in_a_manoeuvre_goes_on_in_it() {
+    const SECONDS: f64 = 2.0;
     for condition in [climb(5.0), turn(), sideslip(), engine_out(1)] {
         let mut flight = Simulation::new(jet(), &settings(1.0, condition), 0.0).unwrap();
-        let before = flight.outputs().clone();
-        flight.advance_to(2.0).unwrap();
+        let (point, before) = (*flight.trim(), flight.outputs().clone());
+        flight.advance_to(SECONDS).unwrap();
         let after = flight.outputs();
+        let (turned, climbed) = (after.attitude.z - before.attitude.z, before.position.z - after.position.z);
         // Only the air thins on the way up, by 0.3 %.
-        let bound = if condition.climb_angle == 0.0 { 1e-6 } else { 5e-3 };
-        assert!((after.load_factor - before.load_factor).norm() < bound, "{condition:?}");
-        assert!((after.rate - before.rate).norm() < bound, "{condition:?}");
-        assert_eq!(after.thrust, before.thrust);
+        let [of_load_factor, of_rate, of_height] =
+            if condition.climb_angle == 0.0 { [1e-6, 1e-6, 1e-4] } else { [5e-3, 2e-3, 0.05] };
+        assert!((after.load_factor - before.load_factor).norm() < of_load_factor, "{condition:?}");
+        assert!((after.rate - before.rate).norm() < of_rate, "{condition:?}");
+        assert!((turned - point.turn_rate * SECONDS).abs() < 1e-5, "{condition:?}: {turned}");
+        let height = 127.0 * point.climb_angle.sin() * SECONDS;
+        assert!((climbed - height).abs() < of_height, "{condition:?}: {climbed}");
     }
+    let out = start(&settings(1.0, engine_out(1)));
+    assert!(out.thrust[0] == 0.0 && out.thrust[1] > 4e4, "{:?}", out.thrust);
+}
+
+/// Limits that bind nothing.
+fn free() -> TrimLimits {
+    let any = [f64::NEG_INFINITY, f64::INFINITY];
+    TrimLimits { controls: vec![any; jet().controls.len()], thrust: any }
+}
+
+/// What is left of a trim within limits.
+fn held(stiffness_scale: f64, condition: ConditionSettings, limits: &TrimLimits) -> Vec<Held> {
+    let plant = settings(stiffness_scale, condition).plant;
+    let plants = Plants::under(&jet(), &plant).unwrap();
+    match plants.trim_within(&plant.trim_condition(), limits).1 {
+        Err(LimitedTrimError::Beyond(Shortfall { held, found: true })) => held,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn what_a_trim_lacks_within_limits_is_what_the_independent_computation_says() {
+    let mut elevator = free();
+    for (stiffness_scale, limit, needed, left) in
+        [(1.0, -0.2, -0.2479, -0.02363), (0.1, -0.3, -0.3558, -0.02241)]
+    {
+        elevator.controls[ELEVATOR] = [limit, 1.0];
+        let [found] = &held(stiffness_scale, straight(), &elevator)[..] else { panic!("one") };
+        assert!((found.needed - needed).abs() < 6e-5 && (found.left - left).abs() < 6e-6, "{found:?}");
+    }
+    // A kilonewton too little for each engine is missing along the path, with sideslip and without.
+    let mass = jet().integrals.mass;
+    for condition in [climb(5.0), sideslip()] {
+        let trim = *Simulation::new(jet(), &settings(1.0, condition), 0.0).unwrap().trim();
+        let thrust = TrimLimits { thrust: [0.0, trim.thrust - 1e3], ..free() };
+        let [found] = &held(1.0, condition, &thrust)[..] else { panic!("one") };
+        // Thrust is along the body's axis; the rest of it goes into incidence and elevator.
+        let expected = -2e3 / mass * trim.angle_of_attack().cos();
+        assert!((found.left / expected - 1.0).abs() < 0.1, "{found:?} {expected}");
+    }
+    assert!(
+        Plants::under(&jet(), &settings(1.0, turn()).plant)
+            .unwrap()
+            .trim_within(&settings(1.0, turn()).plant.trim_condition(), &free())
+            .1
+            .is_ok()
+    );
+}
+
+#[test]
+fn without_the_controls_that_hold_it_a_flight_is_refused_or_held_by_sideslip() {
+    let mut model = (*jet()).clone();
+    model.controls[RUDDER].role = None;
+    let model = Arc::new(model);
+    let trimmed = |condition| Simulation::new(Arc::clone(&model), &settings(1.0, condition), 0.0);
+    let refused = trimmed(sideslip()).unwrap_err().to_string();
+    assert!(
+        refused.contains("no steady flight with sideslip: it needs controls with trim = \"roll\" and"),
+        "{refused}"
+    );
+    let mut out = trimmed(engine_out(2)).unwrap();
+    assert!(out.trim().sideslip.abs() > 0.01 && out.trim().yaw_control == 0.0, "{:?}", out.trim());
+    assert!(out.outputs().acceleration.norm() < 1e-6);
+    let mut turning = trimmed(turn()).unwrap();
+    let lateral = turning.outputs().load_factor.y;
+    assert!(lateral.abs() > 1e-4 && turning.trim().turn_rate > 0.04, "{lateral}");
 }
 
 #[test]

@@ -129,6 +129,11 @@ fn derivatives_at_the_initialisation_by_every_parameter_are_differences_of_trims
     const BY_CRITERION: [(&str, c_int); 3] = [("model", 5), ("gust.shape", 2), ("gust.criterion", 2)];
     Initialisation::new(jet(), &BY_CRITERION, &[("gust.alleviation", 0.8)]).check();
     Initialisation::new(jet(), &[("model", 5), ("gust.shape", 2)], &[("gust.alleviation", 0.8)]).check();
+    // In a turn to the right, in a pull-up, with the left engine out.
+    Initialisation::new(jet(), &[("condition.manoeuvre", 2)], &[("condition.bank_angle", 0.3)]).check();
+    Initialisation::new(jet(), &[("condition.manoeuvre", 3)], &[("condition.load_factor", 1.3)]).check();
+    const ENGINE_OUT: [(&str, c_int); 2] = [("condition.failed_engine", 1), ("input_reference", 2)];
+    Initialisation::new(jet(), &ENGINE_OUT, &[]).check();
     Initialisation::new(
         &typical_section(),
         &[],
