@@ -109,7 +109,7 @@ pub enum Error {
 }
 
 /// The option with which a parameter of the FMU is set here.
-fn option(setting: &str) -> String {
+pub fn option(setting: &str) -> String {
     match setting {
         "mode_count" => "--modes".to_owned(),
         other => format!("--{}", other.replace('_', "-")),

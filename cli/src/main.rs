@@ -9,6 +9,7 @@ use clap::{Arg, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use flexible_aircraft_packaging::{Platform, remove_temporary_files};
 
 mod analysis;
+mod axis;
 mod bench;
 mod chart;
 mod check;

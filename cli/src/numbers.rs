@@ -46,6 +46,12 @@ pub fn aligned(lines: &[Vec<String>]) -> String {
     lines.iter().map(line).collect()
 }
 
+/// The shortest digits that agree with a number to six: 19.572 of 19.572000000000003.
+pub fn short(number: f64) -> Plain {
+    // PROOF: what is written as a number is read as one; the number itself stands in for any doubt.
+    Plain(format!("{number:.5e}").parse().unwrap_or(number))
+}
+
 /// A table on its way to where it is written.
 pub struct NumberTable<W: Write> {
     writer: csv::Writer<W>,
@@ -122,6 +128,12 @@ mod tests {
     #[test]
     fn what_the_places_do_not_show_has_no_sign() {
         assert_eq!([fixed(-1e-9, 4), fixed(-0.25, 4), fixed(12.0, 0)], ["0.0000", "−0.2500", "12"]);
+    }
+
+    #[test]
+    fn rounding_of_what_was_computed_is_not_shown() {
+        let shown = [19.572000000000003, 9.144, 106.68, -0.1 - 0.2].map(|number| short(number).to_string());
+        assert_eq!(shown, ["19.572", "9.144", "106.68", "-0.3"]);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use flexible_aircraft::air::GustSettings;
 
-use crate::numbers::Plain;
+use crate::numbers::{Plain, short};
 
 /// A gust or its opposite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,7 +70,7 @@ impl Case {
 
     /// For people, and in tables.
     pub fn name(&self) -> String {
-        format!("gust {} m {}", Plain(self.gust.gradient), self.way())
+        format!("gust {} m {}", short(self.gust.gradient), self.way())
     }
 }
 

@@ -1,5 +1,7 @@
 //! Gradients of gusts as they are written on the command line.
 
+use crate::axis;
+
 /// More gusts than this are a slip of the pen.
 const MOST_GRADIENTS: usize = 10_000;
 
@@ -9,34 +11,13 @@ pub struct Gradients(pub Vec<f64>);
 
 /// A range, both ends of which count, or a list.
 pub fn gradients(text: &str) -> Result<Gradients, String> {
-    let found = if text.contains(':') { range(text) } else { text.split(',').map(length).collect() };
-    found.map(Gradients).ok_or_else(|| {
+    let found = axis::numbers(text, MOST_GRADIENTS);
+    found.filter(|lengths| lengths.iter().all(|length| *length > 0.0)).map(Gradients).ok_or_else(|| {
         format!(
             "allowed is FROM:TO:N in m with 0 < FROM ≤ TO and 1 to {MOST_GRADIENTS} gradients, or M,M,… with each greater \
              than 0"
         )
     })
-}
-
-fn length(text: &str) -> Option<f64> {
-    text.trim().parse().ok().filter(|length: &f64| *length > 0.0 && length.is_finite())
-}
-
-/// Equally far apart.
-fn range(text: &str) -> Option<Vec<f64>> {
-    let mut parts = text.split(':');
-    let (from, to) = (length(parts.next()?)?, length(parts.next()?)?);
-    let count: usize = parts.next()?.parse().ok()?;
-    if parts.next().is_some() || from > to || !(1..=MOST_GRADIENTS).contains(&count) {
-        return None;
-    }
-    let last = count - 1;
-    let gradient = |place: usize| match place {
-        0 => from,
-        place if place == last => to,
-        place => from + (to - from) * place as f64 / last as f64,
-    };
-    Some((0..count).map(gradient).collect())
 }
 
 #[cfg(test)]

@@ -9,16 +9,25 @@ use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::FileError;
 
-use crate::files::{Drafts, Overwriting, refuse_overwriting};
+use crate::files::{Drafts, Overwriting, STANDARD, refuse_overwriting};
 use crate::flown::{self, FlownOptions};
-use crate::{terminal, workspace};
+use crate::{axis, condition, terminal, workspace};
 
 mod points;
 mod table;
-mod values;
 
 use points::Status;
-use values::{Values, values};
+
+/// Numbers of an axis, in the order in which they were given.
+#[derive(Clone, Debug)]
+struct Values(Vec<f64>);
+
+fn values(text: &str) -> Result<Values, String> {
+    let allowed = || {
+        format!("allowed is a number, a list N,N,… or FROM:TO:COUNT with FROM ≤ TO and 1 to {MOST_POINTS}")
+    };
+    axis::numbers(text, MOST_POINTS).map(Values).ok_or_else(allowed)
+}
 
 /// Most points of a table.
 const MOST_POINTS: usize = 100_000;
@@ -27,7 +36,7 @@ const MOST_POINTS: usize = 100_000;
 #[derive(Args)]
 #[command(
     after_help = "Each of --speed, --altitude and --load-factor is a number, a list (120,127) or FROM:TO:N; all are combined. \
-Angles are degrees here and rad in the tables. Where a trim needs more than the limits that the aircraft file gives its controls and engines, it counts \
+Angles are degrees here and rad in the tables. Where a trim needs more than the limits of the aircraft file, of actuator.* and engine.*, it counts \
 as none, and the table says what is left with them held there.
 
 Examples: level flight over speeds; turns and a pull-up; the right engine of the jet out
@@ -80,7 +89,7 @@ pub struct TrimOptions {
     #[arg(long, value_name = "ENGINE", conflicts_with_all = ["turn", "pull_up"])]
     failed_engine: Option<String>,
 
-    /// Let controls and engines give whatever it needs
+    /// Ignore the limits of the aircraft file; those that are set by actuator.* and engine.* stay
     #[arg(long)]
     ignore_limits: bool,
 
@@ -106,7 +115,9 @@ pub enum Error {
     TooMany(usize),
     #[error("--load-factor: found without --turn or --pull-up, which it belongs to")]
     LoadFactor,
-    #[error("{}: found {}, allowed is {}", option(&.0.setting), .0.found, .0.allowed)]
+    #[error("--load-factor: found 0, allowed is another number: 0 stands for none given")]
+    NoLoadFactor,
+    #[error("{}: found {}, allowed is {}", given(&.0.setting), .0.found, .0.allowed)]
     Setting(#[from] SettingError),
     #[error("no point could be trimmed; the table says why")]
     None,
@@ -116,17 +127,23 @@ pub enum Error {
     Overwriting(#[from] Overwriting),
 }
 
-/// The option with which a parameter of the FMU is set here.
-fn option(setting: &str) -> String {
+/// A parameter of the FMU, by the option with which it is set here; angles are degrees there.
+fn given(setting: &str) -> String {
     match setting {
         "airspeed" => "--speed".to_owned(),
-        other => format!("--{}", other.trim_start_matches("condition.").replace('_', "-")),
+        "condition.load_factor" => "--load-factor".to_owned(),
+        "condition.climb_angle" | "condition.bank_angle" | "condition.sideslip" => {
+            let option = condition::option(setting.trim_start_matches("condition."));
+            format!("{setting}, which {option} gives in degrees")
+        }
+        other if other.starts_with("condition.") => other.to_owned(),
+        other => condition::option(other),
     }
 }
 
 fn degrees(text: &str) -> Result<f64, String> {
-    let angle = text.parse().ok().filter(|angle: &f64| angle.abs() <= 85.0);
-    angle.ok_or_else(|| "allowed are -85 to 85 degrees".to_owned())
+    let angle = text.parse().ok().filter(|angle: &f64| angle.abs() <= 84.0);
+    angle.ok_or_else(|| "allowed are -84 to 84 degrees".to_owned())
 }
 
 /// Trims all points, prints the table, and writes it; a table in which nothing is trimmed is a failure.
@@ -134,7 +151,8 @@ pub fn run(options: &TrimOptions) -> Result<(), Error> {
     let file = options.aircraft.as_path();
     let outputs: Vec<&Path> = options.csv.iter().chain(&options.json).map(PathBuf::as_path).collect();
     refuse_overwriting(&outputs, [file])?;
-    let drafts = Drafts::new(outputs.iter().copied())?;
+    let is_standard = |path: &Path| path == Path::new(STANDARD);
+    let drafts = Drafts::new(outputs.iter().copied().filter(|path| !is_standard(path)))?;
     let model = options.flown.reduce(&options.flown.read(file)?)?;
     let settings = options.flown.settings(&VariableTable::new(&model), &model)?;
     let all = options.settings(&model, &settings)?;
@@ -145,11 +163,14 @@ pub fn run(options: &TrimOptions) -> Result<(), Error> {
         options.csv.as_ref().map(|_| table::csv(&model, &points)),
         options.json.as_ref().map(|_| table::json(&model, &points)),
     ];
-    if !outputs.contains(&Path::new(crate::files::STANDARD)) {
-        terminal::print(&printed)?;
-    }
     let written: Vec<String> = written.into_iter().flatten().collect();
-    drafts.keep(written.iter().map(String::as_str))?;
+    let (printed_ones, files): (Vec<_>, Vec<_>) =
+        outputs.iter().zip(&written).partition(|(path, _)| is_standard(path));
+    match printed_ones.first() {
+        None => terminal::print(&printed)?,
+        Some((_, table)) => terminal::print(table)?,
+    }
+    drafts.keep(files.iter().map(|(_, table)| table.as_str()))?;
     if found == 0 { Err(Error::None) } else { Ok(()) }
 }
 
@@ -157,9 +178,11 @@ impl TrimOptions {
     /// The settings of every point, load factor after load factor, in each altitude after altitude, in each speed after speed.
     fn settings(&self, model: &ReducedModel, base: &Settings) -> Result<Vec<Settings>, Error> {
         let condition = self.condition(model, base.plant.condition)?;
-        let (turns, pulls) = (self.turn, self.pull_up);
-        if self.load_factor.is_some() && !turns && !pulls {
+        if self.load_factor.is_some() && condition.manoeuvre == ManoeuvreChoice::Straight {
             return Err(Error::LoadFactor);
+        }
+        if self.load_factor.as_ref().is_some_and(|factors| factors.0.contains(&0.0)) {
+            return Err(Error::NoLoadFactor);
         }
         let or = |given: &Option<Values>, usual: f64| {
             given.as_ref().map_or(vec![usual], |values| values.0.clone())

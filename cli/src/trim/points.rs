@@ -93,7 +93,9 @@ fn limits(model: &ReducedModel, settings: &Settings, ignore_limits: bool) -> Tri
     let controls = model.controls.iter().enumerate();
     let controls = controls
         .map(|(number, control)| within(settings.actuators.get(number).stops(), control.limits.given()));
-    let engines = (0..model.engines.len()).map(|number| settings.engines.get(number).limits());
+    let failed = settings.plant.condition.manoeuvre().failed_engine;
+    let running = (0..model.engines.len()).filter(|number| failed != Some(*number));
+    let engines = running.map(|number| settings.engines.get(number).limits());
     let engines = engines
         .reduce(|[least, most], [other_least, other_most]| [least.max(other_least), most.min(other_most)]);
     TrimLimits {

@@ -87,7 +87,10 @@ pub fn text(model: &ReducedModel, settings: &Settings, points: &[Point]) -> Stri
         values.into_iter().any(|value| value.abs() >= 5e-6)
     };
     let shown: Vec<&Column> = columns.iter().filter(is_shown).collect();
-    let heads = ["airspeed (m/s)", "altitude (m)"].map(str::to_owned).into_iter();
+    let factor = |point: &Point| point.settings.condition.load_factor;
+    let has_factors = points.iter().any(|point| factor(point) != factor(&points[0]));
+    let asked = has_factors.then(|| "load factor asked".to_owned());
+    let heads = ["airspeed (m/s)", "altitude (m)"].map(str::to_owned).into_iter().chain(asked);
     let heads = heads.chain(shown.iter().map(|column| match column.unit {
         "1" => column.name.clone(),
         unit => format!("{} ({unit})", column.name),
@@ -99,12 +102,16 @@ pub fn text(model: &ReducedModel, settings: &Settings, points: &[Point]) -> Stri
             Some(trim) => fixed((column.value)(point, trim), column.places),
             None => "–".to_owned(),
         });
-        lines.push([airspeed, altitude].into_iter().chain(numbers).collect());
+        let asked = has_factors.then(|| Plain(factor(point)).to_string());
+        lines.push([airspeed, altitude].into_iter().chain(asked).chain(numbers).collect());
     }
     text += &aligned(&lines);
     for point in points {
         let [airspeed, altitude, _] = axes(point).map(|(_, _, value)| Plain(value));
-        let place = format!("{airspeed} m/s and {altitude} m");
+        let place = match has_factors {
+            true => format!("{airspeed} m/s, {altitude} m and a load factor of {}", Plain(factor(point))),
+            false => format!("{airspeed} m/s and {altitude} m"),
+        };
         for warning in &point.warnings {
             text += &format!("\nwarning: the trim at {place} stands, but {warning}");
         }

@@ -53,12 +53,26 @@ fn a_trim_beyond_a_limit_is_none_and_says_what_is_left() {
 }
 
 #[test]
+fn a_table_goes_to_standard_output_alone_when_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    let found = run(folder.path(), "trim --modes 2 --csv -");
+    assert!(found.status.success(), "{}", text(&found.stderr));
+    assert!(text(&found.stdout).starts_with("airspeed,altitude,"), "{}", text(&found.stdout));
+    assert!(crate::support::names(folder.path()).is_empty());
+}
+
+#[test]
 fn what_does_not_go_together_is_refused_by_the_options_names() {
     let folder = tempfile::tempdir().unwrap();
     let wing = workspace("aircraft/goland-wing.toml");
     let clamped = format!("{} --climb-angle 3", wing.display());
     for (options, reason) in [
-        ("--turn", "--bank-angle: found 0, allowed is an angle other than 0"),
+        (
+            "--turn",
+            "condition.bank_angle, which --bank-angle gives in degrees: found 0, allowed is an angle other than 0",
+        ),
+        ("--turn --load-factor 1.2,0", "--load-factor: found 0, allowed is another number"),
+        ("--pull-up --load-factor 1.2 --bank-angle 5", "allowed is 0 (rad) in a pull-up, which finds it"),
         ("--load-factor 1.5", "--load-factor: found without --turn or --pull-up"),
         (
             "--turn --load-factor 0.9",
@@ -67,7 +81,7 @@ fn what_does_not_go_together_is_refused_by_the_options_names() {
         ("--failed-engine middle", "--failed-engine: found middle, allowed is left, right"),
         ("--speed 5000", "--speed: found 5000, allowed is 1 to 400 (m/s)"),
         ("--speed 1:2", "allowed is a number, a list N,N,… or FROM:TO:COUNT"),
-        ("--climb-angle 90", "allowed are -85 to 85 degrees"),
+        ("--climb-angle 90", "allowed are -84 to 84 degrees"),
         (clamped.as_str(), "a clamped aircraft stands as its mount does"),
     ] {
         let refused = run(folder.path(), &format!("trim {options}"));
