@@ -2,6 +2,7 @@
 
 use nalgebra::{Complex, DMatrix};
 
+use crate::flight::Settings;
 use crate::plant::{EigenvaluesNotFound, eigenvalues};
 
 use super::linear_names::Name;
@@ -14,6 +15,17 @@ pub enum Inflow {
     Kept,
     /// There is none: the aircraft with `inflow_states = 0`.
     Steady,
+}
+
+impl Inflow {
+    /// Settings with this wake.
+    pub(super) fn of(self, settings: &Settings) -> Settings {
+        let mut settings = settings.clone();
+        if self == Inflow::Steady {
+            settings.plant.inflow_states = 0;
+        }
+        settings
+    }
 }
 
 /// ẋ = A x + B u + B′ u̇, y = C x + D u + D′ u̇: small departures from the trim with which a flight begins, SI units.

@@ -27,10 +27,7 @@ impl LinearModel {
         settings: &Settings,
         inflow: Inflow,
     ) -> Result<Self, SimulationError> {
-        let (model, mut settings) = (model.into(), settings.clone());
-        if inflow == Inflow::Steady {
-            settings.plant.inflow_states = 0;
-        }
+        let (model, settings) = (model.into(), inflow.of(settings));
         if model.support == Support::Clamped && settings.plant.airspeed == 0.0 {
             let allowed =
                 "greater than 0 (m/s) for a linear model: the flow's angles have no derivatives at rest";

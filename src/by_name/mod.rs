@@ -2,6 +2,7 @@
 //!
 //! Names, units, signs and starts are those of the FMU; [`Flight::variables`] lists them.
 
+mod flying_qualities;
 mod lags;
 mod linear_model;
 mod linear_names;
@@ -15,6 +16,7 @@ use crate::plant::LimitExceeded;
 use crate::structure::ReducedModel;
 use crate::variables::{Slot, Value, Variable, VariableTable, nearest};
 
+pub use flying_qualities::flight_modes;
 pub use linear_model::{Inflow, LinearModel};
 pub use linear_names::Name as LinearName;
 pub use setting::Setting;

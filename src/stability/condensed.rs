@@ -1,6 +1,6 @@
 //! The linearised motion with its wake eliminated: a small nonlinear eigenvalue problem.
 //!
-//! [theory: stability.condensed, stability.inverse-iteration]
+//! [theory: stability.condensed, stability.inverse-iteration, stability.modes]
 //!
 //! With x the rigid motion, q and q̇ and η the inflow, ẋ = F x + B η and η̇ = C x + D η. D is diagonal but for
 //! the 2 × 2 blocks of complex inflow states, so that η = (λ − D)⁻¹ C x is cheap and
@@ -19,6 +19,9 @@ use crate::plant::{StateMatrix, Unknown};
 
 /// Iterations in which a near root is found, or none.
 const MAX_ITERATIONS: usize = 12;
+
+/// Inverse iterations for a left shape, each of which gains nine digits.
+const LEFT_ITERATIONS: usize = 2;
 
 /// Change of an eigenvalue that no longer counts, relative to it and to the size of F.
 const CONVERGED: (f64, f64) = (1e-10, 1e-14);
@@ -106,6 +109,48 @@ impl Condensed {
         Condensed { coupling, ..self.clone() }
     }
 
+    /// The same with an inflow that follows the motion ε > 0 times as slowly [theory: stability.modes].
+    pub fn with_lag(&self, lag: f64) -> Self {
+        let faster = 1.0 / lag;
+        let wake = self.wake.iter().map(|block| match *block {
+            WakeBlock::Lag { row, rate } => WakeBlock::Lag { row, rate: faster * rate },
+            WakeBlock::Pair { row, rates } => {
+                WakeBlock::Pair { row, rates: rates.map(|row| row.map(|rate| faster * rate)) }
+            }
+        });
+        Condensed {
+            motion: &self.motion + &self.wake_on_motion * self.inflow_of_motion() * (faster - 1.0),
+            wake: wake.collect(),
+            coupling: faster * faster,
+            ..self.clone()
+        }
+    }
+
+    /// The same with an inflow that follows the motion at once (ε = 0), and is no part of it any more; none where the inflow
+    /// then leaves no motion.
+    pub fn with_instant_inflow(&self) -> Option<Self> {
+        let steady = self.inflow_of_motion();
+        let again = self.divided_by_wake(&steady);
+        let held = DMatrix::identity(self.motion.nrows(), self.motion.nrows()) + &self.wake_on_motion * again;
+        let motion = held.lu().solve(&(&self.motion - &self.wake_on_motion * steady))?;
+        Some(Condensed { motion, coupling: 0.0, ..self.clone() })
+    }
+
+    /// D⁻¹ C: the inflow is η + D⁻¹ C x.
+    fn inflow_of_motion(&self) -> DMatrix<f64> {
+        self.divided_by_wake(&self.motion_on_wake)
+    }
+
+    /// D⁻¹ times a matrix.
+    fn divided_by_wake(&self, matrix: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut divided = DMatrix::zeros(matrix.nrows(), matrix.ncols());
+        for (column, mut quotient) in matrix.column_iter().zip(divided.column_iter_mut()) {
+            let forcing = |row: usize| Complex::from(-column[row]);
+            self.answer(Complex::from(0.0), forcing, |row, value| quotient[row] = value.re);
+        }
+        divided
+    }
+
     /// The roots with the wake frozen (κ = 0), one of each complex pair, slowest first.
     pub fn frozen_roots(&self) -> Vec<Root> {
         if self.motion.is_empty() {
@@ -170,6 +215,45 @@ impl Condensed {
         None
     }
 
+    /// The shape of the left eigenvector at a root, of unit length: wᵀ T(λ) = 0.
+    pub fn left_shape(&self, root: &Root) -> Option<DVector<Complex<f64>>> {
+        let beside = root.eigenvalue + Complex::from(1e-9 * (1.0 + root.eigenvalue.norm()));
+        let transposed = self.characteristic(beside).transpose().lu();
+        let mut shape = root.shape.map(|x| x.conj());
+        for _ in 0..LEFT_ITERATIONS {
+            shape = transposed.solve(&shape)?;
+            shape /= Complex::from(shape.norm());
+        }
+        Some(shape)
+    }
+
+    /// How much each unknown of the motion takes part in a root: |w_i v_i| of its left and right eigenvector, which are 1 in
+    /// sum with those of the inflow η + D⁻¹ C x.
+    pub fn participations(&self, root: &Root, left: &DVector<Complex<f64>>) -> Vec<f64> {
+        let (at, rest) = (root.eigenvalue, Complex::from(0.0));
+        let transposed = self.with_wake_transposed();
+        let forcing = product(&self.motion_on_wake, &root.shape);
+        let inflow = self.answers(at, &forcing) - self.answers(rest, &forcing);
+        let left_forcing = product(&self.wake_on_motion.transpose(), left) * Complex::from(self.coupling);
+        let left_inflow = transposed.answers(at, &left_forcing);
+        let left_motion =
+            left + product(&self.motion_on_wake.transpose(), &transposed.answers(rest, &left_inflow));
+        let motion = products(&left_motion, &root.shape);
+        let all: f64 = motion.iter().chain(&products(&left_inflow, &inflow)).sum();
+        motion.into_iter().map(|share| share / all).collect()
+    }
+
+    /// With Dᵀ in place of D.
+    fn with_wake_transposed(&self) -> Self {
+        let transposed = |block: &WakeBlock| match *block {
+            WakeBlock::Pair { row, rates: [[a, b], [c, d]] } => {
+                WakeBlock::Pair { row, rates: [[a, c], [b, d]] }
+            }
+            lag @ WakeBlock::Lag { .. } => lag,
+        };
+        Condensed { wake: self.wake.iter().map(transposed).collect(), ..self.clone() }
+    }
+
     /// T(λ).
     fn characteristic(&self, eigenvalue: Complex<f64>) -> DMatrix<Complex<f64>> {
         let (wake, motion) = self.motion_on_wake.shape();
@@ -194,11 +278,16 @@ impl Condensed {
 
     /// T′(λ) x = x + κ B (λ − D)⁻² C x.
     fn slope(&self, eigenvalue: Complex<f64>, shape: &DVector<Complex<f64>>) -> DVector<Complex<f64>> {
-        let forcing = product(&self.motion_on_wake, shape);
-        let (mut once, mut twice) = (forcing.clone(), forcing.clone());
-        self.answer(eigenvalue, |row| forcing[row], |row, value| once[row] = value);
-        self.answer(eigenvalue, |row| once[row], |row, value| twice[row] = value);
+        let once = self.answers(eigenvalue, &product(&self.motion_on_wake, shape));
+        let twice = self.answers(eigenvalue, &once);
         shape + product(&self.wake_on_motion, &twice) * Complex::from(self.coupling)
+    }
+
+    /// (λ − D)⁻¹ times a forcing.
+    fn answers(&self, eigenvalue: Complex<f64>, forcing: &DVector<Complex<f64>>) -> DVector<Complex<f64>> {
+        let mut answers = forcing.clone();
+        self.answer(eigenvalue, |row| forcing[row], |row, value| answers[row] = value);
+        answers
     }
 
     /// (λ − D)⁻¹ times a forcing, row by row.
@@ -220,6 +309,11 @@ impl Condensed {
             }
         }
     }
+}
+
+/// |w_i v_i|.
+fn products(left: &DVector<Complex<f64>>, right: &DVector<Complex<f64>>) -> Vec<f64> {
+    left.iter().zip(right.iter()).map(|(w, v)| (w * v).norm()).collect()
 }
 
 /// A real matrix times a complex vector.

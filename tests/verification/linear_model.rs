@@ -15,10 +15,10 @@ use crate::support::response::{frequency_response, place, step_response};
 
 use super::record::Record;
 
-const SOURCE: &str = "prototype in numpy that shares nothing with this program; differences of second order with steps of 1e-6";
+pub(super) const SOURCE: &str = "prototype in numpy that shares nothing with this program; differences of second order with steps of 1e-6";
 
 /// The jet at 127 m/s and 7620 m with twelve modes of both families, N = 5.
-fn settings(stiffness_scale: f64, condition: ConditionSettings) -> Settings {
+pub(super) fn settings(stiffness_scale: f64, condition: ConditionSettings) -> Settings {
     PlantSettings {
         fidelity: Fidelity::Exact,
         stiffness_scale,
@@ -29,11 +29,11 @@ fn settings(stiffness_scale: f64, condition: ConditionSettings) -> Settings {
     .into()
 }
 
-fn level() -> ConditionSettings {
+pub(super) fn level() -> ConditionSettings {
     ConditionSettings::default()
 }
 
-fn linearised(stiffness_scale: f64, inflow: Inflow) -> LinearModel {
+pub(super) fn linearised(stiffness_scale: f64, inflow: Inflow) -> LinearModel {
     LinearModel::new(jet(), &settings(stiffness_scale, level()), inflow).unwrap()
 }
 
@@ -75,9 +75,9 @@ fn gains_are_those_of_the_independent_computation() {
 }
 
 /// Name, real and imaginary part, 1/s.
-type Roots = &'static [(&'static str, f64, f64)];
+pub(super) type Roots = &'static [(&'static str, f64, f64)];
 
-const NOMINAL: Roots = &[
+pub(super) const NOMINAL: Roots = &[
     ("phugoid", -0.01050, 0.11412),
     ("short period", -0.52616, 1.20220),
     ("spiral", -0.00060, 0.0),
@@ -90,7 +90,7 @@ const NOMINAL: Roots = &[
     ("antisymmetric 2", -0.68980, 28.09516),
 ];
 
-const NOMINAL_STEADY: Roots = &[
+pub(super) const NOMINAL_STEADY: Roots = &[
     ("phugoid", -0.01068, 0.11410),
     ("short period", -0.51502, 1.16115),
     ("spiral", -0.00060, 0.0),
@@ -103,7 +103,7 @@ const NOMINAL_STEADY: Roots = &[
     ("antisymmetric 2", -0.91411, 27.75915),
 ];
 
-const TENTH: Roots = &[
+pub(super) const TENTH: Roots = &[
     ("phugoid", -0.00865, 0.10438),
     ("short period", -0.45302, 1.19072),
     ("spiral", -0.03153, 0.0),
@@ -116,7 +116,7 @@ const TENTH: Roots = &[
     ("antisymmetric 2", -0.7653, 13.4444),
 ];
 
-const TENTH_STEADY: Roots = &[
+pub(super) const TENTH_STEADY: Roots = &[
     ("phugoid", -0.00874, 0.10437),
     ("short period", -0.45441, 1.15600),
     ("spiral", -0.03153, 0.0),
@@ -129,7 +129,7 @@ const TENTH_STEADY: Roots = &[
     ("antisymmetric 2", -1.30659, 13.55022),
 ];
 
-const TURN: Roots = &[
+pub(super) const TURN: Roots = &[
     ("phugoid", -0.0137, 0.1237),
     ("short period", -0.5176, 1.2039),
     ("spiral", -0.0043, 0.0),

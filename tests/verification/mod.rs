@@ -15,6 +15,7 @@ mod exact_kinematics;
 mod fidelity_levels;
 mod flexible_wings;
 mod flight;
+mod flight_modes;
 mod flutter;
 mod free_modes;
 mod frequencies;

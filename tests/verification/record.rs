@@ -48,6 +48,7 @@ const CLAIMS: &[Claim] = &[
         "linear_model",
         &["linear-model-gains", "linear-model-eigenvalues", "linear-model-steps"],
     ),
+    ("Modes in flight and flying qualities", "flight_modes", &["flight-modes", "flying-qualities"]),
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
     ("Energy balance in air", "energy_balance", &["energy-balance"]),
     ("Phugoid and short period", "rigid_modes", &["rigid-modes"]),
