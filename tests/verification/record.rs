@@ -48,6 +48,11 @@ const CLAIMS: &[Claim] = &[
         "linear_model",
         &["linear-model-gains", "linear-model-eigenvalues", "linear-model-steps"],
     ),
+    (
+        "Frozen gusts in linear models",
+        "harmonic_gusts",
+        &["harmonic-gusts", "harmonic-gusts-single", "continuous-turbulence"],
+    ),
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
     ("Energy balance in air", "energy_balance", &["energy-balance"]),
     ("Phugoid and short period", "rigid_modes", &["rigid-modes"]),
