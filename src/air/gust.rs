@@ -109,14 +109,14 @@ impl GustSettings {
     }
 
     /// U_σ of CS 25.341(b) at an altitude, m, m/s of true airspeed: by which loads in continuous turbulence are multiplied that are
-    /// those of 1 m/s. `None` without a criterion.
-    pub fn turbulence_velocity(&self, altitude: f64) -> Option<f64> {
+    /// those of 1 m/s; 0 without a criterion.
+    pub fn turbulence_velocity(&self, altitude: f64) -> f64 {
         let share = match self.criterion {
-            GustCriterion::Peak => return None,
+            GustCriterion::Peak => 0.0,
             GustCriterion::Cs25Vc => 1.0,
             GustCriterion::Cs25Vd => 0.5,
         };
-        Some(share * between(TURBULENCE_REFERENCE, altitude) * self.alleviation_at(altitude))
+        share * between(TURBULENCE_REFERENCE, altitude) * self.alleviation_at(altitude)
     }
 
     /// F_g at an altitude, m.
@@ -250,13 +250,13 @@ mod tests {
         let at = |altitude: f64, criterion| {
             GustSettings { criterion, alleviation: 0.8, ..cs25() }.turbulence_velocity(altitude)
         };
-        let near = |found: Option<f64>, expected: f64| (found.unwrap() - expected).abs() < 1e-12;
+        let near = |found: f64, expected: f64| (found - expected).abs() < 1e-12;
         assert!(near(at(0.0, GustCriterion::Cs25Vc), 27.43 * 0.8));
         let half_way = 0.8 + 0.2 * 3657.5 / 12_500.0;
         assert!(near(at(3657.5, GustCriterion::Cs25Vc), 0.5 * (27.43 + 24.08) * half_way));
         assert!(near(at(15_000.0, GustCriterion::Cs25Vc), 24.08));
         assert!(near(at(15_000.0, GustCriterion::Cs25Vd), 12.04));
-        assert_eq!(at(0.0, GustCriterion::Peak), None);
+        assert_eq!(at(0.0, GustCriterion::Peak), 0.0);
     }
 
     #[test]

@@ -10,7 +10,9 @@ use crate::air::ImposedGust;
 use crate::aircraft::Support;
 use crate::devices::Holding;
 use crate::flight::{ActuatorReading, Instant, Settings, Simulation, SimulationError, Way, way};
-use crate::plant::{Course, GustColumns, Linearisation, Outputs, Plant, SettingError, Trim, TrimPoint};
+use crate::plant::{
+    Course, GustColumns, Linearisation, Outputs, Plant, SettingError, Trim, TrimPoint, Unknown,
+};
 use crate::structure::ReducedModel;
 use crate::symmetry::Plants;
 use crate::variables::{OutputSlot, VariableTable};
@@ -117,8 +119,10 @@ impl AtTrim {
 
     /// Which states of its linear model are the wake's: each strip's stand by themselves.
     pub fn wake(&self) -> Range<usize> {
-        let states = self.plant.unknowns().len();
-        states - self.plant.layout().inflow().len()..states
+        let unknowns = self.plant.unknowns();
+        let is_wake = |unknown: &Unknown| matches!(unknown, Unknown::Inflow { .. });
+        // They stand last.
+        unknowns.iter().position(is_wake).unwrap_or(unknowns.len())..unknowns.len()
     }
 
     /// What gusts along the track do, by their strength: a row for each state of the plant and each output.

@@ -81,20 +81,23 @@ fn a_single_gust_by_fourier_is_that_of_the_independent_computation() {
     let rows = ["load_factor.z", "loads.wing_root_right.bending"]
         .map(|name| place(&gusts.linear_model().outputs, name));
     let duration = 60.0 / gusts.speed();
-    // The spectrum falls with the cube of ω. Steps of 0.02 rad/s resolve all but the second elastic mode, half as wide as one
-    // and hardly excited.
-    const STEP: f64 = 0.02;
-    let frequencies: Vec<f64> = (0..12_000).map(|number| STEP * (f64::from(number) + 0.5)).collect();
-    let responses: Vec<(f64, [Complex<f64>; 2])> = frequencies
-        .iter()
-        .map(|&frequency| {
+    // From, to, step, rad/s. The spectrum falls with the cube of ω; the phugoid at 0.11 is damped by 0.0105, elastic modes by 0.7
+    // and more but for the second, which the gust hardly moves, and those at 100, beyond what it excites.
+    let panels = [(0.0, 0.4, 0.002), (0.4, 60.0, 0.02), (60.0, 240.0, 0.1)];
+    let middles = panels.into_iter().flat_map(|(from, to, step)| {
+        let count = libm::round((to - from) / step) as usize;
+        (0..count).map(move |number| (from + step * (number as f64 + 0.5), step))
+    });
+    let responses: Vec<(f64, [Complex<f64>; 2])> = middles
+        .map(|(frequency, step)| {
             let amplitudes = gusts.response(UP, frequency).unwrap();
-            (frequency, rows.map(|row| amplitudes[row] * one_minus_cosine(frequency, duration)))
+            let spectrum = one_minus_cosine(frequency, duration) * step;
+            (frequency, rows.map(|row| amplitudes[row] * spectrum))
         })
         .collect();
     let at = |time: f64, output: usize| -> f64 {
         let terms = responses.iter().map(|(frequency, amplitudes)| {
-            (amplitudes[output] * Complex::new(0.0, frequency * time).exp()).re * STEP / PI
+            (amplitudes[output] * Complex::new(0.0, frequency * time).exp()).re / PI
         });
         terms.sum()
     };
@@ -187,7 +190,7 @@ fn many_planes_with_their_delays_are_a_harmonic_gust_whatever_lags() {
     lagging
         .engines
         .set(0, flexible_aircraft::devices::EngineLag { time_constant: 0.3, ..Default::default() });
-    let model = LinearModel::with_gust_planes(jet(), &lagging, Inflow::Kept, 61).unwrap();
+    let model = LinearModel::with_gust_planes(jet(), &lagging, Inflow::Kept, 481).unwrap();
     let gusts = HarmonicGusts::new(jet(), &lagging).unwrap();
     const FREQUENCY: f64 = 20.0;
     for (sense, direction) in [("up", UP), ("right", FRAC_PI_2)] {
@@ -199,10 +202,10 @@ fn many_planes_with_their_delays_are_a_harmonic_gust_whatever_lags() {
                 let phase = Complex::new(0.0, FREQUENCY * place_ahead / gusts.speed()).exp();
                 sum += matrix.column(input).map(Complex::from) * phase;
             }
-            // Between planes 0.43 m apart a wave of 40 m is linear to (ωΔx/V)²/8 = 6e-4.
+            // Between planes 5 cm apart the slope of a wave of 40 m, which counts along the chords, is wrong by up to ωΔx/2V = 0.4 %.
             for (row, (found, exact)) in sum.iter().zip(exact.iter()).enumerate() {
                 let size = matrix.row(row).amax().max(exact.norm());
-                assert!((found - exact).norm() <= 2e-3 * size, "{sense}, row {row}: {found}, {exact}");
+                assert!((found - exact).norm() <= 4e-3 * size, "{sense}, row {row}: {found}, {exact}");
             }
         }
     }

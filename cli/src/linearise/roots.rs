@@ -77,9 +77,10 @@ pub fn text(model: &ReducedModel, settings: &Settings, linear: &LinearModel) -> 
     };
     let [states, inputs, outputs] = [&linear.states, &linear.inputs, &linear.outputs].map(Vec::len);
     let mut text = format!(
-        "{}: {manoeuvre}, {}\n{states} states, {inputs} inputs, {outputs} outputs\n\n{}",
+        "{}: {manoeuvre}, {}\n{states} states, {inputs} inputs, {outputs} outputs\n{}\n{}",
         model.name,
         condition(model, settings),
+        planes(&linear.gust_planes),
         aligned(&lines)
     );
     if !others.is_empty() {
@@ -89,6 +90,15 @@ pub fn text(model: &ReducedModel, settings: &Settings, linear: &LinearModel) -> 
         );
     }
     text + "\n"
+}
+
+/// Where a gust is given to the model, if it is.
+fn planes(places: &[f64]) -> String {
+    let [first, second, ..] = places else { return String::new() };
+    let last = places[places.len() - 1];
+    let (count, apart) = (places.len(), first - second);
+    let [first, last, apart] = [*first, last, apart].map(|number| fixed(number, 4));
+    format!("{count} gust planes, {first} to {last} m ahead of O, {apart} m apart\n")
 }
 
 #[cfg(test)]
