@@ -83,7 +83,10 @@ pub mod symmetry;
 pub mod variables;
 
 pub use aircraft::Aircraft;
-pub use by_name::{Flight, FlightError, Inflow, LinearModel, LinearName, Setting, flight_modes};
+pub use by_name::{
+    Flight, FlightError, HarmonicColumn, HarmonicGusts, InTurbulence, Inflow, LinearModel, LinearName,
+    OutputInTurbulence, Setting, flight_modes,
+};
 pub use structure::ReducedModel;
 
 /// The README's Rust compiles.

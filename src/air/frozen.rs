@@ -1,4 +1,5 @@
-//! A gust that is frozen in the air and varies along the track: what the aircraft flies into [theory: gusts.field].
+//! A gust that is frozen in the air and varies along the track: what the aircraft flies into [theory: gusts.field], or what is put
+//! there to see what it does [theory: linearisation.gusts].
 //!
 //! Symbols: e the direction of the track, s the distance along it, D how far the air itself has gone.
 
@@ -7,6 +8,7 @@ use nalgebra::Vector3;
 use crate::math::Attitude;
 
 use super::gust::{GustSettings, OneMinusCosine};
+use super::imposed::ImposedGust;
 use super::turbulence::{Turbulence, TurbulenceSettings};
 
 /// The way through the air on which the aircraft begins, horizontally: north-east-down or forward-right-down as the state.
@@ -34,11 +36,32 @@ pub struct Extent {
 #[derive(Clone, Debug)]
 pub struct FrozenGust {
     track: Track,
+    field: Field,
+}
+
+/// What is frozen in the air. Whoever asks for it at many places chooses first.
+#[derive(Clone, Debug)]
+pub(crate) enum Field {
+    /// What settings put before the aircraft.
+    Ahead(AheadGust),
+    /// What is there from the beginning on.
+    Imposed(ImposedGust),
+}
+
+/// A gust and turbulence that begin ahead of the aircraft.
+#[derive(Clone, Debug)]
+pub(crate) struct AheadGust {
     /// Of the single gust, m/s of true airspeed.
     peak_velocity: f64,
     /// With the distance from O at the start to where it begins, m.
     single: Option<(f64, OneMinusCosine)>,
     turbulence: Option<(f64, Turbulence)>,
+}
+
+/// A velocity of the air that depends on the place along the track alone.
+pub(crate) trait AlongTrack {
+    /// Along the track, to the right, down, m/s, at a distance along the track from O at the start, m.
+    fn velocity(&self, ahead: f64) -> [f64; 3];
 }
 
 /// The axes of a track as an aircraft sees them, and how far along it O is.
@@ -63,6 +86,11 @@ impl Track {
         Track { along, origin: *position, speed, aircraft }
     }
 
+    /// How fast the aircraft goes along it, m/s.
+    pub(crate) fn speed(&self) -> f64 {
+        self.speed
+    }
+
     /// s0: from O at the start to where that begins which the foremost point meets at a time, s.
     fn begin(&self, start: f64) -> f64 {
         self.speed * start + self.aircraft.nose
@@ -77,39 +105,50 @@ impl FrozenGust {
         altitude: f64,
         density: f64,
     ) -> Option<Self> {
-        let gust = FrozenGust {
+        let ahead = AheadGust {
             single: OneMinusCosine::new(single, altitude, density)
                 .map(|gust| (track.begin(single.start), gust)),
             turbulence: Turbulence::new(turbulence).map(|field| (track.begin(turbulence.start), field)),
             peak_velocity: single.peak_velocity(altitude, density),
-            track,
         };
-        (gust.single.is_some() || gust.turbulence.is_some()).then_some(gust)
+        let blows = ahead.single.is_some() || ahead.turbulence.is_some();
+        blows.then_some(FrozenGust { track, field: Field::Ahead(ahead) })
+    }
+
+    /// That which is imposed, along a track.
+    pub fn imposed(track: Track, gust: ImposedGust) -> Self {
+        FrozenGust { track, field: Field::Imposed(gust) }
+    }
+
+    /// What is frozen.
+    #[inline(always)]
+    pub(crate) fn field(&self) -> &Field {
+        &self.field
     }
 
     /// Along the track, to the right, down, m/s, at a distance along the track from O at the start, m.
     pub fn velocity(&self, ahead: f64) -> [f64; 3] {
-        let single = self.single.as_ref().map_or([0.0; 3], |(begin, gust)| gust.velocity(ahead - begin));
-        match &self.turbulence {
-            None => single,
-            Some((begin, field)) => {
-                let turbulence = field.velocity(ahead - begin);
-                [0, 1, 2].map(|axis| single[axis] + turbulence[axis])
-            }
+        match &self.field {
+            Field::Ahead(field) => field.velocity(ahead),
+            Field::Imposed(field) => field.velocity(ahead),
         }
     }
 
     /// Of the single gust, m/s of true airspeed; 0 where there is none.
     pub fn peak_velocity(&self) -> f64 {
-        self.peak_velocity
+        match &self.field {
+            Field::Ahead(field) => field.peak_velocity,
+            Field::Imposed(_) => 0.0,
+        }
     }
 
     /// Whether nothing blows at an aircraft whose O is so far along the track from O at the start, m.
     pub fn is_calm(&self, ahead: f64) -> bool {
+        let Field::Ahead(field) = &self.field else { return false };
         let reach = self.track.aircraft.reach;
         let before = |begin: f64| ahead + reach <= begin;
-        self.turbulence.as_ref().is_none_or(|(begin, _)| before(*begin))
-            && self
+        field.turbulence.as_ref().is_none_or(|(begin, _)| before(*begin))
+            && field
                 .single
                 .as_ref()
                 .is_none_or(|(begin, gust)| before(*begin) || ahead - reach >= begin + gust.length())
@@ -117,9 +156,11 @@ impl FrozenGust {
 
     /// Whether it blows in the mirror plane of an aircraft that flies straight along the first axis.
     pub fn is_in_plane(&self) -> bool {
-        self.track.along.y == 0.0
-            && self.single.as_ref().is_none_or(|(_, gust)| gust.is_in_plane())
-            && self.turbulence.as_ref().is_none_or(|(_, field)| field.is_in_plane())
+        let is_in_plane = match &self.field {
+            Field::Ahead(field) => field.is_in_plane(),
+            Field::Imposed(field) => field.is_in_plane(),
+        };
+        self.track.along.y == 0.0 && is_in_plane
     }
 
     /// The track as an aircraft sees it whose O is at a position, once the air has gone some way, m.
@@ -136,6 +177,32 @@ impl FrozenGust {
     /// The air's velocity at O, body axes, m/s.
     pub fn at_origin(&self, seen: &TrackSeen) -> Vector3<f64> {
         seen.vector(self.velocity(seen.origin))
+    }
+}
+
+impl AheadGust {
+    fn is_in_plane(&self) -> bool {
+        self.single.as_ref().is_none_or(|(_, gust)| gust.is_in_plane())
+            && self.turbulence.as_ref().is_none_or(|(_, field)| field.is_in_plane())
+    }
+}
+
+impl AlongTrack for AheadGust {
+    fn velocity(&self, ahead: f64) -> [f64; 3] {
+        let single = self.single.as_ref().map_or([0.0; 3], |(begin, gust)| gust.velocity(ahead - begin));
+        match &self.turbulence {
+            None => single,
+            Some((begin, field)) => {
+                let turbulence = field.velocity(ahead - begin);
+                [0, 1, 2].map(|axis| single[axis] + turbulence[axis])
+            }
+        }
+    }
+}
+
+impl AlongTrack for ImposedGust {
+    fn velocity(&self, ahead: f64) -> [f64; 3] {
+        self.at(ahead)
     }
 }
 

@@ -74,6 +74,9 @@ pub const CS25_GRADIENTS: RangeInclusive<f64> = 9.144..=106.68;
 /// Reference gust velocities of CS 25.341(a)(5)(i) over altitude: m, and m/s of equivalent airspeed.
 const REFERENCE: [(f64, f64); 3] = [(0.0, 17.07), (4572.0, 13.41), (18_288.0, 6.36)];
 
+/// Reference gust velocities of CS 25.341(b)(3) over altitude: m, and m/s of true airspeed.
+const TURBULENCE_REFERENCE: [(f64, f64); 2] = [(0.0, 27.43), (7315.0, 24.08)];
+
 impl Default for GustSettings {
     /// None; one that is switched on has H = 30 m, a peak of 10 m/s, and begins upwards a second after the flight.
     fn default() -> Self {
@@ -103,6 +106,17 @@ impl GustSettings {
         let by_gradient = libm::pow(self.gradient / CS25_GRADIENTS.end(), 1.0 / 6.0);
         let design = share * reference_velocity(altitude) * self.alleviation_at(altitude) * by_gradient;
         design * libm::sqrt(SEA_LEVEL_DENSITY / density)
+    }
+
+    /// U_σ of CS 25.341(b) at an altitude, m, m/s of true airspeed: by which loads in continuous turbulence are multiplied that are
+    /// those of 1 m/s; 0 without a criterion.
+    pub fn turbulence_velocity(&self, altitude: f64) -> f64 {
+        let share = match self.criterion {
+            GustCriterion::Peak => 0.0,
+            GustCriterion::Cs25Vc => 1.0,
+            GustCriterion::Cs25Vd => 0.5,
+        };
+        share * between(TURBULENCE_REFERENCE, altitude) * self.alleviation_at(altitude)
     }
 
     /// F_g at an altitude, m.
@@ -140,12 +154,14 @@ impl GustSettings {
 
 /// U_ref, m/s of equivalent airspeed, at an altitude, m.
 fn reference_velocity(altitude: f64) -> f64 {
-    let between = |[(low, slow), (high, fast)]: [(f64, f64); 2]| {
-        let share = ((altitude - low) / (high - low)).clamp(0.0, 1.0);
-        slow + (fast - slow) * share
-    };
     let [bottom, middle, top] = REFERENCE;
-    if altitude < middle.0 { between([bottom, middle]) } else { between([middle, top]) }
+    between(if altitude < middle.0 { [bottom, middle] } else { [middle, top] }, altitude)
+}
+
+/// Linear between two altitudes, and constant beyond them.
+fn between([(low, below), (high, above)]: [(f64, f64); 2], altitude: f64) -> f64 {
+    let share = ((altitude - low) / (high - low)).clamp(0.0, 1.0);
+    below + (above - below) * share
 }
 
 /// The gust over the distance s from where it begins.
@@ -226,6 +242,21 @@ mod tests {
         let dive = GustSettings { criterion: GustCriterion::Cs25Vd, ..cs25() };
         assert!((dive.peak_velocity(7620.0, density) * 2.0 - true_airspeed).abs() < 1e-12);
         assert_eq!(alleviated.alleviation_at(15_000.0), 1.0);
+    }
+
+    #[test]
+    fn continuous_turbulence_has_the_velocities_of_its_text() {
+        // CS 25.341(b)(3): 27.43 m/s at sea level, 24.08 from 7315 m on, half of them at VD, all times F_g.
+        let at = |altitude: f64, criterion| {
+            GustSettings { criterion, alleviation: 0.8, ..cs25() }.turbulence_velocity(altitude)
+        };
+        let near = |found: f64, expected: f64| (found - expected).abs() < 1e-12;
+        assert!(near(at(0.0, GustCriterion::Cs25Vc), 27.43 * 0.8));
+        let half_way = 0.8 + 0.2 * 3657.5 / 12_500.0;
+        assert!(near(at(3657.5, GustCriterion::Cs25Vc), 0.5 * (27.43 + 24.08) * half_way));
+        assert!(near(at(15_000.0, GustCriterion::Cs25Vc), 24.08));
+        assert!(near(at(15_000.0, GustCriterion::Cs25Vd), 12.04));
+        assert_eq!(at(0.0, GustCriterion::Peak), 0.0);
     }
 
     #[test]

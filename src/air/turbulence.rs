@@ -90,8 +90,8 @@ impl TurbulenceSettings {
         OutOfRange::unless("turbulence.start", start, GUST_STARTS.contains(&start), "0 to 1e6 (s)")
     }
 
-    /// L, m.
-    fn length(&self) -> f64 {
+    /// L, m: `scale`, or that of the spectrum where it is 0.
+    pub fn length(&self) -> f64 {
         match (self.scale, self.spectrum) {
             (0.0, Spectrum::Dryden) => 533.4,
             (0.0, _) => 762.0,
@@ -99,8 +99,17 @@ impl TurbulenceSettings {
         }
     }
 
-    /// Φ for σ = 1, m per rad: of the component along the track, or across it.
-    fn density(&self, wave_number: f64, is_along: bool) -> f64 {
+    /// Φ for σ = 1 m/s at a wave number Ω, rad/m, one-sided, (m/s)² per rad/m: of the component along the track, or of one across
+    /// it [theory: gusts.spectra].
+    ///
+    /// ```
+    /// use flexible_aircraft::air::{Spectrum, TurbulenceSettings};
+    ///
+    /// let turbulence = TurbulenceSettings { spectrum: Spectrum::VonKarman, ..Default::default() };
+    /// let longest = turbulence.density(0.0, false); // L/π
+    /// assert!((longest - 762.0 / std::f64::consts::PI).abs() < 1e-9);
+    /// ```
+    pub fn density(&self, wave_number: f64, is_along: bool) -> f64 {
         let length = self.length();
         let x = length * wave_number;
         let y = 1.339 * x;

@@ -32,7 +32,8 @@ impl Inflow {
 ///
 /// n states, m inputs, p outputs. Inputs are those of the FMU, the wind uniform; outputs all that are Real and change with
 /// time, but for sensors, section loads among them. B′ and D′ are zero but for the wind. Actuators and engines that lag have
-/// states, their limits are left out, as are gust and turbulence, which are still ahead. Position north and east and heading
+/// states, their limits are left out, as are gust and turbulence, which are still ahead:
+/// [`with_gust_planes`](LinearModel::with_gust_planes) has inputs for them. Position north and east and heading
 /// are held.
 ///
 /// ```
@@ -75,6 +76,9 @@ pub struct LinearModel {
     pub inputs: Vec<Name>,
     /// Name and unit of each output, in the order of C's rows.
     pub outputs: Vec<Name>,
+    /// How far along the track the planes are ahead of O at which inputs `gust_plane[i]` are given, the first the foremost, m; none
+    /// where there are no such inputs [theory: linearisation.gust-planes].
+    pub gust_planes: Vec<f64>,
 }
 
 impl LinearModel {

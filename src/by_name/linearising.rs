@@ -3,19 +3,40 @@
 //! [theory: linearisation.inputs, linearisation.outputs, linearisation.lags]
 
 use std::f64::consts::TAU;
+use std::ops::Range;
 use std::sync::Arc;
 
+use crate::air::ImposedGust;
 use crate::aircraft::Support;
 use crate::devices::Holding;
-use crate::flight::{ActuatorReading, Instant, Settings, Simulation, SimulationError};
-use crate::plant::{Course, Linearisation, Outputs, Plant, SettingError, Trim, TrimPoint};
+use crate::flight::{ActuatorReading, Instant, Settings, Simulation, SimulationError, Way, way};
+use crate::plant::{
+    Course, GustColumns, Linearisation, Outputs, Plant, SettingError, Trim, TrimPoint, Unknown,
+};
 use crate::structure::ReducedModel;
 use crate::symmetry::Plants;
 use crate::variables::{OutputSlot, VariableTable};
 
 use super::lags;
 use super::linear_model::{Inflow, LinearModel};
-use super::linear_names;
+use super::linear_names::{self, Name};
+
+/// An aircraft in the trim with which a flight begins, before it is linearised there.
+#[derive(Clone, Debug)]
+pub(super) struct AtTrim {
+    model: Arc<ReducedModel>,
+    settings: Settings,
+    plant: Plant,
+    trim: Trim,
+    course: Course,
+    slots: Vec<OutputSlot>,
+    names: Vec<Name>,
+    instant: Instant,
+    /// Of each output, but for section loads, which do not turn.
+    middles: Vec<f64>,
+    /// On which it meets gusts.
+    pub(super) way: Way,
+}
 
 impl LinearModel {
     /// Linearises an aircraft about the trim of some settings, whatever the manoeuvre. Allocates.
@@ -27,27 +48,7 @@ impl LinearModel {
         settings: &Settings,
         inflow: Inflow,
     ) -> Result<Self, SimulationError> {
-        let (model, settings) = (model.into(), inflow.of(settings));
-        if model.support == Support::Clamped && settings.plant.airspeed == 0.0 {
-            let allowed =
-                "greater than 0 (m/s) for a linear model: the flow's angles have no derivatives at rest";
-            let [setting, found] = ["airspeed", "0"].map(str::to_owned);
-            return Err(SettingError { setting, found, allowed: allowed.to_owned() }.into());
-        }
-        // All that is checked before a flight, limits of actuators among it.
-        Simulation::new(Arc::clone(&model), &settings, 0.0)?;
-        let along_course = settings.plant.along_course();
-        let plants = Plants::under(&model, &along_course)?;
-        let trimmed = plants.trim(&along_course.trim_condition())?;
-        let (plant, trim) = (plants.whole(), trimmed.trims.whole());
-        let course = Course::new(settings.plant.heading).from(&trim.state[plant.layout().attitude()]);
-        let table = VariableTable::new(&model);
-        let outputs = linear_names::outputs(&table, &settings);
-        let slots: Vec<OutputSlot> = outputs.iter().map(|(slot, _)| *slot).collect();
-        let mut found = LinearModel::named(about(plant, trim, course, &slots), plant, &table);
-        found.outputs = outputs.into_iter().map(|(_, name)| name).collect();
-        lags::append(&mut found, &slots, &model, &settings);
-        Ok(found)
+        Ok(AtTrim::new(model.into(), settings, inflow)?.linear_model())
     }
 
     /// With the names of states and inputs.
@@ -66,24 +67,78 @@ impl LinearModel {
             states: linear_names::states(&unknowns, plant, table),
             inputs: inputs.iter().map(|input| linear_names::input(*input, table)).collect(),
             outputs: Vec::new(),
+            gust_planes: Vec::new(),
         }
     }
 }
 
-/// The linear model about a trim with these outputs.
-fn about(plant: &Plant, trim: &Trim, course: Course, slots: &[OutputSlot]) -> Linearisation {
-    let at_trim = plant.outputs_along(course, &trim.state, &trim.controls, &mut plant.workspace());
-    let mut instant = instant(at_trim, trim.point);
-    // Section loads, which are not known here, do not turn.
-    let middles: Vec<f64> = slots.iter().map(|slot| slot.number(&instant)).collect();
-    plant.linear_model(trim, course, |outputs| {
-        instant.outputs.clone_from(outputs);
-        let values = slots.iter().zip(&middles).map(|(slot, &middle)| {
-            let value = slot.number(&instant);
-            if slot.turns() { middle + libm::remainder(value - middle, TAU) } else { value }
-        });
-        values.collect()
-    })
+impl AtTrim {
+    /// Trims an aircraft under some settings. Allocates.
+    ///
+    /// # Errors
+    /// When a setting is out of range or no flight could begin with them.
+    pub fn new(
+        model: Arc<ReducedModel>,
+        settings: &Settings,
+        inflow: Inflow,
+    ) -> Result<Self, SimulationError> {
+        let settings = inflow.of(settings);
+        if model.support == Support::Clamped && settings.plant.airspeed == 0.0 {
+            let allowed =
+                "greater than 0 (m/s) for a linear model: the flow's angles have no derivatives at rest";
+            let [setting, found] = ["airspeed", "0"].map(str::to_owned);
+            return Err(SettingError { setting, found, allowed: allowed.to_owned() }.into());
+        }
+        // All that is checked before a flight, limits of actuators among it.
+        Simulation::new(Arc::clone(&model), &settings, 0.0)?;
+        let along_course = settings.plant.along_course();
+        let plants = Plants::under(&model, &along_course)?;
+        let trimmed = plants.trim(&along_course.trim_condition())?;
+        let (plant, trim) = (plants.whole().clone(), trimmed.trims.whole().clone());
+        let course = Course::new(settings.plant.heading).from(&trim.state[plant.layout().attitude()]);
+        let outputs = linear_names::outputs(&VariableTable::new(&model), &settings);
+        let (slots, names): (Vec<OutputSlot>, Vec<Name>) = outputs.into_iter().unzip();
+        let at_trim = plant.outputs_along(course, &trim.state, &trim.controls, &mut plant.workspace());
+        let instant = instant(at_trim, trim.point);
+        let middles = slots.iter().map(|slot| slot.number(&instant)).collect();
+        let way = way(&model, &settings, &plant, &trim);
+        Ok(AtTrim { model, settings, plant, trim, course, slots, names, instant, middles, way })
+    }
+
+    /// The linear model there.
+    pub fn linear_model(&self) -> LinearModel {
+        let found = self.plant.linear_model(&self.trim, self.course, self.read());
+        let mut linear = LinearModel::named(found, &self.plant, &VariableTable::new(&self.model));
+        linear.outputs.clone_from(&self.names);
+        lags::append(&mut linear, &self.slots, &self.model, &self.settings);
+        linear
+    }
+
+    /// Which states of its linear model are the wake's: each strip's stand by themselves.
+    pub fn wake(&self) -> Range<usize> {
+        let unknowns = self.plant.unknowns();
+        let is_wake = |unknown: &Unknown| matches!(unknown, Unknown::Inflow { .. });
+        // They stand last.
+        unknowns.iter().position(is_wake).unwrap_or(unknowns.len())..unknowns.len()
+    }
+
+    /// What gusts along the track do, by their strength: a row for each state of the plant and each output.
+    pub fn linear_gusts(&self, gusts: &[ImposedGust]) -> GustColumns {
+        self.plant.linear_gusts(&self.trim, self.course, (self.way.track, gusts), self.read())
+    }
+
+    /// Reads all outputs.
+    fn read(&self) -> impl FnMut(&Outputs) -> Vec<f64> + '_ {
+        let mut instant = self.instant.clone();
+        move |outputs| {
+            instant.outputs.clone_from(outputs);
+            let values = self.slots.iter().zip(&self.middles).map(|(slot, &middle)| {
+                let value = slot.number(&instant);
+                if slot.turns() { middle + libm::remainder(value - middle, TAU) } else { value }
+            });
+            values.collect()
+        }
+    }
 }
 
 /// What is read of an aircraft on which nothing lags and nothing is sampled.

@@ -3,10 +3,15 @@
 //! Names, units, signs and starts are those of the FMU; [`Flight::variables`] lists them.
 
 mod flying_qualities;
+mod frequency_grid;
+mod gust_planes;
+mod harmonic_gusts;
+mod in_turbulence;
 mod lags;
 mod linear_model;
 mod linear_names;
 mod linearising;
+mod resolvent;
 mod setting;
 
 use std::sync::Arc;
@@ -17,6 +22,8 @@ use crate::structure::ReducedModel;
 use crate::variables::{Slot, Value, Variable, VariableTable, nearest};
 
 pub use flying_qualities::flight_modes;
+pub use harmonic_gusts::{HarmonicColumn, HarmonicGusts};
+pub use in_turbulence::{InTurbulence, OutputInTurbulence};
 pub use linear_model::{Inflow, LinearModel};
 pub use linear_names::Name as LinearName;
 pub use setting::Setting;

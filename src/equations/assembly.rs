@@ -5,7 +5,9 @@
 //! Kinematics is evaluated first; all that hangs on the structure, its mass, engines and strips, then reads it.
 
 use nalgebra::Vector3;
+use pulp::Scalar;
 
+use crate::air::Field;
 use crate::kinematics::{Coordinates, GeneralisedVectorMut, Inertia, Kinematics, RigidMotion};
 use crate::math::{Arithmetic, Attitude, Machine, SquareMatrix, Work};
 use crate::strips::{GustAtStrips, Penetrate, StripSums, SumLoads, Surroundings};
@@ -82,13 +84,11 @@ impl<K: Kinematics> Assembly<'_, K> {
 
         let (strips, layout) = (&equations.strips, equations.layout.inflow_layout());
         let gust = equations.gust_seen(state, attitude, controls).map(|(frozen, seen)| {
-            machine.run(Penetrate {
-                strips,
-                sections: &sections,
-                gust: frozen,
-                seen: &seen,
-                at_strips: gust,
-            });
+            let (seen, sections, at_strips) = (&seen, &sections, &mut *gust);
+            match frozen.field() {
+                Field::Ahead(gust) => machine.run(Penetrate { strips, sections, gust, seen, at_strips }),
+                Field::Imposed(gust) => run_narrow(Penetrate { strips, sections, gust, seen, at_strips }),
+            }
             &*gust
         });
         let around = &Surroundings { gust, ..equations.surroundings(state, attitude, controls) };
@@ -106,6 +106,13 @@ impl<K: Kinematics> Assembly<'_, K> {
             mass,
         });
     }
+}
+
+/// Without wide vectors, which would make more code than they save time where no flight comes by; the bits are the same.
+#[cold]
+#[inline(never)]
+fn run_narrow<W: Work>(work: W) -> W::Output {
+    work.with(Scalar::new())
 }
 
 /// The evaluation of a kind of kinematics.

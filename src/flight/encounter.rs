@@ -19,6 +19,23 @@ pub(super) fn encounter(
     plant: &Plant,
     trim: &Trim,
 ) -> Option<Arc<FrozenGust>> {
+    let Way { track, .. } = way(model, settings, plant, trim);
+    let density = plant.air(&trim.state).density;
+    FrozenGust::new(track, (&settings.gust, &settings.turbulence), settings.plant.altitude, density)
+        .map(Arc::new)
+}
+
+/// The way of an aircraft through what is frozen in the air.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way {
+    /// On which it begins.
+    pub track: Track,
+    /// By how much the foremost and the last point of any strip are ahead of O on the undeformed aircraft, m.
+    pub ends: [f64; 2],
+}
+
+/// That of an aircraft which is trimmed under some settings, along its course.
+pub(crate) fn way(model: &ReducedModel, settings: &Settings, plant: &Plant, trim: &Trim) -> Way {
     let layout = plant.layout();
     let position = Vector3::from_column_slice(&trim.state[layout.position()]);
     let attitude = Attitude::from_quaternion(&trim.state[layout.attitude()]);
@@ -33,10 +50,17 @@ pub(super) fn encounter(
             attitude.body_from_inertial * Vector3::x(),
         ),
     };
-    let track = Track::new(&position, &velocity, extent(model, &ahead));
-    let density = plant.air(&trim.state).density;
-    FrozenGust::new(track, (&settings.gust, &settings.turbulence), settings.plant.altitude, density)
-        .map(Arc::new)
+    let extent = extent(model, &ahead);
+    Way { track: Track::new(&position, &velocity, extent), ends: [extent.nose, tail(model, &ahead)] }
+}
+
+/// By how much the last trailing edge of any strip is ahead of O, in a direction of body axes, on the undeformed aircraft, m.
+fn tail(model: &ReducedModel, ahead: &Vector3<f64>) -> f64 {
+    let edges = model.strips.iter().map(|strip| {
+        let chordwise = strip.forward * (strip.elastic_axis_aft_of_midchord - strip.semichord);
+        ahead.dot(&(strip.position + chordwise))
+    });
+    edges.reduce(f64::min).unwrap_or(0.0)
 }
 
 /// How far an aircraft reaches, `ahead` in a direction of body axes; no strip is ever twice as far from O as on the undeformed
@@ -65,5 +89,11 @@ mod tests {
         // From an independent computation: 10.4143 m before O.
         let Extent { nose, reach } = extent(jet(), &Vector3::x());
         assert!((nose - 10.4143).abs() < 5e-5 && reach > nose, "{nose} {reach}");
+        // Its last trailing edges are those of the tail, some 15 m behind O.
+        let last = tail(jet(), &Vector3::x());
+        let trailing = |strip: &ReducedStrip| {
+            (strip.position + strip.forward * (strip.elastic_axis_aft_of_midchord - strip.semichord)).x
+        };
+        assert!(jet().strips.iter().all(|strip| trailing(strip) >= last) && last < -5.0, "{last}");
     }
 }

@@ -26,6 +26,7 @@ mod steering;
 
 pub use acting::ActuatorReading;
 pub use channels::{Channel, NoiseKind};
+pub(crate) use encounter::{Way, way};
 pub use error::SimulationError;
 pub use inputs::Inputs;
 pub use instant::Instant;

@@ -1,14 +1,18 @@
 //! The linear model about a trim: ẋ = A x + B u + B′ u̇, y = C x + D u + D′ u̇ for small departures of states, inputs and
 //! outputs.
 //!
-//! [theory: linearisation.inputs, linearisation.outputs, linearisation.wind-rates, linearisation.differences]
+//! [theory: linearisation.inputs, linearisation.outputs, linearisation.wind-rates, linearisation.differences, linearisation.gusts]
 //!
 //! States are the unknowns of the [`StateMatrix`](super::StateMatrix), whose A it is. Inputs are what acts on the aircraft:
 //! angles of its controls, thrusts, the velocity of the air. Of these the air alone acts by its rate, too, for it drags the
 //! apparent mass along. Which numbers are outputs is for who asks to say.
 
+use std::borrow::Cow;
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, Vector3};
 
+use crate::air::{FrozenGust, ImposedGust, Track};
 use crate::equations::{Controls, Workspace};
 
 use super::course::Course;
@@ -80,6 +84,15 @@ pub struct Linearisation {
     pub y0: Vec<f64>,
 }
 
+/// What the strengths of gusts do, SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GustColumns {
+    /// To the rates of the unknowns, a column for each gust.
+    pub b: DMatrix<f64>,
+    /// To the outputs, a column for each gust.
+    pub d: DMatrix<f64>,
+}
+
 impl Plant {
     /// Linearises motion and outputs about a trim of this plant, which is of a whole aircraft, the axes of its states along a
     /// course. `read` gives the outputs: as many numbers each time, which do not jump; section loads are known. Allocates.
@@ -121,6 +134,34 @@ impl Plant {
             y0: at_trim[states..].to_vec(),
             unknowns,
             inputs,
+        }
+    }
+
+    /// What gusts do that are frozen along a track, by their strength (m/s), at a trim of this plant, which is of a whole aircraft
+    /// in still air; course and outputs as of [`linear_model`](Self::linear_model). Strengths are taken as directions. Allocates.
+    ///
+    /// [theory: linearisation.gusts]
+    pub fn linear_gusts(
+        &self,
+        trim: &Trim,
+        course: Course,
+        (track, gusts): (Track, &[ImposedGust]),
+        read: impl FnMut(&Outputs) -> Vec<f64>,
+    ) -> GustColumns {
+        let unknowns = self.unknowns();
+        let mut about = About::new(self, trim, course, &unknowns, read);
+        let (states, rows) = (unknowns.len(), about.rates_and_outputs(|_, _| {}).len());
+        let steps = vec![WIND_STEP * self.speed_at(trim); gusts.len()];
+        let columns = derivatives(rows, &steps, |column, departure| {
+            let ImposedGust { wave, strength } = &gusts[column];
+            let strength = strength.map(|strength| strength * departure);
+            let gust = FrozenGust::imposed(track, ImposedGust { wave: wave.clone(), strength });
+            about.plant.to_mut().equations.take_gust(Arc::new(gust));
+            about.rates_and_outputs(|_, _| {})
+        });
+        GustColumns {
+            b: columns.rows(0, states).into_owned(),
+            d: columns.rows(states, rows - states).into_owned(),
         }
     }
 
@@ -170,7 +211,7 @@ impl LinearInput {
 
 /// A plant about a trim.
 struct About<'p, R> {
-    plant: &'p Plant,
+    plant: Cow<'p, Plant>,
     trim: &'p Trim,
     course: Course,
     unknowns: &'p [Unknown],
@@ -183,7 +224,8 @@ struct About<'p, R> {
 impl<'p, R: FnMut(&Outputs) -> Vec<f64>> About<'p, R> {
     fn new(plant: &'p Plant, trim: &'p Trim, course: Course, unknowns: &'p [Unknown], read: R) -> Self {
         let (rates, outputs) = (vec![0.0; trim.state.len()], plant.room_for_outputs());
-        About { plant, trim, course, unknowns, read, rates, outputs, workspace: plant.workspace() }
+        let workspace = plant.workspace();
+        About { plant: Cow::Borrowed(plant), trim, course, unknowns, read, rates, outputs, workspace }
     }
 
     /// The rates of the unknowns, then the outputs, where state and controls depart from the trim.

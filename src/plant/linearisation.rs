@@ -154,7 +154,7 @@ impl Plant {
     }
 
     /// What moves.
-    pub(super) fn unknowns(&self) -> Vec<Unknown> {
+    pub(crate) fn unknowns(&self) -> Vec<Unknown> {
         let layout = self.layout();
         let freedom = self.equations.freedom;
         let [translations, rotations] = freedom.motions();

@@ -34,7 +34,7 @@ pub use air_data::{AirData, Path};
 pub use course::Course;
 pub use cut_loads::CutLoads;
 pub use limits::{LimitExceeded, LimitedQuantity};
-pub use linear_model::{LinearInput, Linearisation};
+pub use linear_model::{GustColumns, LinearInput, Linearisation};
 pub(crate) use linear_part::Diagonal;
 pub use linear_part::{LinearPart, Spectrum};
 pub(crate) use linearisation::eigenvalues;

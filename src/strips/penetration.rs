@@ -2,7 +2,7 @@
 //!
 //! Symbols: W̄ the mean over the chord, W̄₁ how the gust changes along it, aft positive, g₁ = −m·W̄₁.
 
-use crate::air::{FrozenGust, TrackSeen};
+use crate::air::{AlongTrack, TrackSeen};
 use crate::kinematics::{SectionMotion, Sections, SectionsInPlane, SectionsInSpace, Turn};
 use crate::math::{Arithmetic, Arrow, Eight, LaneVector, Lanes, PlaneVector, Window, Work};
 
@@ -15,13 +15,13 @@ const OUTER: f64 = 0.866_025_403_784_438_6;
 const PER_DIFFERENCE: f64 = 0.577_350_269_189_625_8;
 
 /// How a gust comes to all strips.
-pub struct Penetrate<'a, K> {
+pub struct Penetrate<'a, K, F> {
     /// The strips.
     pub strips: &'a Strips,
     /// Where their sections are.
     pub sections: &'a K,
     /// What they fly into.
-    pub gust: &'a FrozenGust,
+    pub gust: &'a F,
     /// Its track as the aircraft sees it.
     pub seen: &'a TrackSeen,
     /// What it is there.
@@ -31,7 +31,7 @@ pub struct Penetrate<'a, K> {
 /// What the chords of eight strips are: b and d.
 pub(crate) type Chords<'a> = [&'a Eight; 2];
 
-impl<K: Sections> Work for Penetrate<'_, K> {
+impl<K: Sections, F: AlongTrack> Work for Penetrate<'_, K, F> {
     type Output = ();
 
     #[inline(always)]
@@ -82,9 +82,9 @@ fn places<S: Arithmetic, V: Arrow<S>, A, T: Turn<V>>(
 
 /// Writes the mean of a gust at three places along the track, and how it changes from the first to the last.
 #[inline(always)]
-fn meet<S: Arithmetic>(
+fn meet<S: Arithmetic, F: AlongTrack>(
     window: Window<S>,
-    (gust, seen): (&FrozenGust, &TrackSeen),
+    (gust, seen): (&F, &TrackSeen),
     places: [Lanes<S>; 3],
     found: &mut EightGusts,
 ) {

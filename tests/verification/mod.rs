@@ -23,6 +23,7 @@ mod geometrically_exact;
 mod gliding;
 mod gust_field;
 mod gusts;
+mod harmonic_gusts;
 mod high_altitude;
 mod inflow;
 mod limits;

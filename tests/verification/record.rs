@@ -49,6 +49,11 @@ const CLAIMS: &[Claim] = &[
         &["linear-model-gains", "linear-model-eigenvalues", "linear-model-steps"],
     ),
     ("Modes in flight and flying qualities", "flight_modes", &["flight-modes", "flying-qualities"]),
+    (
+        "Frozen gusts in linear models",
+        "harmonic_gusts",
+        &["harmonic-gusts", "harmonic-gusts-single", "continuous-turbulence"],
+    ),
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
     ("Energy balance in air", "energy_balance", &["energy-balance"]),
     ("Phugoid and short period", "rigid_modes", &["rigid-modes"]),

@@ -55,13 +55,7 @@ impl Case {
 
     /// Where it blows, for people.
     pub fn way(&self) -> String {
-        let across = match self.degrees {
-            0.0 => "up".to_owned(),
-            90.0 => "right".to_owned(),
-            180.0 => "down".to_owned(),
-            -90.0 => "left".to_owned(),
-            other => format!("{} deg", Plain(other)),
-        };
+        let across = across(self.degrees);
         match self.gust.inclination {
             0.0 => across,
             forward => format!("{across} {} rad forward", Plain(forward)),
@@ -71,6 +65,17 @@ impl Case {
     /// For people, and in tables.
     pub fn name(&self) -> String {
         format!("gust {} m {}", short(self.gust.gradient), self.way())
+    }
+}
+
+/// Where that blows which is so many degrees from upwards to the right, for people.
+pub fn across(degrees: f64) -> String {
+    match degrees {
+        0.0 => "up".to_owned(),
+        90.0 => "right".to_owned(),
+        180.0 => "down".to_owned(),
+        -90.0 => "left".to_owned(),
+        other => format!("{} deg", Plain(other)),
     }
 }
 

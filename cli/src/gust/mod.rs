@@ -1,10 +1,13 @@
-//! `flexair gust`: one 1-cosine gust after the other, the worst of each output [theory: gusts.one-minus-cosine].
+//! `flexair gust`: one 1-cosine gust after the other, the worst of each output [theory: gusts.one-minus-cosine]; or continuous
+//! turbulence [theory: gusts.continuous].
 
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Instant;
 
 use clap::Args;
-use flexible_aircraft::flight::SimulationError;
+use flexible_aircraft::flight::{Settings, SimulationError};
+use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::FileError;
 
@@ -17,6 +20,7 @@ use crate::{diagnostics, terminal, workspace};
 
 mod alleviation;
 pub mod case;
+mod continuous;
 mod found;
 mod gradients;
 mod plot;
@@ -31,14 +35,21 @@ use set::GustSetOptions;
 /// How the names of the files end that are written: all cases, the worst of them, the plot.
 const OUTPUTS: [&str; 3] = ["gusts.csv", "worst.csv", "gusts.svg"];
 
+/// Of continuous turbulence: the table twice, the plot.
+const CONTINUOUS_OUTPUTS: [&str; 3] = ["continuous.csv", "continuous.json", "continuous.svg"];
+
 /// Options of `flexair gust`.
 #[derive(Args)]
 #[command(
     after_help = "Every gust is flown in both senses (upwards and downwards, with --direction 90 to the right and to the left), hands off, from the trim on. \
 What it adds to the trim is counted as an increment.
 
-Example: the jet through the gusts of CS-25 at its design cruising speed, its loads and load factors
-  flexair gust --output-names loads,load_factor"
+With --continuous nothing is flown: the linear model gives each output's rms in turbulence of 1 m/s (A-bar), von Karman's unless \
+--set turbulence.spectrum=dryden, of the scale turbulence.scale, and with U-sigma of CS 25.341(b) the limit loads about the trim.
+
+Examples: the jet through the gusts of CS-25 at its design cruising speed, its loads and load factors; the same in continuous turbulence
+  flexair gust --output-names loads,load_factor
+  flexair gust --continuous --output-names loads,load_factor"
 )]
 pub struct GustOptions {
     /// The aircraft file (TOML)
@@ -47,6 +58,10 @@ pub struct GustOptions {
 
     #[command(flatten)]
     flown: FlownOptions,
+
+    /// Continuous turbulence by CS 25.341(b) in place of single gusts, linear about the trim
+    #[arg(long, conflicts_with_all = ["gradients", "peak", "duration", "step"])]
+    continuous: bool,
 
     #[command(flatten)]
     gusts: GustSetOptions,
@@ -85,47 +100,78 @@ pub enum Error {
     #[error(transparent)]
     Flights(#[from] Failures),
     #[error(transparent)]
+    Continuous(#[from] continuous::Error),
+    #[error(transparent)]
     File(#[from] FileError),
     #[error(transparent)]
     Overwriting(#[from] Overwriting),
 }
 
-/// Flies all gusts, prints the worst, and writes tables and a plot; also where some of the gusts cannot be flown.
+/// Flies all gusts, prints the worst, and writes tables and a plot, also where some of the gusts cannot be flown; or does so with
+/// continuous turbulence.
 pub fn run(options: &GustOptions) -> Result<(), Error> {
     let file = options.aircraft.as_path();
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
-    let outputs = OUTPUTS.map(|ending| options.output.join(format!("{name}-{ending}")));
+    let endings = if options.continuous { CONTINUOUS_OUTPUTS } else { OUTPUTS };
+    let outputs = endings.map(|ending| options.output.join(format!("{name}-{ending}")));
     refuse_overwriting(&outputs.each_ref().map(PathBuf::as_path), [file])?;
     let drafts = Drafts::new(outputs.iter().map(PathBuf::as_path))?;
     let model = options.flown.reduce(&options.flown.read(file)?)?;
     let variables = VariableTable::new(&model);
     let settings = options.flown.settings(&variables, &model)?;
-    let cases = options.gusts.cases(&settings, &options.flown.set, options.duration)?;
-    let watched = watched(&options.output_names, &variables)?;
-    let schedule = Schedule::hands_off(options.duration);
-    let sweep = Sweep::new(&model, &settings, &schedule, options.step);
-    sweep.check(cases.len())?;
-    let trim = found::values(&mut trimmed(&model, &settings, 0.0)?, &watched);
-    if let Some(warning) = set::cut_off(&cases, &settings, options.duration) {
-        diagnostics::warn(&warning);
-    }
-    let began = Instant::now();
-    let (flights, failures) = fly(&sweep, &cases, &watched);
-    let found = Found { trim, flights };
-    if let Some(failures) = failures.as_ref().filter(|_| found.flights.is_empty()) {
-        return Err(failures.clone().into());
-    }
-    let seconds = began.elapsed().as_secs_f64();
-    terminal::print(&report::text(&model, &settings, &watched, &found, seconds))?;
-    drafts.keep([
-        table::all(&watched, &found).as_str(),
-        &table::worst(&watched, &found),
-        &plot::increments(&model.name, &watched, &found).to_svg(),
-    ])?;
+    let watched = || watched(&options.output_names, &variables);
+    let (written, failures) = if options.continuous {
+        let (directions, gust) = options.gusts.continuous(&settings, &options.flown.set)?;
+        let watched = watched()?;
+        (continuous::run(&model, &Settings { gust, ..settings }, &directions, &watched)?, None)
+    } else {
+        let cases = options.gusts.cases(&settings, &options.flown.set, options.duration)?;
+        options.single(&model, &settings, &cases, &watched()?)?
+    };
+    terminal::print(&written.printed)?;
+    drafts.keep(&written.files)?;
     for path in &outputs {
         terminal::print(&format!("{}\n", path.display()))?;
     }
     failures.map_or(Ok(()), |failures| Err(failures.into()))
+}
+
+/// What is printed, and the files.
+struct Written {
+    printed: String,
+    files: [String; 3],
+}
+
+impl GustOptions {
+    /// Flies single gusts: what is written of them, and which could not be flown to the end.
+    fn single(
+        &self,
+        model: &Arc<ReducedModel>,
+        settings: &Settings,
+        cases: &[Case],
+        watched: &[Watched],
+    ) -> Result<(Written, Option<Failures>), Error> {
+        let schedule = Schedule::hands_off(self.duration);
+        let sweep = Sweep::new(model, settings, &schedule, self.step);
+        sweep.check(cases.len())?;
+        let trim = found::values(&mut trimmed(model, settings, 0.0)?, watched);
+        if let Some(warning) = set::cut_off(cases, settings, self.duration) {
+            diagnostics::warn(&warning);
+        }
+        let began = Instant::now();
+        let (flights, failures) = fly(&sweep, cases, watched);
+        let found = Found { trim, flights };
+        if let Some(failures) = failures.as_ref().filter(|_| found.flights.is_empty()) {
+            return Err(failures.clone().into());
+        }
+        let seconds = began.elapsed().as_secs_f64();
+        let files = [
+            table::all(watched, &found),
+            table::worst(watched, &found),
+            plot::increments(&model.name, watched, &found).to_svg(),
+        ];
+        Ok((Written { printed: report::text(model, settings, watched, &found, seconds), files }, failures))
+    }
 }
 
 /// The outputs of these names; the usual ones where none is named.

@@ -32,14 +32,14 @@ pub fn increments(name: &str, watched: &[Watched], found: &Found) -> Chart {
 }
 
 /// What is drawn first: what breaks a wing, then what it feels like.
-fn rank(name: &str) -> usize {
+pub fn rank(name: &str) -> usize {
     let is_bending = name.starts_with("loads.") && name.ends_with(".bending");
     let order = [is_bending, name == "load_factor.lift", name.starts_with("deflection.")];
     order.iter().position(|is_first| *is_first).unwrap_or(order.len())
 }
 
 /// Whether two curves cannot be told from each other.
-fn coincide(one: &Curve, other: &Curve) -> bool {
+pub fn coincide(one: &Curve, other: &Curve) -> bool {
     one.points.iter().zip(&other.points).all(|(a, b)| (a.1 - b.1).abs() < 1e-3)
 }
 

@@ -83,7 +83,17 @@ pub enum Error {
         Plain(*start)
     )]
     Late { duration: f64, start: f64 },
+    #[error(
+        "--set {}: continuous turbulence has an rms of 1 m/s everywhere; allowed of gust.* and turbulence.* are {}",
+        .0,
+        OF_TURBULENCE.join(", ")
+    )]
+    NotOfTurbulence(String),
 }
+
+/// The parameters of gusts and turbulence that continuous turbulence has.
+const OF_TURBULENCE: [&str; 4] =
+    ["turbulence.spectrum", "turbulence.scale", "gust.alleviation", "gust.maximum_operating_altitude"];
 
 fn peak(text: &str) -> Result<f64, String> {
     let peak = text.parse().ok().filter(|peak: &f64| peak.is_finite() && *peak > 0.0);
@@ -127,6 +137,33 @@ impl GustSetOptions {
             }
         }
         Ok(without_repetitions(cases))
+    }
+
+    /// Continuous turbulence by the criterion, under settings whose assignments were these: its directions, degrees, each once, and
+    /// the gust whose U_σ it has.
+    ///
+    /// # Errors
+    /// When the assignments contradict the options, or say what no such turbulence has.
+    pub fn continuous(
+        &self,
+        settings: &Settings,
+        assignments: &[String],
+    ) -> Result<(Vec<f64>, GustSettings), Error> {
+        self.refuse_own(assignments)?;
+        let is_foreign = |set: &&String| {
+            let name = set.split('=').next().unwrap_or_default();
+            ["gust.", "turbulence."].iter().any(|of| name.starts_with(of)) && !OF_TURBULENCE.contains(&name)
+        };
+        if let Some(set) = assignments.iter().find(is_foreign) {
+            return Err(Error::NotOfTurbulence(set.clone()));
+        }
+        let mut directions: Vec<f64> = Vec::new();
+        for &degrees in &self.direction {
+            if !directions.contains(&degrees) {
+                directions.push(degrees);
+            }
+        }
+        Ok((directions, self.every(&settings.gust)))
     }
 
     /// What each gust has, but for its gradient and direction.
@@ -189,6 +226,20 @@ pub fn cut_off(cases: &[Case], settings: &Settings, duration: f64) -> Option<Str
     })
 }
 
+/// Why gusts or turbulence have their strength, where a criterion gives it: the paragraph, the speed, and F_g.
+pub fn by_criterion(gust: &GustSettings, paragraph: &str, altitude: f64) -> Option<String> {
+    let speed = match gust.criterion {
+        GustCriterion::Peak => return None,
+        GustCriterion::Cs25Vc => "VC",
+        GustCriterion::Cs25Vd => "VD",
+    };
+    let here = gust.alleviation_at(altitude);
+    Some(format!(
+        "by CS 25.341({paragraph}) at {speed}, F_g {:.5} at sea level, {here:.5} here",
+        gust.alleviation
+    ))
+}
+
 /// From which peak to which, and why: a line of a report on gusts with such settings.
 pub fn peaks(gust: &GustSettings, altitude: f64, peaks: impl Iterator<Item = f64> + Clone) -> String {
     let [least, greatest] = [peaks.clone().fold(f64::INFINITY, f64::min), peaks.fold(0.0, f64::max)];
@@ -197,16 +248,10 @@ pub fn peaks(gust: &GustSettings, altitude: f64, peaks: impl Iterator<Item = f64
     } else {
         format!("{} to {}", rounded(least), rounded(greatest))
     };
-    let by_criterion = |speed: &str| {
-        let here = gust.alleviation_at(altitude);
-        format!("by CS 25.341(a) at {speed}, F_g {:.5} at sea level, {here:.5} here", gust.alleviation)
-    };
-    let why = match gust.criterion {
-        GustCriterion::Peak => return format!("peak {range} m/s of true airspeed, as given"),
-        GustCriterion::Cs25Vc => by_criterion("VC"),
-        GustCriterion::Cs25Vd => by_criterion("VD"),
-    };
-    format!("peak {range} m/s of true airspeed {why}")
+    match by_criterion(gust, "a", altitude) {
+        None => format!("peak {range} m/s of true airspeed, as given"),
+        Some(why) => format!("peak {range} m/s of true airspeed {why}"),
+    }
 }
 
 #[cfg(test)]

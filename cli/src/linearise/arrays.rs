@@ -16,7 +16,7 @@ pub enum Array {
 
 /// All keys with their arrays, in the order of the files.
 pub fn of(model: &LinearModel) -> Vec<(&'static str, Array)> {
-    let LinearModel { a, b, c, d, bd, dd, x0, u0, y0, states, inputs, outputs } = model;
+    let LinearModel { a, b, c, d, bd, dd, x0, u0, y0, states, inputs, outputs, gust_planes } = model;
     let matrices = [("A", a), ("B", b), ("C", c), ("D", d), ("Bd", bd), ("Dd", dd)].map(|(key, matrix)| {
         let (rows, columns) = matrix.shape();
         // By rows: the transposed one by columns.
@@ -36,7 +36,8 @@ pub fn of(model: &LinearModel) -> Vec<(&'static str, Array)> {
         ("y_labels", labels.outputs),
     ];
     let texts = texts.map(|(key, texts)| (key, Array::Texts(texts)));
-    matrices.into_iter().chain(vectors).chain(texts).collect()
+    let planes = (!gust_planes.is_empty()).then(|| ("gust_planes", Array::Vector(gust_planes.clone())));
+    matrices.into_iter().chain(vectors).chain(texts).chain(planes).collect()
 }
 
 fn names(of: &[LinearName]) -> Vec<String> {

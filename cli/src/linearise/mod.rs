@@ -29,8 +29,8 @@ mod tables;
 alone, whose rate acts on the apparent mass. The trim is that with which a flight begins: --set airspeed=150, --set condition.manoeuvre=turn. \
 x_labels, u_labels and y_labels are the names in letters, digits and _, each once among inputs and outputs.
 
-Examples: the jet for Python and MATLAB; in a turn, with steady aerodynamics
-  flexair linearise --format npz,mat
+Examples: the jet for Python and MATLAB, in gusts from nose to tail; in a turn, with steady aerodynamics
+  flexair linearise --format npz,mat --gust-stations 20
   flexair linearise --set condition.manoeuvre=turn --set condition.bank_angle=0.5 --inflow steady"
 )]
 pub struct LineariseOptions {
@@ -44,6 +44,11 @@ pub struct LineariseOptions {
     /// What becomes of the wake: its states are kept, or aerodynamics are steady, as with inflow_states=0
     #[arg(long, value_enum, default_value_t = Wake::Keep)]
     inflow: Wake,
+
+    /// Add inputs gust_plane[i].up and .right, i from 1 on: a gust at so many planes across the track, equally far apart from the
+    /// foremost leading edge to the last trailing edge, linear between them. When each plane meets it is for who gives the inputs
+    #[arg(long, value_name = "COUNT", value_parser = gust_stations, default_value_t = 0)]
+    gust_stations: usize,
 
     /// Formats of the files: JSON, a table for each matrix, NumPy, MATLAB (level 5)
     #[arg(long, value_enum, value_name = "FORMAT,…", value_delimiter = ',', default_value = "json")]
@@ -85,6 +90,16 @@ pub enum Error {
     Overwriting(#[from] Overwriting),
 }
 
+/// More planes than this are a slip of the pen.
+const MOST_STATIONS: usize = 1000;
+
+fn gust_stations(text: &str) -> Result<usize, String> {
+    let count = text.parse().ok().filter(|count: &usize| *count != 1 && *count <= MOST_STATIONS);
+    count.ok_or_else(|| {
+        format!("allowed is 0 for none, or 2 to {MOST_STATIONS}: between two planes a gust is linear")
+    })
+}
+
 /// Linearises, prints the roots, and writes the model.
 pub fn run(options: &LineariseOptions) -> Result<(), Error> {
     let formats = options.formats();
@@ -99,7 +114,7 @@ pub fn run(options: &LineariseOptions) -> Result<(), Error> {
         Wake::Keep => Inflow::Kept,
         Wake::Steady => Inflow::Steady,
     };
-    let linear = LinearModel::new(Arc::clone(&model), &settings, inflow)?;
+    let linear = LinearModel::with_gust_planes(Arc::clone(&model), &settings, inflow, options.gust_stations)?;
     let printed = roots::text(&model, &settings, &linear);
     let arrays = arrays::of(&linear);
     let mut contents: Vec<Vec<u8>> = Vec::with_capacity(outputs.len());

@@ -12,7 +12,7 @@ pub const NAMES: [&str; 9] = ["A", "B", "C", "D", "Bd", "Dd", "x", "u", "y"];
 
 /// All of them.
 pub fn all(model: &LinearModel) -> impl Iterator<Item = String> {
-    let LinearModel { a, b, c, d, bd, dd, x0, u0, y0, states, inputs, outputs } = model;
+    let LinearModel { a, b, c, d, bd, dd, x0, u0, y0, states, inputs, outputs, .. } = model;
     let matrices = [
         (a, states, states),
         (b, states, inputs),

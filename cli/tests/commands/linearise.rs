@@ -133,3 +133,27 @@ fn a_wing_in_a_tunnel_has_modes_alone() {
     assert_eq!(table.lines().next(), Some(",modal.q[1],modal.q[2],modal.q_dot[1],modal.q_dot[2]"));
     assert_eq!(table.lines().count(), 5);
 }
+
+#[test]
+fn a_gust_at_planes_is_an_input_and_where_they_are_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = "linearise --modes 2 --inflow steady --gust-stations 4 --output out";
+    let found = run(folder.path(), line);
+    assert!(found.status.success(), "{}", text(&found.stderr));
+    let printed = text(&found.stdout);
+    assert!(printed.contains("17 inputs") && printed.contains("\n4 gust planes, 10.4143 to −"), "{printed}");
+    let json = std::fs::read_to_string(folder.path().join("out").join(file("linear.json"))).unwrap();
+    let json: Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(
+        (json["u_names"][9].as_str(), json["u_names"][16].as_str()),
+        (Some("gust_plane[1].up"), Some("gust_plane[4].right"))
+    );
+    assert_eq!(json["u_labels"][10], "gust_plane_1__right");
+    let places: Vec<f64> = json["gust_planes"].as_array().unwrap().iter().filter_map(Value::as_f64).collect();
+    assert!(places.len() == 4 && places.is_sorted_by(|one, next| one > next), "{places:?}");
+    for wrong in ["1", "-2", "1001", "x"] {
+        let failed = run(folder.path(), &format!("linearise --gust-stations {wrong} --output wrong"));
+        let errors = text(&failed.stderr);
+        assert!(errors.contains("allowed is 0 for none, or 2 to 1000"), "{errors}");
+    }
+}
