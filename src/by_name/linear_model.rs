@@ -21,7 +21,7 @@ pub enum Inflow {
 /// n states, m inputs, p outputs. Inputs are those of the FMU, the wind uniform; outputs all that are Real and change with
 /// time, but for sensors, section loads among them. B′ and D′ are zero but for the wind. Actuators and engines that lag have
 /// states, their limits are left out, as are gust and turbulence, which are still ahead. Position north and east and heading
-/// are held.
+/// are held, but for [`with_all_states`](LinearModel::with_all_states).
 ///
 /// ```
 /// use flexible_aircraft::{Aircraft, Inflow, LinearModel, flight::Settings};

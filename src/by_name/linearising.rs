@@ -1,6 +1,6 @@
 //! How a linear model comes to be: a trim as a flight has it, the plant linearised there, names, lags.
 //!
-//! [theory: linearisation.inputs, linearisation.outputs, linearisation.lags]
+//! [theory: linearisation.inputs, linearisation.outputs, linearisation.lags, linearisation.all-states]
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -8,14 +8,14 @@ use std::sync::Arc;
 use crate::aircraft::Support;
 use crate::devices::Holding;
 use crate::flight::{ActuatorReading, Instant, Settings, Simulation, SimulationError};
-use crate::plant::{Course, Linearisation, Outputs, Plant, SettingError, Trim, TrimPoint};
+use crate::plant::{Course, Linearisation, Outputs, Plant, SettingError, Trim, TrimPoint, UnknownsKept};
 use crate::structure::ReducedModel;
 use crate::symmetry::Plants;
 use crate::variables::{OutputSlot, VariableTable};
 
-use super::lags;
 use super::linear_model::{Inflow, LinearModel};
 use super::linear_names;
+use super::{all_states, lags};
 
 impl LinearModel {
     /// Linearises an aircraft about the trim of some settings, whatever the manoeuvre. Allocates.
@@ -27,7 +27,32 @@ impl LinearModel {
         settings: &Settings,
         inflow: Inflow,
     ) -> Result<Self, SimulationError> {
-        let (model, mut settings) = (model.into(), settings.clone());
+        LinearModel::with(model.into(), settings, inflow, UnknownsKept::Felt)
+    }
+
+    /// The same with all states of a flight: `position.north`, `position.east`, `attitude.yaw`, and how far the air has gone,
+    /// `drift.north`, `.east` and `.down`. Nothing depends on them.
+    ///
+    /// # Errors
+    /// As those of [`new`](Self::new), and in a turn, where they do not rest.
+    pub fn with_all_states(
+        model: impl Into<Arc<ReducedModel>>,
+        settings: &Settings,
+        inflow: Inflow,
+    ) -> Result<Self, SimulationError> {
+        LinearModel::with(model.into(), settings, inflow, UnknownsKept::All)
+    }
+
+    fn with(
+        model: Arc<ReducedModel>,
+        settings: &Settings,
+        inflow: Inflow,
+        kept: UnknownsKept,
+    ) -> Result<Self, SimulationError> {
+        let mut settings = settings.clone();
+        if kept == UnknownsKept::All {
+            all_states::check(&settings.plant.condition.manoeuvre())?;
+        }
         if inflow == Inflow::Steady {
             settings.plant.inflow_states = 0;
         }
@@ -47,9 +72,12 @@ impl LinearModel {
         let table = VariableTable::new(&model);
         let outputs = linear_names::outputs(&table, &settings);
         let slots: Vec<OutputSlot> = outputs.iter().map(|(slot, _)| *slot).collect();
-        let mut found = LinearModel::named(about(plant, trim, course, &slots), plant, &table);
+        let mut found = LinearModel::named(about(plant, trim, course, &slots, kept), plant, &table);
         found.outputs = outputs.into_iter().map(|(_, name)| name).collect();
         lags::append(&mut found, &slots, &model, &settings);
+        if kept == UnknownsKept::All {
+            all_states::complete(&mut found, course, &table);
+        }
         Ok(found)
     }
 
@@ -74,12 +102,18 @@ impl LinearModel {
 }
 
 /// The linear model about a trim with these outputs.
-fn about(plant: &Plant, trim: &Trim, course: Course, slots: &[OutputSlot]) -> Linearisation {
+fn about(
+    plant: &Plant,
+    trim: &Trim,
+    course: Course,
+    slots: &[OutputSlot],
+    kept: UnknownsKept,
+) -> Linearisation {
     let at_trim = plant.outputs_along(course, &trim.state, &trim.controls, &mut plant.workspace());
     let mut instant = instant(at_trim, trim.point);
     // Section loads, which are not known here, do not turn.
     let middles: Vec<f64> = slots.iter().map(|slot| slot.number(&instant)).collect();
-    plant.linear_model(trim, course, |outputs| {
+    plant.linear_model_with(kept, trim, course, |outputs| {
         instant.outputs.clone_from(outputs);
         let values = slots.iter().zip(&middles).map(|(slot, &middle)| {
             let value = slot.number(&instant);

@@ -2,6 +2,7 @@
 //!
 //! Names, units, signs and starts are those of the FMU; [`Flight::variables`] lists them.
 
+mod all_states;
 mod lags;
 mod linear_model;
 mod linear_names;

@@ -3,7 +3,7 @@
 //!
 //! [theory: linearisation.inputs, linearisation.outputs, linearisation.wind-rates, linearisation.differences]
 //!
-//! States are the unknowns of the [`StateMatrix`](super::StateMatrix), whose A it is. Inputs are what acts on the aircraft:
+//! States are the unknowns of the [`StateMatrix`](super::StateMatrix), whose A it is, or those on which nothing depends too. Inputs are what acts on the aircraft:
 //! angles of its controls, thrusts, the velocity of the air. Of these the air alone acts by its rate, too, for it drags the
 //! apparent mass along. Which numbers are outputs is for who asks to say.
 
@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, Vector3};
 use crate::equations::{Controls, Workspace};
 
 use super::course::Course;
-use super::linearisation::{Unknown, derivatives};
+use super::linearisation::{Unknown, UnknownsKept, derivatives};
 use super::outputs::Outputs;
 use super::system::Plant;
 use super::trim::Trim;
@@ -89,7 +89,18 @@ impl Plant {
         course: Course,
         read: impl FnMut(&Outputs) -> Vec<f64>,
     ) -> Linearisation {
-        let (unknowns, inputs) = (self.unknowns(), self.linear_inputs());
+        self.linear_model_with(UnknownsKept::Felt, trim, course, read)
+    }
+
+    /// The same with the horizontal position and the yaw angle among the states, if all are to be kept.
+    pub fn linear_model_with(
+        &self,
+        kept: UnknownsKept,
+        trim: &Trim,
+        course: Course,
+        read: impl FnMut(&Outputs) -> Vec<f64>,
+    ) -> Linearisation {
+        let (unknowns, inputs) = (self.unknowns(kept), self.linear_inputs());
         let mut about = About::new(self, trim, course, &unknowns, read);
         let at_trim = about.rates_and_outputs(|_, _| {});
         let (states, rows) = (unknowns.len(), at_trim.len());

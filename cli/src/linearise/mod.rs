@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
+use flexible_aircraft::LinearModel;
 use flexible_aircraft::flight::SimulationError;
 use flexible_aircraft::variables::VariableTable;
-use flexible_aircraft::{Inflow, LinearModel};
 use flexible_aircraft_packaging::FileError;
 use zip::result::ZipError;
 
@@ -15,12 +15,18 @@ use crate::flown::{self, FlownOptions, trimmed};
 use crate::{terminal, workspace};
 
 mod arrays;
+mod balanced;
+mod inputs;
 mod json;
 mod labels;
 mod mat;
 mod npz;
 mod roots;
 mod tables;
+mod wake;
+
+use inputs::Chosen;
+use wake::Wake;
 
 /// Options of `flexair linearise`.
 #[derive(Args)]
@@ -29,8 +35,13 @@ mod tables;
 alone, whose rate acts on the apparent mass. The trim is that with which a flight begins: --set airspeed=150, --set condition.manoeuvre=turn. \
 x_labels, u_labels and y_labels are the names in letters, digits and _, each once among inputs and outputs.
 
-Examples: the jet for Python and MATLAB; in a turn, with steady aerodynamics
+balanced:N splits off what is slower than 0.25 1/s or grows, which stays exact, and leaves of the rest the states that matter most to the response, all counted \
+in N; a bound of the error is printed. Its states, reduced[i], do not jump with the wind: Bd is 0. For the jet 44 states are right to 3e-3 of each output's largest \
+gain from 0.1 to 60 rad/s, with --inputs controls to 1e-4 (36 to 5e-3).
+
+Examples: the jet for Python and MATLAB; with 36 states, for a control law; in a turn, with steady aerodynamics
   flexair linearise --format npz,mat
+  flexair linearise --format mat --inflow balanced:36 --inputs controls
   flexair linearise --set condition.manoeuvre=turn --set condition.bank_angle=0.5 --inflow steady"
 )]
 pub struct LineariseOptions {
@@ -41,9 +52,19 @@ pub struct LineariseOptions {
     #[command(flatten)]
     flown: FlownOptions,
 
-    /// What becomes of the wake: its states are kept, or aerodynamics are steady, as with inflow_states=0
-    #[arg(long, value_enum, default_value_t = Wake::Keep)]
+    /// What becomes of the wake: its states are kept; aerodynamics are steady, as with inflow_states=0; or the whole model is
+    /// reduced to so many states by balanced truncation
+    #[arg(long, value_name = "keep|steady|balanced:N", default_value_t = Wake::Keep)]
     inflow: Wake,
+
+    /// Inputs of the model
+    #[arg(long, value_enum, default_value_t = Chosen::All)]
+    inputs: Chosen,
+
+    /// Keep position north and east and heading, and how far the air has gone (drift.north, .east, .down), on which nothing
+    /// depends: not in a turn
+    #[arg(long)]
+    all_states: bool,
 
     /// Formats of the files: JSON, a table for each matrix, NumPy, MATLAB (level 5)
     #[arg(long, value_enum, value_name = "FORMAT,…", value_delimiter = ',', default_value = "json")]
@@ -52,13 +73,6 @@ pub struct LineariseOptions {
     /// Folder for the files
     #[arg(long, value_name = "DIR", default_value = "target/linear")]
     output: PathBuf,
-}
-
-/// What becomes of the wake.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Wake {
-    Keep,
-    Steady,
 }
 
 /// A format of files.
@@ -77,6 +91,8 @@ pub enum Error {
     Flown(#[from] flown::Error),
     #[error(transparent)]
     Trim(#[from] SimulationError),
+    #[error(transparent)]
+    Balanced(#[from] balanced::Error),
     #[error("cannot write the archive of NumPy: {0}")]
     Archive(#[from] ZipError),
     #[error(transparent)]
@@ -95,12 +111,20 @@ pub fn run(options: &LineariseOptions) -> Result<(), Error> {
     let model = options.flown.reduce(&options.flown.read(&options.aircraft)?)?;
     let settings = options.flown.settings(&VariableTable::new(&model), &model)?;
     trimmed(&model, &settings, 0.0)?;
-    let inflow = match options.inflow {
-        Wake::Keep => Inflow::Kept,
-        Wake::Steady => Inflow::Steady,
+    let states = options.inflow.states();
+    let mut linear = if options.all_states {
+        LinearModel::with_all_states(Arc::clone(&model), &settings, states)?
+    } else {
+        LinearModel::new(Arc::clone(&model), &settings, states)?
     };
-    let linear = LinearModel::new(Arc::clone(&model), &settings, inflow)?;
-    let printed = roots::text(&model, &settings, &linear);
+    options.inputs.choose(&mut linear);
+    let mut reduction = String::new();
+    if let Wake::Balanced(order) = options.inflow {
+        let reduced = balanced::reduce(&linear, order)?;
+        reduction = reduced.text() + "\n";
+        linear = reduced.model;
+    }
+    let printed = roots::text(&model, &settings, &linear) + &reduction;
     let arrays = arrays::of(&linear);
     let mut contents: Vec<Vec<u8>> = Vec::with_capacity(outputs.len());
     for format in formats {

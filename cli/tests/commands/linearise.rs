@@ -111,7 +111,19 @@ fn a_turn_is_linearised_and_what_cannot_be_is_refused() {
         ("--set elevator=1", "--set elevator=1: "),
         ("--set condition.manoeuvre=turn", "condition.bank_angle: found 0, allowed is an angle other than 0"),
         ("--format xls", "invalid value 'xls'"),
-        ("--inflow half", "invalid value 'half'"),
+        (
+            "--inflow half",
+            "invalid value 'half' for '--inflow <keep|steady|balanced:N>': allowed are keep, steady and balanced:N",
+        ),
+        ("--modes 2 --set inflow_states=1 --inflow balanced:3", "--inflow balanced:3: allowed are 4 to "),
+        (
+            "--modes 2 --set inflow_states=1 --inflow balanced:600",
+            "4 of the 112 roots are slow or do not decay",
+        ),
+        (
+            "--all-states --set condition.manoeuvre=turn --set condition.bank_angle=0.5",
+            "condition.manoeuvre: found turn, allowed is straight or pull_up for a linear model with all states",
+        ),
     ] {
         let failed = run(folder.path(), &format!("linearise {} {options} --output out", jet.display()));
         let errors = text(&failed.stderr);
@@ -132,4 +144,66 @@ fn a_wing_in_a_tunnel_has_modes_alone() {
     let table = std::fs::read_to_string(folder.path().join("out/goland-wing-A.csv")).unwrap();
     assert_eq!(table.lines().next(), Some(",modal.q[1],modal.q[2],modal.q_dot[1],modal.q_dot[2]"));
     assert_eq!(table.lines().count(), 5);
+}
+
+/// The keys of JSON that hold texts.
+fn texts(json: &Value, key: &str) -> Vec<String> {
+    json[key].as_array().unwrap().iter().map(|text| text.as_str().unwrap().to_owned()).collect()
+}
+
+fn json(folder: &Path, options: &str) -> (String, Value) {
+    let found = run(folder, &format!("linearise --modes 2 --set inflow_states=1 {options} --output out"));
+    assert!(found.status.success(), "{}", text(&found.stderr));
+    let file = std::fs::read(folder.join("out").join(file("linear.json"))).unwrap();
+    (text(&found.stdout), serde_json::from_slice(&file).unwrap())
+}
+
+#[test]
+fn a_reduced_model_has_its_own_states_a_bound_and_no_rate_of_the_wind_on_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let options = "--inflow balanced:30 --set actuator.elevator.frequency=40 --all-states";
+    let (printed, reduced) = json(folder.path(), options);
+    // Height, spiral, phugoid, position and heading, drift.
+    for part in ["30 of 120 states are left, 10 of which are split off", "outputs are wrong by at most "] {
+        assert!(printed.contains(part), "{part}: {printed}");
+    }
+    let states = texts(&reduced, "x_names");
+    assert_eq!((states.len(), &*states[0], &*states[29]), (30, "reduced[1]", "reduced[30]"));
+    let rows = reduced["Bd"].as_array().unwrap().iter();
+    assert!(rows.flat_map(|row| row.as_array().unwrap()).all(|entry| entry.as_f64() == Some(0.0)));
+    let (_, again) = json(folder.path(), options);
+    assert!(again == reduced);
+}
+
+#[test]
+fn inputs_of_controls_are_those_without_the_air_and_all_states_are_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, controls) = json(folder.path(), "--inputs controls --all-states");
+    let expected = ["elevator", "aileron", "aileron_symmetric", "rudder", "thrust_left", "thrust_right"];
+    assert_eq!(texts(&controls, "u_names"), expected);
+    assert_eq!(
+        (controls["u0"].as_array().unwrap().len(), controls["D"][0].as_array().unwrap().len()),
+        (6, 6)
+    );
+    let states = texts(&controls, "x_names");
+    assert_eq!(states[..3], ["position.north", "position.east", "position.down"]);
+    assert_eq!((&*states[5], &*states[states.len() - 1]), ("attitude.yaw", "drift.down"));
+    // ψ̇ = ω_z/cos θ in level flight.
+    let pitch = controls["x0"][4].as_f64().unwrap();
+    let column = states.iter().position(|name| name == "rate.z").unwrap();
+    assert!((controls["A"][5][column].as_f64().unwrap() * pitch.cos() - 1.0).abs() < 1e-8);
+}
+
+#[test]
+fn a_wing_in_a_tunnel_whose_roots_all_decay_fast_is_reduced_and_one_that_nothing_moves_is_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let wing = workspace("aircraft/very-flexible-wing.toml");
+    let reduce = |options: &str| {
+        run(folder.path(), &format!("linearise {} --inflow balanced:20 {options} --output out", wing.display()))
+    };
+    let found = reduce("");
+    let printed = text(&found.stdout);
+    assert!(found.status.success() && printed.contains("20 of 104 states are left, 0 of which"), "{printed}");
+    let still = text(&reduce("--inputs controls").stderr);
+    assert!(still.contains("--inflow balanced:20: no input moves"), "{still}");
 }
