@@ -84,8 +84,8 @@ pub mod variables;
 
 pub use aircraft::Aircraft;
 pub use by_name::{
-    Flight, FlightError, HarmonicColumn, HarmonicGusts, InTurbulence, Inflow, LinearModel, LinearName,
-    OutputInTurbulence, Setting, flight_modes,
+    Flight, FlightError, HarmonicColumn, HarmonicGusts, InTurbulence, Inflow, LinearContents, LinearModel,
+    LinearName, OutputInTurbulence, Setting, flight_modes,
 };
 pub use structure::ReducedModel;
 

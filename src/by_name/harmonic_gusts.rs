@@ -9,7 +9,7 @@ use crate::air::{GustWave, ImposedGust};
 use crate::flight::{Settings, SimulationError};
 use crate::structure::ReducedModel;
 
-use super::linear_model::{Inflow, LinearModel};
+use super::linear_model::{LinearContents, LinearModel};
 use super::linearising::AtTrim;
 use super::resolvent::{Resolvent, product};
 
@@ -53,7 +53,7 @@ impl HarmonicGusts {
     /// # Errors
     /// When a setting is out of range or no flight could begin with them.
     pub fn new(model: impl Into<Arc<ReducedModel>>, settings: &Settings) -> Result<Self, SimulationError> {
-        let at_trim = AtTrim::new(model.into(), settings, Inflow::Kept)?;
+        let at_trim = AtTrim::new(model.into(), settings, LinearContents::default())?;
         let linear = at_trim.linear_model();
         let resolvent = Resolvent::new(&linear.a, at_trim.wake());
         Ok(HarmonicGusts { at_trim, linear, resolvent })

@@ -62,7 +62,7 @@ fn add_engine(linear: &mut LinearModel, input: usize, name: &str, time_constant:
 }
 
 /// Adds a state at rest on which nothing depends; returns its place.
-fn add_state(linear: &mut LinearModel, name: Name, at_trim: f64) -> usize {
+pub(super) fn add_state(linear: &mut LinearModel, name: Name, at_trim: f64) -> usize {
     let LinearModel { a, b, c, bd, x0, states, .. } = linear;
     let place = states.len();
     a.resize_mut(place + 1, place + 1, 0.0);

@@ -8,13 +8,29 @@ use crate::plant::{EigenvaluesNotFound, eigenvalues};
 use super::linear_names::Name;
 
 /// What becomes of the wake in a linear model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Inflow {
     /// Its states are states of the model.
+    #[default]
     Kept,
     /// There is none: the aircraft with `inflow_states = 0`.
     Steady,
+}
+
+/// What a linear model has beside what is always there.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct LinearContents {
+    /// What becomes of the wake.
+    pub inflow: Inflow,
+    /// Whether it has all states of a flight: `position.north`, `position.east`, `attitude.yaw`, and how far the air has gone,
+    /// `drift.north`, `.east` and `.down`. Nothing depends on them [theory: linearisation.all-states].
+    pub all_states: bool,
+    /// How many planes across the track there are, 0 or 2 and more, at which a frozen gust is an input, m/s: `gust_plane[i].up` and
+    /// `.right`, i from 1 on. They are equally far apart from the foremost leading edge of any strip to the last trailing edge,
+    /// and the gust is linear between them. When it comes to which plane is for who gives the inputs:
+    /// [`gust_planes`](LinearModel::gust_planes) has where they are [theory: linearisation.gust-planes].
+    pub gust_planes: usize,
 }
 
 impl Inflow {
@@ -32,9 +48,8 @@ impl Inflow {
 ///
 /// n states, m inputs, p outputs. Inputs are those of the FMU, the wind uniform; outputs all that are Real and change with
 /// time, but for sensors, section loads among them. B′ and D′ are zero but for the wind. Actuators and engines that lag have
-/// states, their limits are left out, as are gust and turbulence, which are still ahead:
-/// [`with_gust_planes`](LinearModel::with_gust_planes) has inputs for them. Position north and east and heading
-/// are held.
+/// states, their limits are left out, as are gust and turbulence, which are still ahead. Position north and east and heading
+/// are held. [`with`](LinearModel::with) adds inputs for gusts, and those states.
 ///
 /// ```
 /// use flexible_aircraft::{Aircraft, Inflow, LinearModel, flight::Settings};

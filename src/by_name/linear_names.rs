@@ -20,7 +20,7 @@ const MODAL_RATE: &str = "kg^(1/2).m/s";
 /// Of states, in their order; what no variable of the FMU is has a name of its own: the inflow, of strips and states from 1
 /// on, and load modes that combine packaged ones, by their place among the coordinates.
 pub(super) fn states(unknowns: &[Unknown], plant: &Plant, table: &VariableTable) -> Vec<Name> {
-    let output = |slot| of_slot(Slot::Output(slot), table);
+    let output = |slot| output_named(slot, table);
     let combined = |suffix: &str, mode: usize, unit| Name {
         name: format!("modal.combined_{suffix}[{}]", mode + 1),
         unit,
@@ -34,9 +34,11 @@ pub(super) fn states(unknowns: &[Unknown], plant: &Plant, table: &VariableTable)
         Name { name: format!("inflow[{number},{count}]"), unit: Unit::MetrePerSecond.name() }
     };
     let name = |&unknown: &Unknown| match unknown {
+        Unknown::Horizontal(axis) => output(OutputSlot::Position(Axis::ALL[axis])),
         Unknown::Down => output(OutputSlot::Position(Axis::Z)),
         Unknown::Roll => output(OutputSlot::Attitude(Axis::X)),
         Unknown::Pitch => output(OutputSlot::Attitude(Axis::Y)),
+        Unknown::Yaw => output(OutputSlot::Attitude(Axis::Z)),
         Unknown::Velocity(axis) => output(OutputSlot::Velocity(Axis::ALL[axis])),
         Unknown::Rate(axis) => output(OutputSlot::Rate(Axis::ALL[axis])),
         Unknown::Coordinate(mode) => match plant.packaged_mode(mode) {
@@ -52,6 +54,16 @@ pub(super) fn states(unknowns: &[Unknown], plant: &Plant, table: &VariableTable)
     unknowns.iter().map(name).collect()
 }
 
+/// Of an output of the FMU.
+pub(super) fn output_named(slot: OutputSlot, table: &VariableTable) -> Name {
+    of_slot(Slot::Output(slot), table)
+}
+
+/// Of an input of the FMU.
+pub(super) fn input_named(slot: InputSlot, table: &VariableTable) -> Name {
+    of_slot(Slot::Input(slot), table)
+}
+
 /// Of an input.
 pub(super) fn input(input: LinearInput, table: &VariableTable) -> Name {
     let slot = match input {
@@ -59,7 +71,7 @@ pub(super) fn input(input: LinearInput, table: &VariableTable) -> Name {
         LinearInput::Thrust(engine) => InputSlot::Thrust(engine),
         LinearInput::Wind(axis) => InputSlot::Wind(Axis::ALL[axis]),
     };
-    of_slot(Slot::Input(slot), table)
+    input_named(slot, table)
 }
 
 /// The outputs of a linear model under some settings: all that are Real and change with time, in the order of the FMU, but

@@ -1,6 +1,6 @@
 //! How a linear model comes to be: a trim as a flight has it, the plant linearised there, names, lags.
 //!
-//! [theory: linearisation.inputs, linearisation.outputs, linearisation.lags]
+//! [theory: linearisation.inputs, linearisation.outputs, linearisation.lags, linearisation.all-states]
 
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -11,15 +11,15 @@ use crate::aircraft::Support;
 use crate::devices::Holding;
 use crate::flight::{ActuatorReading, Instant, Settings, Simulation, SimulationError, Way, way};
 use crate::plant::{
-    Course, GustColumns, Linearisation, Outputs, Plant, SettingError, Trim, TrimPoint, Unknown,
+    Course, GustColumns, Linearisation, Outputs, Plant, SettingError, Trim, TrimPoint, Unknown, UnknownsKept,
 };
 use crate::structure::ReducedModel;
 use crate::symmetry::Plants;
 use crate::variables::{OutputSlot, VariableTable};
 
-use super::lags;
-use super::linear_model::{Inflow, LinearModel};
+use super::linear_model::{Inflow, LinearContents, LinearModel};
 use super::linear_names::{self, Name};
+use super::{all_states, gust_planes, lags};
 
 /// An aircraft in the trim with which a flight begins, before it is linearised there.
 #[derive(Clone, Debug)]
@@ -27,6 +27,7 @@ pub(super) struct AtTrim {
     model: Arc<ReducedModel>,
     settings: Settings,
     plant: Plant,
+    kept: UnknownsKept,
     trim: Trim,
     course: Course,
     slots: Vec<OutputSlot>,
@@ -48,7 +49,38 @@ impl LinearModel {
         settings: &Settings,
         inflow: Inflow,
     ) -> Result<Self, SimulationError> {
-        Ok(AtTrim::new(model.into(), settings, inflow)?.linear_model())
+        LinearModel::with(model, settings, LinearContents { inflow, ..LinearContents::default() })
+    }
+
+    /// The same with these states and inputs.
+    ///
+    /// ```
+    /// use flexible_aircraft::{Aircraft, Inflow, LinearContents, LinearModel, flight::Settings};
+    ///
+    /// let jet = Aircraft::read("aircraft/generic-business-jet.toml")?.reduce()?;
+    /// let mut settings = Settings::of(&jet);
+    /// settings.plant.mode_count = 2;
+    /// let contents = LinearContents { inflow: Inflow::Steady, all_states: true, gust_planes: 3 };
+    /// let model = LinearModel::with(jet, &settings, contents)?;
+    /// assert_eq!(model.inputs[model.inputs.len() - 2].name, "gust_plane[3].up");
+    /// // From the nose, 10.4 m before O, the last plane is met after this time, s.
+    /// let delay = (model.gust_planes[0] - model.gust_planes[2]) / settings.plant.airspeed;
+    /// assert!((0.1..0.3).contains(&delay));
+    /// assert_eq!(model.states[0].name, "position.north");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As those of [`new`](Self::new); with all states in a turn, where they do not rest; when there is a single plane.
+    pub fn with(
+        model: impl Into<Arc<ReducedModel>>,
+        settings: &Settings,
+        contents: LinearContents,
+    ) -> Result<Self, SimulationError> {
+        let at_trim = AtTrim::new(model.into(), settings, contents)?;
+        let mut linear = at_trim.linear_model();
+        gust_planes::append(&mut linear, &at_trim, contents.gust_planes)?;
+        Ok(linear)
     }
 
     /// With the names of states and inputs.
@@ -80,9 +112,13 @@ impl AtTrim {
     pub fn new(
         model: Arc<ReducedModel>,
         settings: &Settings,
-        inflow: Inflow,
+        contents: LinearContents,
     ) -> Result<Self, SimulationError> {
-        let settings = inflow.of(settings);
+        let settings = contents.inflow.of(settings);
+        let kept = if contents.all_states { UnknownsKept::All } else { UnknownsKept::Felt };
+        if kept == UnknownsKept::All {
+            all_states::check(&settings.plant.condition.manoeuvre())?;
+        }
         if model.support == Support::Clamped && settings.plant.airspeed == 0.0 {
             let allowed =
                 "greater than 0 (m/s) for a linear model: the flow's angles have no derivatives at rest";
@@ -102,21 +138,25 @@ impl AtTrim {
         let instant = instant(at_trim, trim.point);
         let middles = slots.iter().map(|slot| slot.number(&instant)).collect();
         let way = way(&model, &settings, &plant, &trim);
-        Ok(AtTrim { model, settings, plant, trim, course, slots, names, instant, middles, way })
+        Ok(AtTrim { model, settings, plant, kept, trim, course, slots, names, instant, middles, way })
     }
 
     /// The linear model there.
     pub fn linear_model(&self) -> LinearModel {
-        let found = self.plant.linear_model(&self.trim, self.course, self.read());
-        let mut linear = LinearModel::named(found, &self.plant, &VariableTable::new(&self.model));
+        let found = self.plant.linear_model_with(self.kept, &self.trim, self.course, self.read());
+        let table = VariableTable::new(&self.model);
+        let mut linear = LinearModel::named(found, &self.plant, &table);
         linear.outputs.clone_from(&self.names);
         lags::append(&mut linear, &self.slots, &self.model, &self.settings);
+        if self.kept == UnknownsKept::All {
+            all_states::complete(&mut linear, self.course, &table);
+        }
         linear
     }
 
     /// Which states of its linear model are the wake's: each strip's stand by themselves.
     pub fn wake(&self) -> Range<usize> {
-        let unknowns = self.plant.unknowns();
+        let unknowns = self.plant.unknowns(self.kept);
         let is_wake = |unknown: &Unknown| matches!(unknown, Unknown::Inflow { .. });
         // They stand last.
         unknowns.iter().position(is_wake).unwrap_or(unknowns.len())..unknowns.len()
@@ -124,7 +164,7 @@ impl AtTrim {
 
     /// What gusts along the track do, by their strength: a row for each state of the plant and each output.
     pub fn linear_gusts(&self, gusts: &[ImposedGust]) -> GustColumns {
-        self.plant.linear_gusts(&self.trim, self.course, (self.way.track, gusts), self.read())
+        self.plant.linear_gusts(self.kept, &self.trim, self.course, (self.way.track, gusts), self.read())
     }
 
     /// Reads all outputs.

@@ -2,6 +2,7 @@
 //!
 //! Names, units, signs and starts are those of the FMU; [`Flight::variables`] lists them.
 
+mod all_states;
 mod flying_qualities;
 mod frequency_grid;
 mod gust_planes;
@@ -24,7 +25,7 @@ use crate::variables::{Slot, Value, Variable, VariableTable, nearest};
 pub use flying_qualities::flight_modes;
 pub use harmonic_gusts::{HarmonicColumn, HarmonicGusts};
 pub use in_turbulence::{InTurbulence, OutputInTurbulence};
-pub use linear_model::{Inflow, LinearModel};
+pub use linear_model::{Inflow, LinearContents, LinearModel};
 pub use linear_names::Name as LinearName;
 pub use setting::Setting;
 

@@ -3,7 +3,7 @@
 //!
 //! [theory: linearisation.inputs, linearisation.outputs, linearisation.wind-rates, linearisation.differences, linearisation.gusts]
 //!
-//! States are the unknowns of the [`StateMatrix`](super::StateMatrix), whose A it is. Inputs are what acts on the aircraft:
+//! States are the unknowns of the [`StateMatrix`](super::StateMatrix), whose A it is, or those on which nothing depends too. Inputs are what acts on the aircraft:
 //! angles of its controls, thrusts, the velocity of the air. Of these the air alone acts by its rate, too, for it drags the
 //! apparent mass along. Which numbers are outputs is for who asks to say.
 
@@ -16,7 +16,7 @@ use crate::air::{FrozenGust, ImposedGust, Track};
 use crate::equations::{Controls, Workspace};
 
 use super::course::Course;
-use super::linearisation::{Unknown, derivatives};
+use super::linearisation::{Unknown, UnknownsKept, derivatives};
 use super::outputs::Outputs;
 use super::system::Plant;
 use super::trim::Trim;
@@ -102,7 +102,18 @@ impl Plant {
         course: Course,
         read: impl FnMut(&Outputs) -> Vec<f64>,
     ) -> Linearisation {
-        let (unknowns, inputs) = (self.unknowns(), self.linear_inputs());
+        self.linear_model_with(UnknownsKept::Felt, trim, course, read)
+    }
+
+    /// The same with the horizontal position and the yaw angle among the states, if all are to be kept.
+    pub fn linear_model_with(
+        &self,
+        kept: UnknownsKept,
+        trim: &Trim,
+        course: Course,
+        read: impl FnMut(&Outputs) -> Vec<f64>,
+    ) -> Linearisation {
+        let (unknowns, inputs) = (self.unknowns(kept), self.linear_inputs());
         let mut about = About::new(self, trim, course, &unknowns, read);
         let at_trim = about.rates_and_outputs(|_, _| {});
         let (states, rows) = (unknowns.len(), at_trim.len());
@@ -143,12 +154,13 @@ impl Plant {
     /// [theory: linearisation.gusts]
     pub fn linear_gusts(
         &self,
+        kept: UnknownsKept,
         trim: &Trim,
         course: Course,
         (track, gusts): (Track, &[ImposedGust]),
         read: impl FnMut(&Outputs) -> Vec<f64>,
     ) -> GustColumns {
-        let unknowns = self.unknowns();
+        let unknowns = self.unknowns(kept);
         let mut about = About::new(self, trim, course, &unknowns, read);
         let (states, rows) = (unknowns.len(), about.rates_and_outputs(|_, _| {}).len());
         let steps = vec![WIND_STEP * self.speed_at(trim); gusts.len()];

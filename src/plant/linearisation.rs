@@ -7,7 +7,7 @@
 //! entry; strain energy and inertia are polynomials of q for which the formula is exact.
 //!
 //! **Which unknowns.** Nothing depends on position north and east or on heading: they would only add zero
-//! eigenvalues, and are left out. Height stays, for the air thins with it. Roll and pitch angle stand for the
+//! eigenvalues, and are left out unless they are asked for. Height stays, for the air thins with it. Roll and pitch angle stand for the
 //! attitude, since the length of a quaternion is no motion. What support or symmetry hold of the rigid motion is no unknown:
 //! of half an aircraft height, pitch angle and motion in the plane remain, of a clamped one only q, q̇ and the inflow.
 //!
@@ -38,16 +38,29 @@ const DEFLATIONS: [f64; 4] = [1e-13, 1e-12, 1e-11, 1e-10];
 /// Cap on the iterations of the eigensolver, per unknown.
 const MAX_ITERATIONS: usize = 30;
 
+/// Which unknowns of the rigid motion there are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum UnknownsKept {
+    /// Those on which something depends.
+    Felt,
+    /// Horizontal position and yaw angle too.
+    All,
+}
+
 /// An unknown of the linearised motion: a departure from the trim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Unknown {
+    /// Position along the course (0) or to its right (1), m.
+    Horizontal(usize),
     /// Position down, m.
     Down,
     /// Roll angle, rad.
     Roll,
     /// Pitch angle, rad.
     Pitch,
+    /// Yaw angle from the course, rad.
+    Yaw,
     /// A component of v along body axis 0 (x), 1 (y) or 2 (z), m/s.
     Velocity(usize),
     /// A component of ω about body axis 0, 1 or 2, rad/s.
@@ -141,7 +154,7 @@ pub(super) fn derivatives(
 impl Plant {
     /// Linearises the motion about a trim of this plant, controls and thrust held. Allocates.
     pub fn linearise(&self, trim: &Trim) -> StateMatrix {
-        let unknowns = self.unknowns();
+        let unknowns = self.unknowns(UnknownsKept::Felt);
         let mut workspace = self.workspace();
         let mut rates = vec![0.0; trim.state.len()];
         let matrix = derivatives(unknowns.len(), &self.steps(&unknowns, trim), |column, departure| {
@@ -154,15 +167,19 @@ impl Plant {
     }
 
     /// What moves.
-    pub(crate) fn unknowns(&self) -> Vec<Unknown> {
+    pub(crate) fn unknowns(&self, kept: UnknownsKept) -> Vec<Unknown> {
         let layout = self.layout();
         let freedom = self.equations.freedom;
         let [translations, rotations] = freedom.motions();
-        // Height goes with what is not held at all; heading is left out.
+        let all = kept == UnknownsKept::All;
+        let horizontal =
+            translations.iter().copied().filter(|&axis| all && axis < 2).map(Unknown::Horizontal);
+        // Height goes with what is not held at all.
         let down = (freedom != RigidFreedom::Held).then_some(Unknown::Down);
-        let tilt = |&axis: &usize| [Some(Unknown::Roll), Some(Unknown::Pitch), None][axis];
-        let rigid = down
-            .into_iter()
+        let yaw = all.then_some(Unknown::Yaw);
+        let tilt = |&axis: &usize| [Some(Unknown::Roll), Some(Unknown::Pitch), yaw][axis];
+        let rigid = horizontal
+            .chain(down)
             .chain(rotations.iter().filter_map(tilt))
             .chain(translations.iter().copied().map(Unknown::Velocity))
             .chain(rotations.iter().copied().map(Unknown::Rate));
@@ -194,8 +211,8 @@ impl Plant {
     /// What an unknown is measured by: the airspeed, 1 rad, 1 rad/s, a deflection of some strip by 1 m or 1 rad.
     fn magnitude(&self, unknown: Unknown, airspeed: f64) -> f64 {
         match unknown {
-            Unknown::Down => ATMOSPHERIC_HEIGHT,
-            Unknown::Roll | Unknown::Pitch | Unknown::Rate(_) => 1.0,
+            Unknown::Horizontal(_) | Unknown::Down => ATMOSPHERIC_HEIGHT,
+            Unknown::Roll | Unknown::Pitch | Unknown::Yaw | Unknown::Rate(_) => 1.0,
             Unknown::Velocity(_) | Unknown::Inflow { .. } => airspeed,
             Unknown::Coordinate(_) => self.equations.coordinate_magnitude(),
             Unknown::CoordinateRate(_) => airspeed * self.equations.coordinate_magnitude(),
@@ -213,6 +230,8 @@ impl Plant {
         match unknown {
             Unknown::Roll => turn(0),
             Unknown::Pitch => turn(1),
+            Unknown::Yaw => turn(2),
+            Unknown::Horizontal(axis) => state[layout.position().start + axis] += departure,
             Unknown::Down => state[layout.position().end - 1] += departure,
             Unknown::Velocity(axis) => state[layout.velocity().start + axis] += departure,
             Unknown::Rate(axis) => state[layout.rate().start + axis] += departure,
@@ -229,6 +248,8 @@ impl Plant {
         match unknown {
             Unknown::Roll => angles().x,
             Unknown::Pitch => angles().y,
+            Unknown::Yaw => angles().z,
+            Unknown::Horizontal(axis) => state[layout.position().start + axis],
             Unknown::Down => state[layout.position().end - 1],
             Unknown::Velocity(axis) => state[layout.velocity().start + axis],
             Unknown::Rate(axis) => state[layout.rate().start + axis],
@@ -241,19 +262,20 @@ impl Plant {
     /// The rate of an unknown at a state with these rates.
     pub(super) fn rate_of(&self, unknown: Unknown, state: &[f64], rates: &[f64]) -> f64 {
         match unknown {
-            Unknown::Roll => self.tilt_rates(state)[0],
-            Unknown::Pitch => self.tilt_rates(state)[1],
+            Unknown::Roll => self.angle_rates(state)[0],
+            Unknown::Pitch => self.angle_rates(state)[1],
+            Unknown::Yaw => self.angle_rates(state)[2],
             // Rates have the layout of the state.
             other => self.value_of(other, rates),
         }
     }
 
-    /// Rates of roll and pitch angle, rad/s [theory: linearisation.unknowns].
-    fn tilt_rates(&self, state: &[f64]) -> [f64; 2] {
+    /// Rates of roll, pitch and yaw angle, rad/s [theory: linearisation.unknowns].
+    fn angle_rates(&self, state: &[f64]) -> [f64; 3] {
         let angles = Attitude::from_quaternion(&state[self.layout().attitude()]).euler_angles();
         let rate = self.equations.motion(state).rate;
         let ((sin, cos), tan) = (libm::sincos(angles.x), libm::tan(angles.y));
         let downwards = rate.y * sin + rate.z * cos;
-        [rate.x + downwards * tan, rate.y * cos - rate.z * sin]
+        [rate.x + downwards * tan, rate.y * cos - rate.z * sin, downwards / libm::cos(angles.y)]
     }
 }

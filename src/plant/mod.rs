@@ -38,7 +38,7 @@ pub use linear_model::{GustColumns, LinearInput, Linearisation};
 pub(crate) use linear_part::Diagonal;
 pub use linear_part::{LinearPart, Spectrum};
 pub(crate) use linearisation::eigenvalues;
-pub use linearisation::{EigenvaluesNotFound, StateMatrix, Unknown};
+pub use linearisation::{EigenvaluesNotFound, StateMatrix, Unknown, UnknownsKept};
 pub use manoeuvre::{ConditionSettings, Lateral, Manoeuvre, ManoeuvreChoice, SteadyFlight};
 pub(crate) use manoeuvre::{LARGEST_LOAD_FACTOR, STEEPEST};
 pub use outputs::{Deflection, Outputs};

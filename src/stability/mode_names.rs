@@ -90,7 +90,11 @@ impl Portrait {
             Unknown::Velocity(_) | Unknown::Rate(2) => Some(&mut self.aside[0]),
             Unknown::Rate(_) => Some(&mut self.aside[1]),
             Unknown::Roll => Some(&mut self.aside[2]),
-            Unknown::Coordinate(_) | Unknown::CoordinateRate(_) | Unknown::Inflow { .. } => None,
+            Unknown::Horizontal(_)
+            | Unknown::Yaw
+            | Unknown::Coordinate(_)
+            | Unknown::CoordinateRate(_)
+            | Unknown::Inflow { .. } => None,
         }
     }
 

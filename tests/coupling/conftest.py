@@ -1,4 +1,4 @@
-"""Systems of the aircraft, a control law and a gust, and how the same loops go in Rust.
+"""Systems of the aircraft, a control law and a gust, how the same loops go in Rust, and linear models.
 
 The FMU of the aircraft is the file named by the environment variable FMU, the command the one named by FLEXAIR, examples are
 in the folder named by EXAMPLES.
@@ -61,6 +61,18 @@ def flexair():
         return subprocess.run([program, "ssp", *map(str, options)], capture_output=True, encoding="utf-8")
 
     return flexair
+
+
+@pytest.fixture(scope="session")
+def linearise():
+    """A function that runs `flexair linearise` with some options."""
+    program = Path(os.environ.get("FLEXAIR", ROOT / "target/release/flexair")).absolute()
+
+    def linearise(*options):
+        command = [program, "linearise", ROOT / "aircraft/generic-business-jet.toml", *map(str, options)]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+
+    return linearise
 
 
 @pytest.fixture(scope="session")

@@ -5,9 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use flexible_aircraft::air::{Spectrum, TurbulenceSettings};
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::flight::Settings;
+use flexible_aircraft::flight::{Settings, SimulationError};
 use flexible_aircraft::plant::PlantSettings;
-use flexible_aircraft::{HarmonicGusts, Inflow, LinearModel};
+use flexible_aircraft::{HarmonicGusts, Inflow, LinearContents, LinearModel};
 use nalgebra::{Complex, DVector};
 
 use crate::support::jet;
@@ -144,13 +144,13 @@ fn small() -> Settings {
     Settings { plant, ..settings(0.1) }
 }
 
-fn with_planes(count: usize) -> LinearModel {
-    LinearModel::with_gust_planes(jet(), &small(), Inflow::Kept, count).unwrap()
+fn with_planes(settings: &Settings, gust_planes: usize) -> Result<LinearModel, SimulationError> {
+    LinearModel::with(jet(), settings, LinearContents { gust_planes, ..LinearContents::default() })
 }
 
 #[test]
 fn a_gust_that_is_the_same_at_all_planes_acts_as_a_wind_that_does_not_change() {
-    let model = with_planes(3);
+    let model = with_planes(&small(), 3).unwrap();
     let columns =
         |sense: &str| [1, 2, 3].map(|plane| place(&model.inputs, &format!("gust_plane[{plane}].{sense}")));
     for (sense, wind, sign) in [("up", "wind_down", -1.0), ("right", "wind_east", 1.0)] {
@@ -181,7 +181,7 @@ fn a_gust_that_is_the_same_at_all_planes_acts_as_a_wind_that_does_not_change() {
         (&alone.a, &alone.b.columns(0, 9).into_owned()),
         (&model.a, &model.b.columns(0, 9).into_owned())
     );
-    assert!(LinearModel::with_gust_planes(jet(), &small(), Inflow::Kept, 1).is_err());
+    assert!(with_planes(&small(), 1).is_err());
 }
 
 #[test]
@@ -190,7 +190,7 @@ fn many_planes_with_their_delays_are_a_harmonic_gust_whatever_lags() {
     lagging
         .engines
         .set(0, flexible_aircraft::devices::EngineLag { time_constant: 0.3, ..Default::default() });
-    let model = LinearModel::with_gust_planes(jet(), &lagging, Inflow::Kept, 481).unwrap();
+    let model = with_planes(&lagging, 481).unwrap();
     let gusts = HarmonicGusts::new(jet(), &lagging).unwrap();
     const FREQUENCY: f64 = 20.0;
     for (sense, direction) in [("up", UP), ("right", FRAC_PI_2)] {

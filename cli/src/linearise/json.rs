@@ -1,13 +1,15 @@
 //! A linear model as JSON: a matrix is an array of its rows, each on a line.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::arrays::Array;
 
-/// An object with all keys.
-pub fn text(arrays: &[(&'static str, Array)]) -> String {
-    let members: Vec<String> =
-        arrays.iter().map(|(key, array)| format!("{}: {}", json!(key), value(array))).collect();
+/// An object with all keys, and those of another object.
+pub fn text(arrays: &[(&'static str, Array)], others: &Value) -> String {
+    let arrays = arrays.iter().map(|(key, array)| format!("{}: {}", json!(key), value(array)));
+    let others =
+        others.as_object().into_iter().flatten().map(|(key, value)| format!("{}: {value}", json!(key)));
+    let members: Vec<String> = arrays.chain(others).collect();
     format!("{{\n{}\n}}\n", members.join(",\n"))
 }
 

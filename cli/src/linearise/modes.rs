@@ -3,11 +3,11 @@
 
 use std::f64::consts::{LN_2, TAU};
 
+use flexible_aircraft::LinearModel;
 use flexible_aircraft::aircraft::TrimRole;
 use flexible_aircraft::plant::Unknown;
 use flexible_aircraft::stability::{Complex, FlightMode, FlightModes};
 use flexible_aircraft::structure::ReducedModel;
-use flexible_aircraft::{LinearModel, LinearName};
 use serde_json::{Value, json};
 
 use crate::numbers::{Plain, aligned, fixed};
@@ -22,11 +22,17 @@ const LEADS: f64 = 0.1;
 const WELL_DAMPED: f64 = 0.5;
 const FAST: f64 = 5.0;
 
+/// States on which nothing depends, which no mode has.
+const ALONE: [&str; 3] = ["position.north", "position.east", "attitude.yaw"];
+
+/// Roots at rest belong to what nothing depends on.
+const REST: f64 = 1e-6;
+
 /// Modes of a flight with what is read of them.
-pub struct Modes<'m> {
-    found: &'m FlightModes,
-    /// Names of the states that the motion has, before any reduction.
-    states: &'m [LinearName],
+pub struct Modes {
+    found: FlightModes,
+    /// Names of the states that the motion has.
+    states: Vec<String>,
     qualities: Qualities,
 }
 
@@ -61,10 +67,12 @@ impl Qualities {
     }
 }
 
-impl<'m> Modes<'m> {
+impl Modes {
     /// Of a linear model that is not reduced.
-    pub fn new(model: &ReducedModel, linear: &'m LinearModel, found: &'m FlightModes) -> Self {
-        Modes { found, states: &linear.states, qualities: Qualities::of(model, linear, found) }
+    pub fn new(model: &ReducedModel, linear: &LinearModel, found: FlightModes) -> Self {
+        let states = linear.states.iter().map(|state| state.name.clone());
+        let states = states.filter(|name| !ALONE.contains(&name.as_str())).take(found.unknowns.len());
+        Modes { states: states.collect(), qualities: Qualities::of(model, linear, &found), found }
     }
 
     /// A table of the modes, then the flying qualities; `eigenvalues` are all of the model: slow or lightly damped ones that belong to none
@@ -118,9 +126,14 @@ impl<'m> Modes<'m> {
             let at = |mode: &FlightMode| (mode.eigenvalue() - root).norm() < 1e-4 * (1.0 + root.norm());
             self.found.modes.iter().any(at)
         };
-        let is_told = |root: &Complex<f64>| damping_ratio(*root) < WELL_DAMPED || root.norm() < FAST;
-        let mut others: Vec<_> =
-            eigenvalues.iter().filter(|root| root.im >= 0.0 && is_told(root) && !is_named(root)).copied().collect();
+        let is_told = |root: &Complex<f64>| {
+            root.norm() > REST && (damping_ratio(*root) < WELL_DAMPED || root.norm() < FAST)
+        };
+        let mut others: Vec<_> = eigenvalues
+            .iter()
+            .filter(|root| root.im >= 0.0 && is_told(root) && !is_named(root))
+            .copied()
+            .collect();
         others.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
         others
     }
@@ -129,31 +142,30 @@ impl<'m> Modes<'m> {
     fn leading(&self, mode: &FlightMode) -> Vec<String> {
         let unknowns = self.found.unknowns.iter().zip(&mode.participations);
         let share = |coordinate: usize| -> f64 {
-            let is_of = |unknown: &Unknown| {
-                matches!(unknown, Unknown::Coordinate(other) | Unknown::CoordinateRate(other) if *other == coordinate)
-            };
+            let is_of = |unknown: &Unknown| matches!(unknown, Unknown::Coordinate(other) | Unknown::CoordinateRate(other) if *other == coordinate);
             unknowns.clone().filter(|(unknown, _)| is_of(unknown)).map(|(_, share)| share).sum()
         };
-        let coordinates = self.found.unknowns.iter().enumerate().filter_map(|(place, unknown)| match unknown {
-            Unknown::Coordinate(coordinate) => Some((place, *coordinate)),
-            _ => None,
-        });
+        let coordinates =
+            self.found.unknowns.iter().enumerate().filter_map(|(place, unknown)| match unknown {
+                Unknown::Coordinate(coordinate) => Some((place, *coordinate)),
+                _ => None,
+            });
         let mut leading: Vec<(f64, usize)> = coordinates
             .map(|(place, coordinate)| (share(coordinate), place))
             .filter(|(share, _)| *share > LEADS)
             .collect();
         leading.sort_by(|a, b| b.0.total_cmp(&a.0));
         leading.truncate(2);
-        leading.into_iter().map(|(_, place)| self.states[place].name.clone()).collect()
+        leading.into_iter().map(|(_, place)| self.states[place].clone()).collect()
     }
 
     /// As they stand in a JSON file.
     pub fn json(&self) -> Value {
         let mode = |mode: &FlightMode| {
             let root = mode.eigenvalue();
-            let names = self.states.iter().map(|state| state.name.clone());
+            let shares = self.states.iter().zip(&mode.participations);
             let participations: serde_json::Map<String, Value> =
-                names.zip(&mode.participations).map(|(name, share)| (name, json!(share))).collect();
+                shares.map(|(name, share)| (name.clone(), json!(share))).collect();
             json!({
                 "name": mode.name.to_string(),
                 "family": family(mode),

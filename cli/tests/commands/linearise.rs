@@ -6,8 +6,8 @@ use serde_json::Value;
 
 use crate::support::{names, run, text, workspace};
 
-const FILES: [&str; 12] =
-    ["A", "B", "Bd", "C", "D", "Dd", "linear.json", "linear.mat", "linear.npz", "u", "x", "y"];
+const FILES: [&str; 13] =
+    ["A", "B", "Bd", "C", "D", "Dd", "linear.json", "linear.mat", "linear.npz", "modes", "u", "x", "y"];
 
 /// All formats of a small model of the jet.
 fn linearise(folder: &Path, output: &str) -> String {
@@ -111,7 +111,19 @@ fn a_turn_is_linearised_and_what_cannot_be_is_refused() {
         ("--set elevator=1", "--set elevator=1: "),
         ("--set condition.manoeuvre=turn", "condition.bank_angle: found 0, allowed is an angle other than 0"),
         ("--format xls", "invalid value 'xls'"),
-        ("--inflow half", "invalid value 'half'"),
+        (
+            "--inflow half",
+            "invalid value 'half' for '--inflow <keep|steady|balanced:N>': allowed are keep, steady and balanced:N",
+        ),
+        ("--modes 2 --set inflow_states=1 --inflow balanced:3", "--inflow balanced:3: allowed are 4 to "),
+        (
+            "--modes 2 --set inflow_states=1 --inflow balanced:600",
+            "4 of the 112 roots are slow or do not decay",
+        ),
+        (
+            "--all-states --set condition.manoeuvre=turn --set condition.bank_angle=0.5",
+            "condition.manoeuvre: found turn, allowed is straight or pull_up for a linear model with all states",
+        ),
     ] {
         let failed = run(folder.path(), &format!("linearise {} {options} --output out", jet.display()));
         let errors = text(&failed.stderr);
@@ -155,5 +167,124 @@ fn a_gust_at_planes_is_an_input_and_where_they_are_is_said() {
         let failed = run(folder.path(), &format!("linearise --gust-stations {wrong} --output wrong"));
         let errors = text(&failed.stderr);
         assert!(errors.contains("allowed is 0 for none, or 2 to 1000"), "{errors}");
+    }
+}
+
+/// The keys of JSON that hold texts.
+fn texts(json: &Value, key: &str) -> Vec<String> {
+    json[key].as_array().unwrap().iter().map(|text| text.as_str().unwrap().to_owned()).collect()
+}
+
+fn json(folder: &Path, options: &str) -> (String, Value) {
+    let found = run(folder, &format!("linearise --modes 2 --set inflow_states=1 {options} --output out"));
+    assert!(found.status.success(), "{}", text(&found.stderr));
+    let file = std::fs::read(folder.join("out").join(file("linear.json"))).unwrap();
+    (text(&found.stdout), serde_json::from_slice(&file).unwrap())
+}
+
+#[test]
+fn a_reduced_model_has_its_own_states_a_bound_and_no_rate_of_the_wind_on_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let options = "--inflow balanced:30 --set actuator.elevator.frequency=40 --all-states";
+    let (printed, reduced) = json(folder.path(), options);
+    // Height, spiral, phugoid, position and heading, drift.
+    for part in ["30 of 120 states are left, 10 of which are split off", "outputs are wrong by at most "] {
+        assert!(printed.contains(part), "{part}: {printed}");
+    }
+    let states = texts(&reduced, "x_names");
+    assert_eq!((states.len(), &*states[0], &*states[29]), (30, "reduced[1]", "reduced[30]"));
+    let rows = reduced["Bd"].as_array().unwrap().iter();
+    assert!(rows.flat_map(|row| row.as_array().unwrap()).all(|entry| entry.as_f64() == Some(0.0)));
+    let (_, again) = json(folder.path(), options);
+    assert!(again == reduced);
+}
+
+#[test]
+fn inputs_of_controls_are_those_without_the_air_and_all_states_are_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, controls) = json(folder.path(), "--inputs controls --all-states");
+    let expected = ["elevator", "aileron", "aileron_symmetric", "rudder", "thrust_left", "thrust_right"];
+    assert_eq!(texts(&controls, "u_names"), expected);
+    assert_eq!(
+        (controls["u0"].as_array().unwrap().len(), controls["D"][0].as_array().unwrap().len()),
+        (6, 6)
+    );
+    let states = texts(&controls, "x_names");
+    assert_eq!(states[..3], ["position.north", "position.east", "position.down"]);
+    assert_eq!((&*states[5], &*states[states.len() - 1]), ("attitude.yaw", "drift.down"));
+    // ψ̇ = ω_z/cos θ in level flight.
+    let pitch = controls["x0"][4].as_f64().unwrap();
+    let column = states.iter().position(|name| name == "rate.z").unwrap();
+    assert!((controls["A"][5][column].as_f64().unwrap() * pitch.cos() - 1.0).abs() < 1e-8);
+}
+
+#[test]
+fn a_wing_in_a_tunnel_whose_roots_all_decay_fast_is_reduced_and_one_that_nothing_moves_is_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let wing = workspace("aircraft/very-flexible-wing.toml");
+    let reduce = |options: &str| {
+        run(
+            folder.path(),
+            &format!("linearise {} --inflow balanced:20 {options} --output out", wing.display()),
+        )
+    };
+    let found = reduce("");
+    let printed = text(&found.stdout);
+    assert!(found.status.success() && printed.contains("20 of 104 states are left, 0 of which"), "{printed}");
+    let still = text(&reduce("--inputs controls").stderr);
+    assert!(still.contains("--inflow balanced:20: no input moves"), "{still}");
+}
+
+#[test]
+fn modes_are_told_by_name_with_flying_qualities_and_stand_in_the_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let (printed, json) = json(folder.path(), "--format json,csv");
+    for name in ["phugoid", "short period", "Dutch roll", "elastic 2"] {
+        assert!(printed.contains(name), "{name}: {printed}");
+    }
+    assert!(printed.contains("n/α: ") && printed.contains("led by"), "{printed}");
+    let modes = json["modes"].as_array().unwrap();
+    let named = |name: &str| modes.iter().find(|mode| mode["name"] == name).unwrap();
+    assert_eq!(
+        (named("roll")["family"].as_str(), named("phugoid")["family"].as_str()),
+        (Some("antisymmetric"), Some("symmetric"))
+    );
+    let phugoid = named("phugoid")["eigenvalue"][1].as_f64().unwrap();
+    assert!((0.1..0.13).contains(&phugoid), "{phugoid}");
+    assert!(named("short period")["participations"]["rate.y"].as_f64().unwrap() > 0.1);
+    assert!(json["flying_qualities"]["load_factor_per_alpha"].as_f64().unwrap() > 5.0);
+    let table = std::fs::read_to_string(folder.path().join("out").join(file("modes"))).unwrap();
+    assert!(
+        table.contains(&format!("phugoid,symmetric,")) && table.lines().count() == 1 + modes.len(),
+        "{table}"
+    );
+}
+
+#[test]
+fn modes_are_followed_over_airspeed() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = "linearise --modes 2 --set inflow_states=1 --speed 120:140:3 --output out";
+    let found = run(folder.path(), line);
+    assert!(found.status.success(), "{}", text(&found.stderr));
+    let table = std::fs::read_to_string(folder.path().join("out").join(file("locus"))).unwrap();
+    let frequencies: Vec<f64> = table
+        .lines()
+        .filter(|line| line.contains(",short period,"))
+        .map(|line| line.split(',').nth(4).unwrap().parse().unwrap())
+        .collect();
+    assert!(frequencies.len() == 3 && frequencies.is_sorted(), "{table}");
+    let drawing = std::fs::read_to_string(folder.path().join("out/generic-business-jet-locus.svg")).unwrap();
+    assert!(drawing.contains("Dutch roll") && drawing.contains("elastic 1"));
+    for (options, reason) in [
+        ("--speed 120", "allowed are at least two ascending airspeeds"),
+        ("--speed 140,120", "allowed are at least two ascending airspeeds"),
+        ("--speed 120:140:3 --format csv", "cannot be used with"),
+        ("--speed 120:140:3 --inflow balanced:20", "--inflow balanced:20: found with --speed"),
+        ("--speed 1:2:2", "no trim"),
+    ] {
+        let failed = run(folder.path(), &format!("linearise --modes 2 {options} --output wrong"));
+        let errors = text(&failed.stderr);
+        assert!(!failed.status.success() && errors.contains(reason), "{options}: {errors}");
+        assert!(!folder.path().join("wrong").exists(), "{options}");
     }
 }

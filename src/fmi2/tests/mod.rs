@@ -10,6 +10,7 @@ mod initial_derivatives;
 mod input_rates;
 mod instantiation;
 mod life_cycle;
+mod linear_model;
 mod load_modes;
 mod mutated;
 mod random;
