@@ -86,6 +86,11 @@ impl Track {
         Track { along, origin: *position, speed, aircraft }
     }
 
+    /// e.
+    pub(crate) fn along(&self) -> Vector3<f64> {
+        self.along
+    }
+
     /// How fast the aircraft goes along it, m/s.
     pub(crate) fn speed(&self) -> f64 {
         self.speed

@@ -30,7 +30,8 @@ pub(super) fn encounter(
 pub(crate) struct Way {
     /// On which it begins.
     pub track: Track,
-    /// By how much the foremost and the last point of any strip are ahead of O on the undeformed aircraft, m.
+    /// Between which distances ahead of O all strips are, m, the foremost first: the undeformed aircraft, whether its first axis
+    /// is along the track or as trimmed.
     pub ends: [f64; 2],
 }
 
@@ -50,33 +51,30 @@ pub(crate) fn way(model: &ReducedModel, settings: &Settings, plant: &Plant, trim
             attitude.body_from_inertial * Vector3::x(),
         ),
     };
-    let extent = extent(model, &ahead);
-    Way { track: Track::new(&position, &velocity, extent), ends: [extent.nose, tail(model, &ahead)] }
+    let track = Track::new(&position, &velocity, extent(model, &ahead));
+    let [[nose, tail], [foremost, last]] =
+        [ahead, attitude.body_from_inertial * track.along()].map(|ahead| edges(model, &ahead));
+    Way { track, ends: [nose.max(foremost), tail.min(last)] }
 }
 
-/// By how much the last trailing edge of any strip is ahead of O, in a direction of body axes, on the undeformed aircraft, m.
-fn tail(model: &ReducedModel, ahead: &Vector3<f64>) -> f64 {
-    let edges = model.strips.iter().map(|strip| {
-        let chordwise = strip.forward * (strip.elastic_axis_aft_of_midchord - strip.semichord);
+/// By how much the foremost leading and the last trailing edge of any strip are ahead of O, in a direction of body axes, on the
+/// undeformed aircraft, m.
+fn edges(model: &ReducedModel, ahead: &Vector3<f64>) -> [f64; 2] {
+    let edge = |strip: &ReducedStrip, semichords: f64| {
+        let chordwise = strip.forward * (strip.elastic_axis_aft_of_midchord + semichords * strip.semichord);
         ahead.dot(&(strip.position + chordwise))
-    });
-    edges.reduce(f64::min).unwrap_or(0.0)
+    };
+    let all = |semichords: f64| model.strips.iter().map(move |strip| edge(strip, semichords));
+    [all(1.0).reduce(f64::max).unwrap_or(0.0), all(-1.0).reduce(f64::min).unwrap_or(0.0)]
 }
 
 /// How far an aircraft reaches, `ahead` in a direction of body axes; no strip is ever twice as far from O as on the undeformed
 /// aircraft.
 fn extent(model: &ReducedModel, ahead: &Vector3<f64>) -> Extent {
-    let edges = model.strips.iter().map(|strip| {
-        let chordwise = strip.forward * (strip.elastic_axis_aft_of_midchord + strip.semichord);
-        ahead.dot(&(strip.position + chordwise))
-    });
     let reach = |strip: &ReducedStrip| {
         2.0 * strip.position.norm() + strip.elastic_axis_aft_of_midchord.abs() + strip.semichord
     };
-    Extent {
-        nose: edges.reduce(f64::max).unwrap_or(0.0),
-        reach: model.strips.iter().map(reach).fold(0.0, f64::max),
-    }
+    Extent { nose: edges(model, ahead)[0], reach: model.strips.iter().map(reach).fold(0.0, f64::max) }
 }
 
 #[cfg(test)]
@@ -89,11 +87,11 @@ mod tests {
         // From an independent computation: 10.4143 m before O.
         let Extent { nose, reach } = extent(jet(), &Vector3::x());
         assert!((nose - 10.4143).abs() < 5e-5 && reach > nose, "{nose} {reach}");
-        // Its last trailing edges are those of the tail, some 15 m behind O.
-        let last = tail(jet(), &Vector3::x());
-        let trailing = |strip: &ReducedStrip| {
-            (strip.position + strip.forward * (strip.elastic_axis_aft_of_midchord - strip.semichord)).x
-        };
-        assert!(jet().strips.iter().all(|strip| trailing(strip) >= last) && last < -5.0, "{last}");
+        // Its last trailing edge is that of the fin's tip, which goes back as the nose goes up.
+        let [level, pitched] = [0.0, 0.15].map(|pitch: f64| {
+            let (sin, cos) = libm::sincos(pitch);
+            edges(jet(), &Vector3::new(cos, 0.0, sin))[1]
+        });
+        assert!(pitched < level - 0.2 && level < -10.0, "{level} {pitched}");
     }
 }
