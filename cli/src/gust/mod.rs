@@ -10,8 +10,8 @@ use flexible_aircraft_packaging::FileError;
 
 use crate::files::{Drafts, Overwriting, refuse_overwriting};
 use crate::flown::{self, FlownOptions, seconds, trimmed};
+use crate::gust_flights::{Failures, GustFlights, TooManyLooks};
 use crate::simulate::schedule::Schedule;
-use crate::sweep::{Failures, Sweep, TooManyLooks};
 use crate::watched::{NoSuchOutput, Watched, is_part};
 use crate::{diagnostics, terminal, workspace};
 
@@ -103,14 +103,14 @@ pub fn run(options: &GustOptions) -> Result<(), Error> {
     let cases = options.gusts.cases(&settings, &options.flown.set, options.duration)?;
     let watched = watched(&options.output_names, &variables)?;
     let schedule = Schedule::hands_off(options.duration);
-    let sweep = Sweep::new(&model, &settings, &schedule, options.step);
-    sweep.check(cases.len())?;
+    let gust_flights = GustFlights::new(&model, &settings, &schedule, options.step);
+    gust_flights.check(cases.len())?;
     let trim = found::values(&mut trimmed(&model, &settings, 0.0)?, &watched);
     if let Some(warning) = set::cut_off(&cases, &settings, options.duration) {
         diagnostics::warn(&warning);
     }
     let began = Instant::now();
-    let (flights, failures) = fly(&sweep, &cases, &watched);
+    let (flights, failures) = fly(&gust_flights, &cases, &watched);
     let found = Found { trim, flights };
     if let Some(failures) = failures.as_ref().filter(|_| found.flights.is_empty()) {
         return Err(failures.clone().into());
@@ -142,9 +142,13 @@ fn is_usual(name: &str) -> bool {
 }
 
 /// What each gust did to the watched outputs, and which could not be flown to the end.
-fn fly(sweep: &Sweep<'_>, cases: &[Case], watched: &[Watched]) -> (Vec<Flown>, Option<Failures>) {
+fn fly(
+    gust_flights: &GustFlights<'_>,
+    cases: &[Case],
+    watched: &[Watched],
+) -> (Vec<Flown>, Option<Failures>) {
     let gusts: Vec<_> = cases.iter().map(|case| case.gust).collect();
-    let flown = sweep.fly(
+    let flown = gust_flights.fly(
         &gusts,
         |number| Flown::begin(cases[number], watched),
         |flown, time, flight| flown.look(time, flight, watched),
