@@ -1,4 +1,4 @@
-//! Numbers along an axis as they are written on the command line: one, a list, or a range.
+//! Numbers along an axis as they are written on the command line or in a file: one, a list, or a range.
 
 /// A number, N,N,… or FROM:TO:COUNT with both ends, FROM ≤ TO, of at most so many finite numbers; `None` of anything else.
 pub fn numbers(text: &str, most: usize) -> Option<Vec<f64>> {
@@ -17,13 +17,18 @@ fn range(text: &str, most: usize) -> Option<Vec<f64>> {
     if parts.next().is_some() || from > to || !(1..=most).contains(&count) {
         return None;
     }
-    let last = count - 1;
+    Some(even(from, to, count))
+}
+
+/// So many numbers from one to another, both ends among them, equally far apart; one alone is the first end.
+pub fn even(from: f64, to: f64, count: usize) -> Vec<f64> {
+    let last = count.saturating_sub(1);
     let value = |place: usize| match place {
         0 => from,
         place if place == last => to,
         place => from + (to - from) * place as f64 / last as f64,
     };
-    Some((0..count).map(value).collect())
+    (0..count).map(value).collect()
 }
 
 #[cfg(test)]

@@ -1,17 +1,19 @@
-//! What a command failed of; mistakes in an aircraft file are shown with the lines they are in and carets under them.
+//! What a command failed of; mistakes in an aircraft file or in another text are shown with the lines they are in and carets under them.
 
 use std::error::Error;
 use std::io::IsTerminal;
+use std::ops::Range;
 use std::path::Path;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 
+use crate::marked::Rejected;
 use crate::terminal;
 
 /// What any command fails of, for people on a terminal.
 pub trait Report {
-    /// One block per mistake where an aircraft file is not right, a line or so otherwise.
+    /// One block per mistake where a file is not right, a line or so otherwise.
     fn report(&self) -> String;
 }
 
@@ -20,7 +22,10 @@ impl<E: Error + 'static> Report for E {
         let mut cause: Option<&(dyn Error + 'static)> = Some(self);
         while let Some(error) = cause {
             if let Some(of_file) = error.downcast_ref() {
-                return render(of_file);
+                return render_with(of_file, &renderer());
+            }
+            if let Some(rejected) = error.downcast_ref() {
+                return render_rejected(rejected, &renderer());
             }
             cause = error.source();
         }
@@ -29,9 +34,8 @@ impl<E: Error + 'static> Report for E {
 }
 
 /// Coloured on a terminal.
-fn render(error: &AircraftFileError) -> String {
-    let coloured = std::io::stderr().is_terminal();
-    render_with(error, &if coloured { Renderer::styled() } else { Renderer::plain() })
+fn renderer() -> Renderer {
+    if std::io::stderr().is_terminal() { Renderer::styled() } else { Renderer::plain() }
 }
 
 /// Reads an aircraft file, and warns of what makes its trims odd.
@@ -59,15 +63,34 @@ fn render_with(error: &AircraftFileError, renderer: &Renderer) -> String {
                 let title = format!("{}: {}", diagnostic.field, diagnostic.found);
                 // Lines to paste stand by themselves below.
                 let (label, lines) = diagnostic.allowed.split_once('\n').unwrap_or((&diagnostic.allowed, ""));
-                let place = AnnotationKind::Primary.span(diagnostic.span.clone()).label(label);
-                let snippet = Snippet::source(text.as_str()).path(file_name.as_str()).annotation(place);
-                let report = renderer.render(&[Level::ERROR.primary_title(title).element(snippet)]);
+                let report = block(renderer, (file_name, text), &diagnostic.span, (&title, label));
                 if lines.is_empty() { report } else { format!("{report}\n{}", lines.trim_end()) }
             });
             blocks.collect::<Vec<_>>().join("\n\n")
         }
         _ => format!("error: {error}"),
     }
+}
+
+fn render_rejected(rejected: &Rejected, renderer: &Renderer) -> String {
+    let Rejected { file_name, text, mistakes } = rejected;
+    let blocks = mistakes.iter().map(|mistake| {
+        let title = format!("{}: {}", mistake.field, mistake.found);
+        block(renderer, (file_name, text), &mistake.span, (&title, &mistake.allowed))
+    });
+    blocks.collect::<Vec<_>>().join("\n\n")
+}
+
+/// A title, the lines of a file with a place, and a label under it.
+fn block(
+    renderer: &Renderer,
+    (file_name, text): (&str, &str),
+    span: &Range<usize>,
+    (title, label): (&str, &str),
+) -> String {
+    let place = AnnotationKind::Primary.span(span.clone()).label(label);
+    let snippet = Snippet::source(text).path(file_name).annotation(place);
+    renderer.render(&[Level::ERROR.primary_title(title).element(snippet)])
 }
 
 #[cfg(test)]

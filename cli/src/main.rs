@@ -21,10 +21,12 @@ mod files;
 mod flown;
 mod flutter;
 mod gust;
+mod gust_flights;
 mod linearise;
 mod loads;
 mod manoeuvre;
 mod mark_labels;
+mod marked;
 mod merge;
 mod numbers;
 mod package;
@@ -78,6 +80,9 @@ enum Command {
 
     /// Find what sections of the airframe carry in a manoeuvre or in gusts: envelopes, tables and plots
     Loads(loads::LoadsOptions),
+
+    /// Fly many points over parameters of the FMU and of the aircraft, on a grid or at random, and keep numbers of each (Parquet)
+    Sweep(sweep::SweepOptions),
 
     /// Measure how fast a packaged aircraft flies, how exact it is then, and what it costs to make it larger
     Bench(bench::BenchOptions),
@@ -197,6 +202,7 @@ fn main() -> ExitCode {
         Command::Converge(options) => converge::run(&options).map_err(|error| error.report()),
         Command::Gust(options) => gust::run(&options).map_err(|error| error.report()),
         Command::Loads(options) => loads::run(&options).map_err(|error| error.report()),
+        Command::Sweep(options) => sweep::run(&options).map_err(|error| error.report()),
         Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
         Command::Ssp(options) => ssp::run(&options).map_err(|error| error.report()),
         Command::Completions(options) => {

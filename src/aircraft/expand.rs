@@ -11,7 +11,9 @@ use super::error::{Place, Problem, Report};
 use super::geometry::{Line, Side};
 use super::law::Laws;
 use super::masses::{self, LocatedBay};
-use super::model::{Aircraft, Attachment, Beam, Component, Engine, Flap, MassBay, Station, Strip};
+use super::model::{
+    Aircraft, Attachment, Beam, Component, Engine, Flap, MassBay, MassGroup, Station, Strip, WrittenComponent,
+};
 use super::schema::{
     Along, ComponentSpec, ControlSpec, EngineSpec, FileSpec, Hand, MoveSpec, ParentSpec, StationSpec,
 };
@@ -33,6 +35,8 @@ struct Part<'s> {
     line: Line,
     beams: Vec<Beam>,
     bays: Vec<LocatedBay>,
+    /// Name of each group of bays, and how many it has, in their order.
+    groups: Vec<(String, usize)>,
     strips: Vec<PartStrip<'s>>,
 }
 
@@ -73,6 +77,7 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
             engines: Vec::new(),
             stations: Vec::new(),
             components: Vec::new(),
+            written: Vec::new(),
             cuts: Vec::new(),
         },
         beam_places: Vec::new(),
@@ -80,6 +85,7 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
     };
     let mut placed = Vec::new();
     for part in &parts {
+        let first_bay = assembly.aircraft.bays.len();
         let (name, mirror) = (&part.spec.name, part.spec.mirror.as_ref());
         let root = root(part.spec, Side::AsWritten, &placed, &assembly, report);
         let partner = mirror.map(|mirror| mirror.value.as_str());
@@ -92,6 +98,9 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
         });
         placed.push(as_written);
         placed.extend(image);
+        let groups = part.groups(first_bay, 1 + usize::from(partner.is_some()));
+        let image = partner.map(str::to_owned);
+        assembly.aircraft.written.push(WrittenComponent { name: name.value.clone(), image, groups });
     }
     let engines = file.engines.iter().filter_map(|spec| engine(spec, &placed, report)).collect();
     assembly.aircraft.engines = engines;
@@ -112,9 +121,13 @@ fn build<'s>(spec: &'s ComponentSpec, report: &Report) -> Option<Part<'s>> {
     let beams = beams(spec, &line, &laws);
     let mut bays = Some(Vec::new());
     let mut strips = Some(Vec::new());
+    let mut groups = Vec::new();
+    let named = |field: &'static str| (1..).map(move |number| format!("{field}[{number}]"));
     let distributed = spec.distributed_masses.iter().map(|mass| masses::distributed(mass, &line, &laws));
     let at_points = spec.point_masses.iter().map(|mass| masses::at_points(mass, &line, report));
-    for more in distributed.chain(at_points) {
+    let of_groups = named("distributed_mass").zip(distributed).chain(named("point_masses").zip(at_points));
+    for (name, more) in of_groups {
+        groups.push((name, more.as_ref().map_or(0, Vec::len)));
         bays = extended(bays, more);
     }
     if !surfaces::do_not_overlap(&spec.surfaces, &line, report) {
@@ -123,7 +136,22 @@ fn build<'s>(spec: &'s ComponentSpec, report: &Report) -> Option<Part<'s>> {
     for surface in &spec.surfaces {
         strips = extended(strips, surfaces::strips(surface, &line, &laws));
     }
-    Some(Part { spec, beams: beams?, bays: bays?, strips: strips?, line })
+    Some(Part { spec, beams: beams?, bays: bays?, groups, strips: strips?, line })
+}
+
+impl Part<'_> {
+    /// The groups of the part's bays, which it has so many times among those of the aircraft, from a first on.
+    fn groups(&self, first_bay: usize, times: usize) -> Vec<MassGroup> {
+        let mut begin = first_bay;
+        let group = |(name, count): &(String, usize)| {
+            let of_time =
+                |time: usize| begin + time * self.bays.len()..begin + time * self.bays.len() + count;
+            let bays = (0..times).flat_map(of_time).collect();
+            begin += count;
+            MassGroup { name: name.clone(), bays }
+        };
+        self.groups.iter().map(group).collect()
+    }
 }
 
 /// Both lists after one another, when both could be made.

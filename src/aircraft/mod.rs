@@ -15,6 +15,7 @@
 //! | `components` | a name | the component that has it |
 //! | `cuts` | [`Aircraft`] | where it is cut in thought, what is outboard of a cut |
 //! | `stations_along` | [`Aircraft`] | stations that no file lists |
+//! | `factors` | [`Aircraft`] | the same with other stiffnesses and masses |
 //! | `fidelity` | | at which levels an aircraft can fly |
 //! | `flap` | | what a flap does to its section |
 //! | `branches` | the tree of beams | what is the mirror image of what |
@@ -38,6 +39,7 @@ mod cuts;
 mod document;
 mod error;
 mod expand;
+mod factors;
 mod fidelity;
 mod flap;
 mod former;
@@ -67,12 +69,13 @@ pub use control::{Control, Mirroring, TrimRole};
 #[cfg(test)]
 pub(crate) use control_check::{TAKEN, TAKEN_BY_TRIM};
 pub use error::{AircraftFileError, Diagnostic, Problem, looked_for};
+pub use factors::{Factor, FactorOutOfRange};
 pub use fidelity::Fidelity;
 pub use flap::FlapEffect;
 pub use limits::{Bound, Bounds, Limits};
 pub use model::{
     AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Component, Cut, Engine, Flap, MOST_INFLOW_STATES,
-    MassBay, ModeBasis, Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
+    MassBay, MassGroup, ModeBasis, Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir, WrittenComponent,
 };
 pub use stations_along::StationsAlongError;
 pub(crate) use surfaces::CROSSING;

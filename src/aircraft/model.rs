@@ -113,6 +113,8 @@ pub struct Aircraft {
     pub stations: Vec<Station>,
     /// What of it hangs on what.
     pub components: Vec<Component>,
+    /// What each component of the file has become.
+    pub written: Vec<WrittenComponent>,
     /// Where section loads are outputs.
     pub cuts: Vec<Cut>,
 }
@@ -233,6 +235,26 @@ pub struct Component {
     pub first_beam: usize,
     /// Which component it hangs on and at which of that one's nodes, counted from its root; `None`: at O.
     pub parent: Option<(usize, usize)>,
+}
+
+/// What a component of the file has become: itself and its mirror image.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WrittenComponent {
+    /// As the file names it.
+    pub name: String,
+    /// The name of its mirror image, if it has one.
+    pub image: Option<String>,
+    /// Its masses, in the order of the file.
+    pub groups: Vec<MassGroup>,
+}
+
+/// The bays of one table of masses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MassGroup {
+    /// Of the table, counted within its component: `distributed_mass[1]`, `point_masses[2]`.
+    pub name: String,
+    /// Among [`Aircraft::bays`], those of the mirror image too.
+    pub bays: Vec<usize>,
 }
 
 /// A node of a component at which the airframe is cut in thought, to sum what acts outboard of it.

@@ -1,8 +1,6 @@
 //! Noise that has no memory: the number of a channel's sample decides it [theory: sensors.noise].
 
-use std::f64::consts::TAU;
-
-use crate::math::{GOLDEN, unit_number};
+use crate::math::{GOLDEN, normal_number};
 
 /// Normally distributed numbers of one channel, of mean 0 and variance 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,11 +16,7 @@ impl Noise {
 
     /// The number of a sample, counted from 0.
     pub fn number(self, sample: u64) -> f64 {
-        let first = self.base.wrapping_add(sample.wrapping_mul(2));
-        // Never 0, of which there is no logarithm.
-        let radius = unit_number(first) + 0.5 * f64::EPSILON;
-        let turn = unit_number(first.wrapping_add(1));
-        libm::sqrt(-2.0 * libm::log(radius)) * libm::cos(TAU * turn)
+        normal_number(self.base.wrapping_add(sample.wrapping_mul(2)))
     }
 }
 

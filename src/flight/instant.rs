@@ -22,7 +22,7 @@ pub struct Instant {
 
 /// A part of what is read at an instant, by the work that it takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub enum Part {
     /// Known since the beginning.
     Trim,
     /// What control laws read at every step.
@@ -37,11 +37,11 @@ pub(crate) enum Part {
 
 /// Some parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Parts {
-    pub usual: bool,
-    pub further: bool,
-    pub sensors: bool,
-    pub section_loads: bool,
+pub struct Parts {
+    pub(super) usual: bool,
+    pub(super) further: bool,
+    pub(super) sensors: bool,
+    pub(super) section_loads: bool,
 }
 
 /// How much of what is read is that of the present under the present inputs.
@@ -55,9 +55,10 @@ pub(super) enum Freshness {
 
 impl Parts {
     /// The outputs of the aircraft without section loads.
-    pub const OUTPUTS: Parts = Parts { usual: true, further: true, sensors: false, section_loads: false };
+    pub(super) const OUTPUTS: Parts =
+        Parts { usual: true, further: true, sensors: false, section_loads: false };
     /// All but section loads.
-    pub const INSTANT: Parts = Parts { sensors: true, ..Parts::OUTPUTS };
+    pub(super) const INSTANT: Parts = Parts { sensors: true, ..Parts::OUTPUTS };
 
     /// These and one more.
     pub fn and(mut self, part: Part) -> Self {
@@ -69,6 +70,12 @@ impl Parts {
             Part::SectionLoads => self.section_loads = true,
         }
         self
+    }
+}
+
+impl FromIterator<Part> for Parts {
+    fn from_iter<I: IntoIterator<Item = Part>>(parts: I) -> Self {
+        parts.into_iter().fold(Parts::default(), Parts::and)
     }
 }
 

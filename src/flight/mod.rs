@@ -29,10 +29,7 @@ pub use channels::{Channel, NoiseKind};
 pub(crate) use encounter::{Way, way};
 pub use error::SimulationError;
 pub use inputs::Inputs;
-pub use instant::Instant;
-pub(crate) use instant::Part;
-#[cfg(feature = "fmi")]
-pub(crate) use instant::Parts;
+pub use instant::{Instant, Part, Parts};
 pub use moment::{LATEST, LONGEST_STEP, resolution};
 pub use neighbours::Neighbours;
 pub use per_part::PerPart;

@@ -32,8 +32,8 @@ impl Simulation {
     }
 
     /// The same of some parts, with no more work than they take; other parts may be those of some instant before, and the
-    /// calibrated airspeed may be 0.
-    pub(crate) fn instant_of(&mut self, parts: Parts) -> &Instant {
+    /// calibrated airspeed may be 0. Which part an output is in says [`OutputSlot::part`](crate::variables::OutputSlot::part).
+    pub fn instant_of(&mut self, parts: Parts) -> &Instant {
         if parts.section_loads {
             return self.instant_with_loads();
         }

@@ -1,5 +1,7 @@
 //! Numbers that look random and are functions of their place alone: SplitMix64 [theory: gusts.realisation].
 
+use std::f64::consts::TAU;
+
 /// What SplitMix64 adds before it mixes.
 pub const GOLDEN: u64 = 0x9E37_79B9_7F4A_7C15;
 
@@ -15,6 +17,14 @@ pub fn mix(place: u64) -> u64 {
 pub fn unit_number(place: u64) -> f64 {
     const STEP: f64 = 1.0 / (1_u64 << 53) as f64;
     (mix(place) >> 11) as f64 * STEP
+}
+
+/// Normally distributed with mean 0 and variance 1, of a place and the next (G. E. P. Box, M. E. Muller).
+pub fn normal_number(place: u64) -> f64 {
+    // Never 0, of which there is no logarithm.
+    let radius = unit_number(place) + 0.5 * f64::EPSILON;
+    let turn = unit_number(place.wrapping_add(1));
+    libm::sqrt(-2.0 * libm::log(radius)) * libm::cos(TAU * turn)
 }
 
 #[cfg(test)]

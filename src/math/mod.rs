@@ -25,6 +25,7 @@ pub(crate) use lane_vectors::{Arrow, EightVectors, LaneVector, PlaneVector};
 pub(crate) use lanes::{AlignedNumbers, Eight, LANES, Lanes, Window, zeros};
 pub(crate) use linear_solve::{LinearSystem, solve};
 pub(crate) use magnitudes::{ROUNDING, are_alike, largest};
-pub(crate) use mix::{GOLDEN, unit_number};
+pub(crate) use mix::GOLDEN;
+pub use mix::{mix, normal_number, unit_number};
 pub(crate) use rotation::{PlaneRotation, Rotation};
 pub(crate) use square_matrix::{SPARE, SquareMatrix};

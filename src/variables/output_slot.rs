@@ -119,7 +119,7 @@ pub enum OutputSlot {
 
 impl OutputSlot {
     /// The part of what is read at an instant that it is in.
-    pub(crate) fn part(self) -> Part {
+    pub fn part(self) -> Part {
         match self {
             OutputSlot::Position(_)
             | OutputSlot::Attitude(_)

@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import pyarrow.parquet
 import pytest
 
 ROOT = Path(__file__).parents[2]
@@ -73,6 +74,22 @@ def linearise():
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
 
     return linearise
+
+
+@pytest.fixture(scope="session")
+def sweep(tmp_path_factory):
+    """A function that runs `flexair sweep` with the text of a sweep file: its table."""
+    program = os.environ.get("FLEXAIR", ROOT / "target/release/flexair")
+
+    def sweep(text):
+        folder = tmp_path_factory.mktemp("sweep")
+        file, output = folder / "sweep.toml", folder / "out"
+        file.write_text(text, encoding="utf-8")
+        swept = subprocess.run([program, "sweep", file, "--output", output], capture_output=True, encoding="utf-8")
+        assert swept.returncode == 0, swept.stderr
+        return pyarrow.parquet.read_table(sorted(output.glob("part-*.parquet")))
+
+    return sweep
 
 
 @pytest.fixture(scope="session")

@@ -86,6 +86,7 @@ impl Cantilever {
             engines: Vec::new(),
             stations: Vec::new(),
             components: Vec::new(),
+            written: Vec::new(),
             cuts: Vec::new(),
         }
     }

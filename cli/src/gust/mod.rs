@@ -13,8 +13,8 @@ use flexible_aircraft_packaging::FileError;
 
 use crate::files::{Drafts, Overwriting, refuse_overwriting};
 use crate::flown::{self, FlownOptions, seconds, trimmed};
+use crate::gust_flights::{Failures, GustFlights, TooManyLooks};
 use crate::simulate::schedule::Schedule;
-use crate::sweep::{Failures, Sweep, TooManyLooks};
 use crate::watched::{NoSuchOutput, Watched, is_part};
 use crate::{diagnostics, terminal, workspace};
 
@@ -152,14 +152,14 @@ impl GustOptions {
         watched: &[Watched],
     ) -> Result<(Written, Option<Failures>), Error> {
         let schedule = Schedule::hands_off(self.duration);
-        let sweep = Sweep::new(model, settings, &schedule, self.step);
-        sweep.check(cases.len())?;
+        let gust_flights = GustFlights::new(model, settings, &schedule, self.step);
+        gust_flights.check(cases.len())?;
         let trim = found::values(&mut trimmed(model, settings, 0.0)?, watched);
         if let Some(warning) = set::cut_off(cases, settings, self.duration) {
             diagnostics::warn(&warning);
         }
         let began = Instant::now();
-        let (flights, failures) = fly(&sweep, cases, watched);
+        let (flights, failures) = fly(&gust_flights, cases, watched);
         let found = Found { trim, flights };
         if let Some(failures) = failures.as_ref().filter(|_| found.flights.is_empty()) {
             return Err(failures.clone().into());
@@ -188,9 +188,13 @@ fn is_usual(name: &str) -> bool {
 }
 
 /// What each gust did to the watched outputs, and which could not be flown to the end.
-fn fly(sweep: &Sweep<'_>, cases: &[Case], watched: &[Watched]) -> (Vec<Flown>, Option<Failures>) {
+fn fly(
+    gust_flights: &GustFlights<'_>,
+    cases: &[Case],
+    watched: &[Watched],
+) -> (Vec<Flown>, Option<Failures>) {
     let gusts: Vec<_> = cases.iter().map(|case| case.gust).collect();
-    let flown = sweep.fly(
+    let flown = gust_flights.fly(
         &gusts,
         |number| Flown::begin(cases[number], watched),
         |flown, time, flight| flown.look(time, flight, watched),

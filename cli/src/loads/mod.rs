@@ -14,9 +14,9 @@ use crate::chart::Chart;
 use crate::files::{Drafts, Overwriting, named, refuse_overwriting};
 use crate::flown::{self, FlownOptions, seconds, trimmed};
 use crate::gust::set::{self, GustSetOptions};
+use crate::gust_flights::{Failures, GustFlights, TooManyLooks};
 use crate::simulate;
 use crate::simulate::schedule::{Mistake, Schedule};
-use crate::sweep::{Failures, Sweep, TooManyLooks};
 use crate::{terminal, workspace};
 
 mod cases;
@@ -169,10 +169,11 @@ fn analyse(options: &LoadsOptions, aircraft: &Aircraft) -> Result<Analysis, Erro
     let settings = options.flown.settings(&variables, &model)?;
     let schedule = schedule(options, &variables)?;
     let cases = Cases::of(options.gusts.as_ref(), &settings, &options.flown.set, schedule.duration())?;
-    let sweep = Sweep::new(&model, &settings, &schedule, options.step);
-    sweep.check(cases.gusts.len())?;
+    let gust_flights = GustFlights::new(&model, &settings, &schedule, options.step);
+    gust_flights.check(cases.gusts.len())?;
     trimmed(&model, &settings, schedule.start())?;
-    let flown = sweep.fly(&cases.gusts, |case| Carried::begin(case, model.cuts.len(), named), Carried::look);
+    let flown =
+        gust_flights.fly(&cases.gusts, |case| Carried::begin(case, model.cuts.len(), named), Carried::look);
     let (flights, failures) = Failures::part(flown, |case| cases.names[case].clone());
     if let Some(failures) = failures.as_ref().filter(|_| flights.is_empty()) {
         return Err(failures.clone().into());

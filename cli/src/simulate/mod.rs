@@ -19,7 +19,7 @@ use crate::watched::{NoSuchOutput, Watched};
 use crate::{terminal, workspace};
 
 mod flight;
-mod given;
+pub mod given;
 mod header;
 mod plot;
 pub mod schedule;

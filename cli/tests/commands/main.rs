@@ -21,4 +21,6 @@ mod simulate;
 #[cfg(test)]
 mod support;
 #[cfg(test)]
+mod sweep;
+#[cfg(test)]
 mod trim;

@@ -31,7 +31,7 @@ pub struct TooManyLooks {
 }
 
 /// What all flights have in common.
-pub struct Sweep<'s> {
+pub struct GustFlights<'s> {
     model: &'s Arc<ReducedModel>,
     settings: &'s Settings,
     schedule: &'s Schedule,
@@ -48,7 +48,7 @@ pub struct Failures {
     flights: usize,
 }
 
-impl<'s> Sweep<'s> {
+impl<'s> GustFlights<'s> {
     /// Flights that are looked at in steps, s.
     pub fn new(
         model: &'s Arc<ReducedModel>,
@@ -56,7 +56,7 @@ impl<'s> Sweep<'s> {
         schedule: &'s Schedule,
         step: f64,
     ) -> Self {
-        Sweep { model, settings, schedule, step }
+        GustFlights { model, settings, schedule, step }
     }
 
     /// Makes sure that so many flights come to an end.

@@ -1,0 +1,65 @@
+//! Mistakes in a text that somebody wrote, each with its place.
+
+use std::fmt::Write as _;
+use std::ops::Range;
+
+/// One mistake: where it is, what was found and what is allowed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mistake {
+    /// Bytes of the text to underline.
+    pub span: Range<usize>,
+    /// Dotted path, for example `vary[1].from`; list entries count from 1.
+    pub field: String,
+    pub found: String,
+    pub allowed: String,
+}
+
+/// A text that is not as it must be. Displayed as one line `file:line:column: field: found; allowed` for each mistake.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{}", self.lines())]
+pub struct Rejected {
+    /// As the user named it.
+    pub file_name: String,
+    /// The text that the spans refer to.
+    pub text: String,
+    /// At least one, in the order of the text.
+    pub mistakes: Vec<Mistake>,
+}
+
+impl Rejected {
+    fn lines(&self) -> String {
+        let mut lines = String::new();
+        for Mistake { span, field, found, allowed } in &self.mistakes {
+            let before = self.text.get(..span.start).unwrap_or_default();
+            let line = 1 + before.matches('\n').count();
+            let column = 1 + before.chars().rev().take_while(|letter| *letter != '\n').count();
+            // PROOF: a string takes every text.
+            let _ = writeln!(lines, "{}:{line}:{column}: {field}: {found}; {allowed}", self.file_name);
+        }
+        lines.trim_end().to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mistake_is_one_line_with_its_place() {
+        let mistake = |span, found: &str| Mistake {
+            span,
+            field: "run.step".to_owned(),
+            found: found.to_owned(),
+            allowed: "a number is allowed".to_owned(),
+        };
+        let rejected = Rejected {
+            file_name: "a.toml".to_owned(),
+            text: "[run]\nstep = \"ä\" # x\n".to_owned(),
+            mistakes: vec![mistake(13..17, "found a text"), mistake(0..1, "found nothing")],
+        };
+        assert_eq!(
+            rejected.to_string(),
+            "a.toml:2:8: run.step: found a text; a number is allowed\na.toml:1:1: run.step: found nothing; a number is allowed"
+        );
+    }
+}
