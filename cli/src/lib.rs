@@ -2,8 +2,8 @@
 //!
 //! One module per command; this one knows the options and nothing else.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use clap::{Arg, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use flexible_aircraft_packaging::{Platform, remove_temporary_files};
@@ -182,10 +182,27 @@ fn stop_when_asked() {
 /// What shells return for a program that Ctrl-C ended.
 const INTERRUPTED: i32 = 130;
 
-fn main() -> ExitCode {
+/// What shells take for success.
+const SUCCESS: u8 = 0;
+
+/// What they take for the failure of a command.
+const FAILURE: u8 = 1;
+
+/// What they take for a command line that is not right.
+const USAGE: u8 = 2;
+
+/// Does what a command line asks for, the program's name first, and returns what the program should end with.
+pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     stop_when_asked();
-    let matches = command_line().get_matches();
-    let command = CommandLine::from_arg_matches(&matches).unwrap_or_else(|error| error.exit()).command;
+    let matches = command_line().try_get_matches_from(arguments);
+    let command = match matches.and_then(|matches| CommandLine::from_arg_matches(&matches)) {
+        Ok(CommandLine { command }) => command,
+        Err(error) => {
+            // Nobody is left who could be told that it failed.
+            let _ = error.print();
+            return if error.use_stderr() { USAGE } else { SUCCESS };
+        }
+    };
     let outcome = match command {
         Command::Package(options) => package::run(options).map_err(|error| error.report()),
         Command::Merge(options) => merge::run(&options).map_err(|error| error.report()),
@@ -204,10 +221,10 @@ fn main() -> ExitCode {
         }
     };
     match outcome {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => SUCCESS,
         Err(report) => {
             terminal::note(&report);
-            ExitCode::FAILURE
+            FAILURE
         }
     }
 }

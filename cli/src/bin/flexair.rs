@@ -1,0 +1,7 @@
+//! The program `flexair`: the library's command line with the arguments that the shell gives.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    ExitCode::from(flexair::command(std::env::args_os()))
+}
