@@ -2,6 +2,8 @@
 
 use std::process::ExitCode;
 
+use flexair::home::Home;
+
 fn main() -> ExitCode {
-    ExitCode::from(flexair::command(std::env::args_os()))
+    ExitCode::from(flexair::command(std::env::args_os(), &Home::of_program()))
 }

@@ -1,15 +1,19 @@
 //! `flexair gust`: one 1-cosine gust after the other, the worst of each output [theory: gusts.one-minus-cosine].
 
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Instant;
 
 use clap::Args;
-use flexible_aircraft::flight::SimulationError;
+use flexible_aircraft::flight::{Settings, SimulationError};
+use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::FileError;
 
+use crate::answer::Answer;
 use crate::files::{Drafts, Overwriting, refuse_overwriting};
 use crate::flown::{self, FlownOptions, seconds, trimmed};
+use crate::progress::Audience;
 use crate::simulate::schedule::Schedule;
 use crate::sweep::{Failures, Sweep, TooManyLooks};
 use crate::watched::{NoSuchOutput, Watched, is_part};
@@ -97,25 +101,8 @@ pub fn run(options: &GustOptions) -> Result<(), Error> {
     let outputs = OUTPUTS.map(|ending| options.output.join(format!("{name}-{ending}")));
     refuse_overwriting(&outputs.each_ref().map(PathBuf::as_path), [file])?;
     let drafts = Drafts::new(outputs.iter().map(PathBuf::as_path))?;
-    let model = options.flown.reduce(&options.flown.read(file)?)?;
-    let variables = VariableTable::new(&model);
-    let settings = options.flown.settings(&variables, &model)?;
-    let cases = options.gusts.cases(&settings, &options.flown.set, options.duration)?;
-    let watched = watched(&options.output_names, &variables)?;
-    let schedule = Schedule::hands_off(options.duration);
-    let sweep = Sweep::new(&model, &settings, &schedule, options.step);
-    sweep.check(cases.len())?;
-    let trim = found::values(&mut trimmed(&model, &settings, 0.0)?, &watched);
-    if let Some(warning) = set::cut_off(&cases, &settings, options.duration) {
-        diagnostics::warn(&warning);
-    }
-    let began = Instant::now();
-    let (flights, failures) = fly(&sweep, &cases, &watched);
-    let found = Found { trim, flights };
-    if let Some(failures) = failures.as_ref().filter(|_| found.flights.is_empty()) {
-        return Err(failures.clone().into());
-    }
-    let seconds = began.elapsed().as_secs_f64();
+    let Flights { model, settings, watched, found, failures, seconds } =
+        options.fly(&Audience::of_command())?;
     terminal::print(&report::text(&model, &settings, &watched, &found, seconds))?;
     drafts.keep([
         table::all(&watched, &found).as_str(),
@@ -126,6 +113,55 @@ pub fn run(options: &GustOptions) -> Result<(), Error> {
         terminal::print(&format!("{}\n", path.display()))?;
     }
     failures.map_or(Ok(()), |failures| Err(failures.into()))
+}
+
+/// What every gust did, as arrays.
+pub fn answer(options: &GustOptions, audience: &Audience) -> Result<Answer, Error> {
+    let Flights { watched, found, failures, .. } = options.fly(audience)?;
+    Ok(table::answer(&watched, &found, failures.as_ref()))
+}
+
+/// All gusts that could be flown, at least one.
+struct Flights {
+    model: Arc<ReducedModel>,
+    settings: Settings,
+    watched: Vec<Watched>,
+    found: Found,
+    failures: Option<Failures>,
+    /// That they took.
+    seconds: f64,
+}
+
+impl GustOptions {
+    fn fly(&self, audience: &Audience) -> Result<Flights, Error> {
+        let model = self.flown.reduce(&self.flown.read(&self.aircraft)?)?;
+        let variables = VariableTable::new(&model);
+        let settings = self.flown.settings(&variables, &model)?;
+        let cases = self.gusts.cases(&settings, &self.flown.set, self.duration)?;
+        let watched = watched(&self.output_names, &variables)?;
+        let schedule = Schedule::hands_off(self.duration);
+        let sweep = Sweep::new(&model, &settings, &schedule, self.step).before(audience);
+        sweep.check(cases.len())?;
+        let trim = found::values(&mut trimmed(&model, &settings, 0.0)?, &watched);
+        if let Some(warning) = set::cut_off(&cases, &settings, self.duration) {
+            diagnostics::warn(&warning);
+        }
+        let began = Instant::now();
+        let (flights, failures) = fly(&sweep, &cases, &watched);
+        let found = Found { trim, flights };
+        if let Some(failures) = failures.as_ref().filter(|_| found.flights.is_empty()) {
+            return Err(failures.clone().into());
+        }
+        let seconds = began.elapsed().as_secs_f64();
+        Ok(Flights {
+            model: Arc::clone(&model),
+            settings: settings.clone(),
+            watched,
+            found,
+            failures,
+            seconds,
+        })
+    }
 }
 
 /// The outputs of these names; the usual ones where none is named.

@@ -4,12 +4,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
-use flexible_aircraft::flight::SimulationError;
+use flexible_aircraft::flight::{Settings, SimulationError};
+use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft::{Inflow, LinearModel};
 use flexible_aircraft_packaging::FileError;
 use zip::result::ZipError;
 
+use crate::answer::Answer;
 use crate::files::{Drafts, Overwriting, refuse_overwriting};
 use crate::flown::{self, FlownOptions, trimmed};
 use crate::{terminal, workspace};
@@ -92,14 +94,7 @@ pub fn run(options: &LineariseOptions) -> Result<(), Error> {
     let paths: Vec<&Path> = outputs.iter().map(PathBuf::as_path).collect();
     refuse_overwriting(&paths, [options.aircraft.as_path()])?;
     let drafts = Drafts::new(paths.iter().copied())?;
-    let model = options.flown.reduce(&options.flown.read(&options.aircraft)?)?;
-    let settings = options.flown.settings(&VariableTable::new(&model), &model)?;
-    trimmed(&model, &settings, 0.0)?;
-    let inflow = match options.inflow {
-        Wake::Keep => Inflow::Kept,
-        Wake::Steady => Inflow::Steady,
-    };
-    let linear = LinearModel::new(Arc::clone(&model), &settings, inflow)?;
+    let (model, settings, linear) = options.linearise()?;
     let printed = roots::text(&model, &settings, &linear);
     let arrays = arrays::of(&linear);
     let mut contents: Vec<Vec<u8>> = Vec::with_capacity(outputs.len());
@@ -119,7 +114,25 @@ pub fn run(options: &LineariseOptions) -> Result<(), Error> {
     Ok(())
 }
 
+/// All matrices, names and units under the keys of the files.
+pub fn answer(options: &LineariseOptions) -> Result<Answer, Error> {
+    let (_, _, linear) = options.linearise()?;
+    Ok(Answer::named(arrays::of(&linear).into_iter().map(|(key, array)| (key, array.into()))))
+}
+
 impl LineariseOptions {
+    fn linearise(&self) -> Result<(Arc<ReducedModel>, Settings, LinearModel), Error> {
+        let model = self.flown.reduce(&self.flown.read(&self.aircraft)?)?;
+        let settings = self.flown.settings(&VariableTable::new(&model), &model)?;
+        trimmed(&model, &settings, 0.0)?;
+        let inflow = match self.inflow {
+            Wake::Keep => Inflow::Kept,
+            Wake::Steady => Inflow::Steady,
+        };
+        let linear = LinearModel::new(Arc::clone(&model), &settings, inflow)?;
+        Ok((model, settings, linear))
+    }
+
     /// Each format once, in the order in which they were asked for.
     fn formats(&self) -> Vec<Format> {
         let mut formats: Vec<Format> = Vec::new();
