@@ -55,17 +55,19 @@ fn answer(
     audience: &Audience,
 ) -> Result<Answer, Failure> {
     match command {
-        Command::Package(options) => package::answer(options, home, audience).map_err(failed),
-        Command::Simulate(options) => simulate::answer(&options, table, audience).map_err(failed),
-        Command::Trim(options) => trim::answer(&options, audience).map_err(failed),
-        Command::Linearise(options) => linearise::answer(&options).map_err(failed),
-        Command::Flutter(options) => flutter::answer(&options, audience).map_err(failed),
-        Command::Gust(options) => gust::answer(&options, audience).map_err(failed),
+        Command::Package(options) => package::answer(options, home, audience).map_err(|error| failed(&error)),
+        Command::Simulate(options) => {
+            simulate::answer(&options, table, audience).map_err(|error| failed(&error))
+        }
+        Command::Trim(options) => trim::answer(&options, audience).map_err(|error| failed(&error)),
+        Command::Linearise(options) => linearise::answer(&options).map_err(|error| failed(&error)),
+        Command::Flutter(options) => flutter::answer(&options, audience).map_err(|error| failed(&error)),
+        Command::Gust(options) => gust::answer(&options, audience).map_err(|error| failed(&error)),
         _ => Err(Failure::Usage("this command prints and writes, and has no other answer".to_owned())),
     }
 }
 
-fn failed(error: impl Report) -> Failure {
+fn failed(error: &impl Report) -> Failure {
     Failure::Command(mistake(&error.plain_report()))
 }
 

@@ -45,11 +45,11 @@ impl Home {
     /// That of the program that runs.
     pub fn of_program() -> Self {
         let program = std::env::current_exe().unwrap_or_default();
-        Home::with_data(&program.parent().unwrap_or(Path::new(".")).join(DATA))
+        Home::with_data(program.parent().unwrap_or(Path::new(".")).join(DATA))
     }
 
     /// Installed with this data folder, if it is there; otherwise the checkout in which the program was built, if that is.
-    pub fn with_data(data: &Path) -> Self {
+    pub fn with_data(data: PathBuf) -> Self {
         let cli = Path::new(env!("CARGO_MANIFEST_DIR"));
         let checkout = cli.parent().unwrap_or(cli);
         if !data.is_dir() && checkout.join("Cargo.toml").is_file() {
@@ -139,7 +139,7 @@ mod tests {
         for name in ["glider.toml", "biplane.toml", "README.md"] {
             std::fs::write(aircraft.join(name), "").unwrap();
         }
-        Home::with_data(&folder.join(DATA))
+        Home::with_data(folder.join(DATA))
     }
 
     #[test]
@@ -180,7 +180,7 @@ mod tests {
     #[test]
     fn without_a_data_folder_the_checkout_is_home() {
         let folder = tempfile::tempdir().unwrap();
-        let home = Home::with_data(&folder.path().join(DATA));
+        let home = Home::with_data(folder.path().join(DATA));
         let Home::Checkout(root) = &home else { panic!("{home:?}") };
         assert!(root.join("cli/src/home.rs").is_file());
         assert!(home.aircraft_names().contains(&"goland-wing".to_owned()));

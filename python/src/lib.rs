@@ -36,7 +36,7 @@ const PERIOD: Duration = Duration::from_millis(5);
 /// The program: does what a command line asks for, the program's name first, and returns what it should end with.
 #[pyfunction]
 fn command(py: Python<'_>, arguments: Vec<OsString>, data: PathBuf) -> u8 {
-    py.detach(|| flexair::command(arguments, &Home::with_data(&data)))
+    py.detach(|| flexair::command(arguments, &Home::with_data(data)))
 }
 
 /// What a command finds, by names. Other threads of Python run meanwhile; Ctrl-C ends the work at its next step.
@@ -52,7 +52,7 @@ fn call<'py>(
     let worker = {
         let audience = audience.clone();
         std::thread::spawn(move || {
-            calls::call(&arguments, table.as_deref(), &Home::with_data(&data), &audience)
+            calls::call(&arguments, table.as_deref(), &Home::with_data(data), &audience)
         })
     };
     let mut signal = Ok(());
@@ -77,7 +77,7 @@ fn call<'py>(
 /// The names of the aircraft that come with the package, and their files.
 #[pyfunction]
 fn aircraft(data: PathBuf) -> Vec<(String, PathBuf)> {
-    let home = Home::with_data(&data);
+    let home = Home::with_data(data);
     let file = |name: String| {
         let file = home.aircraft_file(&name);
         (name, file)

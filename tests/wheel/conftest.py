@@ -1,19 +1,21 @@
 """What the tests of the installed package share: they run in a copy, where neither the checkout nor cargo is."""
 
-import shutil
+import re
 import subprocess
 import sys
 from pathlib import Path
 
+import flexair
 import pytest
-
-HERE = Path(__file__).parent
 
 
 @pytest.fixture
 def own_aircraft(tmp_path):
-    """An aircraft file of one's own."""
-    return Path(shutil.copy(HERE / "small-aircraft.toml", tmp_path / "own.toml"))
+    """An aircraft file of one's own: the jet's under another name."""
+    text = flexair.aircraft()["generic-business-jet"].read_text(encoding="utf-8")
+    own = tmp_path / "own.toml"
+    own.write_text(re.sub('^name = ".*"', 'name = "My aircraft"', text, count=1, flags=re.MULTILINE), encoding="utf-8")
+    return own
 
 
 @pytest.fixture

@@ -14,7 +14,7 @@ trap 'rm -rf "$folder"' EXIT
 python3 -m venv "$folder/venv"
 "$folder/venv/bin/pip" install --quiet --disable-pip-version-check --requirement tests/wheel/requirements.txt \
     "$target"/wheels/flexair-*manylinux*.whl
-cp tests/wheel/*.py tests/data/small-aircraft.toml "$folder"
+cp tests/wheel/*.py "$folder"
 mkdir "$folder/wheels"
 cp "$target"/wheels/*.whl "$folder/wheels"
 

@@ -9,6 +9,7 @@ import time
 import zipfile
 from pathlib import Path
 
+import flexair
 import fmpy
 import numpy as np
 import pytest
@@ -22,8 +23,6 @@ def test_an_own_aircraft_is_packaged_for_every_platform_of_the_package_and_flies
     packaged = run("package", "--aircraft", own_aircraft)
     assert packaged.returncode == 0, packaged.stderr
     fmu = tmp_path / "FlexibleAircraft.fmu"
-    import flexair
-
     libraries = {path.parent.name for path in (Path(flexair.__file__).parent / "flexair-data/binaries").glob("*/*")}
     names = zipfile.ZipFile(fmu).namelist()
     assert {Path(name).parent.name for name in names if name.startswith("binaries/")} == libraries >= {"linux64"}

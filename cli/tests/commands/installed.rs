@@ -51,7 +51,7 @@ fn host_library() -> (Platform, PathBuf) {
 fn an_own_aircraft_is_packaged_without_cargo_and_sources_as_with_them() {
     let installed = Installed::new();
     let own = installed.work().join("own.toml");
-    std::fs::copy(workspace("tests/data/small-aircraft.toml"), &own).unwrap();
+    std::fs::copy(workspace("aircraft/goland-wing.toml"), &own).unwrap();
     let run = installed.run("package --aircraft own.toml --modes 2");
     assert!(run.status.success(), "{}", text(&run.stderr));
     assert!(text(&run.stdout).starts_with("FlexibleAircraft.fmu: "), "{}", text(&run.stdout));

@@ -23,7 +23,7 @@ def _call(
 ) -> dict[str, Any]:
     arguments = [command, *written]
     if positional:
-        arguments += ["--", *map(os.fspath, positional)]
+        arguments += ["--", *(os.fspath(path) for path in positional)]
     return _native.call(arguments, rows, DATA, progress)
 
 
