@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # All tests: Rust, then the packaged FMU through FMPy, through every importer that a registry has, and coupled with control
-# laws. With platforms in PLATFORMS (win64, aarch64-linux) their libraries are built and flown too: that is slow, and rarely
-# breaks. Needs Rust, a C compiler and Python 3.11 or newer.
+# laws. With platforms in PLATFORMS (win64, aarch64-linux) their libraries are built and flown too, with WHEEL=1, or platforms in
+# WHEEL, the Python package is built, installed and tested: that is slow, and rarely breaks. Needs Rust, a C compiler and Python 3.11 or newer.
 #
 # Everything is built in release mode: the FMU needs that anyway, and nothing is compiled twice.
 set -euo pipefail
@@ -43,4 +43,10 @@ if [ -n "${PLATFORMS:-}" ]; then
     bash tests/platforms/run.sh
 else
     echo 'tests/run.sh: the libraries of other platforms are left out; PLATFORMS="win64 aarch64-linux" flies them too'
+fi
+
+if [ -n "${WHEEL:-}" ]; then
+    bash tests/wheel/run.sh
+else
+    echo 'tests/run.sh: the Python package is left out; WHEEL=1 builds, installs and tests it'
 fi

@@ -260,7 +260,7 @@ impl fmt::Display for CheckFlight {
 mod tests {
     use std::path::Path;
 
-    use flexible_aircraft_packaging::{Package, Platform};
+    use flexible_aircraft_packaging::{Licences, Package, Platform};
 
     use super::*;
 
@@ -288,7 +288,7 @@ mod tests {
             starts: Vec::new(),
             stations_along: Vec::new(),
             binaries,
-            workspace,
+            licences: Licences::Workspace(workspace),
         }
         .write(&fmu)
         .unwrap();

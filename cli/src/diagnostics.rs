@@ -14,28 +14,37 @@ use crate::terminal;
 /// What any command fails of, for people on a terminal.
 pub trait Report {
     /// One block per mistake where a file is not right, a line or so otherwise.
-    fn report(&self) -> String;
+    fn report(&self) -> String {
+        self.report_with(&if std::io::stderr().is_terminal() {
+            Renderer::styled()
+        } else {
+            Renderer::plain()
+        })
+    }
+
+    /// The same without colours.
+    fn plain_report(&self) -> String {
+        self.report_with(&Renderer::plain())
+    }
+
+    /// The same in the style of a renderer.
+    fn report_with(&self, renderer: &Renderer) -> String;
 }
 
 impl<E: Error + 'static> Report for E {
-    fn report(&self) -> String {
+    fn report_with(&self, renderer: &Renderer) -> String {
         let mut cause: Option<&(dyn Error + 'static)> = Some(self);
         while let Some(error) = cause {
             if let Some(of_file) = error.downcast_ref() {
-                return render_with(of_file, &renderer());
+                return render_with(of_file, renderer);
             }
             if let Some(rejected) = error.downcast_ref() {
-                return render_rejected(rejected, &renderer());
+                return render_rejected(rejected, renderer);
             }
             cause = error.source();
         }
         format!("error: {self}")
     }
-}
-
-/// Coloured on a terminal.
-fn renderer() -> Renderer {
-    if std::io::stderr().is_terminal() { Renderer::styled() } else { Renderer::plain() }
 }
 
 /// Reads an aircraft file, and warns of what makes its trims odd.

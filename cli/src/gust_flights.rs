@@ -9,7 +9,7 @@ use flexible_aircraft::structure::ReducedModel;
 use rayon::prelude::*;
 
 use crate::numbers::Plain;
-use crate::progress::Progress;
+use crate::progress::Audience;
 use crate::simulate::schedule::Schedule;
 
 /// More looks than anybody needs: hours in steps of 10 ms.
@@ -37,6 +37,7 @@ pub struct GustFlights<'s> {
     schedule: &'s Schedule,
     /// Between two looks, s.
     step: f64,
+    audience: Audience,
 }
 
 /// Flights that failed.
@@ -56,7 +57,12 @@ impl<'s> GustFlights<'s> {
         schedule: &'s Schedule,
         step: f64,
     ) -> Self {
-        GustFlights { model, settings, schedule, step }
+        GustFlights { model, settings, schedule, step, audience: Audience::of_command() }
+    }
+
+    /// The same before others.
+    pub fn before(self, audience: &Audience) -> Self {
+        GustFlights { audience: audience.clone(), ..self }
     }
 
     /// Makes sure that so many flights come to an end.
@@ -81,7 +87,7 @@ impl<'s> GustFlights<'s> {
         begin: impl Fn(usize) -> T + Sync,
         look: impl Fn(&mut T, f64, &mut Simulation) + Sync,
     ) -> Vec<Result<T, SimulationError>> {
-        let progress = Progress::new(self.looks(gusts.len()) as usize, "looks");
+        let progress = self.audience.progress(self.looks(gusts.len()) as usize, "looks");
         let fly = |(number, gust): (usize, &GustSettings)| {
             let mut found = begin(number);
             let settings = Settings { gust: *gust, ..self.settings.clone() };
@@ -113,6 +119,11 @@ impl Failures {
         let failures = (!failed.is_empty()).then_some(Failures { failed, flights });
         (found, failures)
     }
+
+    /// Each by its name, with the reason.
+    pub fn lines(&self) -> impl Iterator<Item = String> {
+        self.failed.iter().map(|(name, error)| format!("{name}: {error}"))
+    }
 }
 
 impl fmt::Display for Failures {
@@ -124,7 +135,7 @@ impl fmt::Display for Failures {
         let others =
             if failed.len() < *flights { "what is written is of the others" } else { "nothing is written" };
         write!(f, "{} of {flights} flights failed; {others}:", failed.len())?;
-        failed.iter().try_for_each(|(name, error)| write!(f, "\n  {name}: {error}"))
+        self.lines().try_for_each(|line| write!(f, "\n  {line}"))
     }
 }
 

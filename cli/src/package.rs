@@ -1,7 +1,7 @@
 //! `flexair package`: from the aircraft file to an FMU that has flown.
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use flexible_aircraft::aircraft::AircraftFileError;
@@ -9,9 +9,12 @@ use flexible_aircraft::structure::{ModeCount, ReducedModel};
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{FileError, FmuError, Package, PackageError, Platform};
 
+use crate::answer::Answer;
 use crate::check::CheckFlight;
 use crate::files::{Overwriting, refuse_overwriting};
-use crate::{PackageOptions, diagnostics, terminal, workspace};
+use crate::home::Home;
+use crate::progress::Audience;
+use crate::{PackageOptions, diagnostics, terminal};
 
 /// Why `flexair package` did not succeed.
 #[derive(Debug, thiserror::Error)]
@@ -26,14 +29,45 @@ pub enum Error {
     File(#[from] FileError),
     #[error("FMI 2.0 has no name for this platform: give the library of another one with --binary")]
     NoPlatform,
+    #[error("no shared libraries came with this program: looked for them in {}; give one with --binary", .0.display())]
+    NoLibraries(PathBuf),
     #[error("cannot build the shared library: {0}")]
     Build(String),
     #[error("the FMU does not fly and was not kept: {0}")]
     Check(#[from] FmuError),
 }
 
+/// What was packaged.
+struct Packaged {
+    output: PathBuf,
+    /// Bytes.
+    size: u64,
+    /// What it showed, if it was asked to.
+    flight: Option<CheckFlight>,
+}
+
 /// Builds, packages, and flies what came out.
-pub fn run(options: PackageOptions) -> Result<(), Error> {
+pub fn run(options: PackageOptions, home: &Home) -> Result<(), Error> {
+    let Packaged { output, size, flight } = package(options, home, &Audience::of_command())?;
+    terminal::print(&format!("{}: {:.1} MB\n", output.display(), size as f64 / 1e6))?;
+    if let Some(flight) = flight {
+        terminal::print(&format!("{flight}\n"))?;
+    }
+    Ok(())
+}
+
+/// The same for a program.
+pub fn answer(options: PackageOptions, home: &Home, audience: &Audience) -> Result<Answer, Error> {
+    let Packaged { output, size, flight } = package(options, home, audience)?;
+    let flight = flight.map_or(String::new(), |flight| flight.to_string());
+    Ok(Answer::named([
+        ("path", Answer::Text(output.to_string_lossy().into_owned())),
+        ("size", Answer::Number(size as f64)),
+        ("flight", Answer::Text(flight)),
+    ]))
+}
+
+fn package(options: PackageOptions, home: &Home, audience: &Audience) -> Result<Packaged, Error> {
     // Before the library is built: mistakes in the aircraft file and in the options should show at once.
     let PackageOptions { aircraft: aircraft_file, output, .. } = options;
     let libraries = options.binary.iter().map(|(_, library)| library.as_path());
@@ -47,50 +81,56 @@ pub fn run(options: PackageOptions) -> Result<(), Error> {
         starts: options.set,
         stations_along: options.stations_along,
         binaries: options.binary,
-        workspace: workspace::root().into(),
+        licences: home.licences(),
     };
     let level = package.starts()?.plant.fidelity.name();
-    add_library(&mut package.binaries)?;
+    add_libraries(&mut package.binaries, home, audience)?;
 
     let file = package.aircraft.display();
-    terminal::note(&format!("Packaging {} ({file}), which flies with model = {level}", aircraft.name));
+    audience.note(&format!("Packaging {} ({file}), which flies with model = {level}", aircraft.name));
     // A good FMU is replaced only by one that flies.
     let draft = package.draft(&output)?;
     let flight = if options.no_check {
         None
     } else {
-        terminal::note(&format!("Flying it for {} s", CheckFlight::DURATION));
+        audience.note(&format!("Flying it for {} s", CheckFlight::DURATION));
         Some(CheckFlight::fly(&Fmu::open(draft.path())?, &aircraft)?)
     };
     let size = draft.size();
     draft.keep()?;
-    terminal::print(&format!("{}: {:.1} MB\n", output.display(), size as f64 / 1e6))?;
-    if let Some(flight) = flight {
-        terminal::print(&format!("{flight}\n"))?;
-    }
-    Ok(())
+    Ok(Packaged { output, size, flight })
 }
 
-/// Adds the library of this machine where none was given.
-fn add_library(binaries: &mut Vec<(Platform, PathBuf)>) -> Result<(), Error> {
-    let host = Platform::host();
-    if binaries.iter().any(|(platform, _)| Some(*platform) == host) {
-        return Ok(());
-    }
-    match host {
-        Some(host) => binaries.push((host, build_library()?)),
-        None if binaries.is_empty() => return Err(Error::NoPlatform),
-        None => {}
+/// Adds the libraries of which none was given: in a checkout that of this machine, elsewhere those that came with the program.
+fn add_libraries(
+    binaries: &mut Vec<(Platform, PathBuf)>,
+    home: &Home,
+    audience: &Audience,
+) -> Result<(), Error> {
+    let is_given = |platform: Platform| binaries.iter().any(|(given, _)| *given == platform);
+    match (home, Platform::host()) {
+        (Home::Installed(installation), _) => {
+            let mut libraries = installation.libraries();
+            libraries.retain(|(platform, _)| !is_given(*platform));
+            if libraries.is_empty() && binaries.is_empty() {
+                return Err(Error::NoLibraries(installation.folder().to_owned()));
+            }
+            binaries.extend(libraries);
+        }
+        (_, Some(host)) if is_given(host) => {}
+        (Home::Checkout(root), Some(host)) => binaries.push((host, build_library(root, audience)?)),
+        (Home::Checkout(_), None) if binaries.is_empty() => return Err(Error::NoPlatform),
+        (Home::Checkout(_), None) => {}
     }
     Ok(())
 }
 
 /// Has cargo build the shared library for this machine, and returns the file.
-fn build_library() -> Result<PathBuf, Error> {
-    terminal::note("Building the shared library");
+fn build_library(root: &Path, audience: &Audience) -> Result<PathBuf, Error> {
+    audience.note("Building the shared library");
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
     let output = Command::new(cargo)
-        .current_dir(workspace::root())
+        .current_dir(root)
         // Not `--package`: with the default members, what `cargo run --release` built is used again.
         .args(["build", "--release", "--lib", "--message-format", "json-render-diagnostics"])
         .stderr(Stdio::inherit())

@@ -1,19 +1,13 @@
-//! flexible-aircraft's own folder, in which this program was built: what commands take when nothing else is asked for.
+//! What commands take when nothing else is asked for, as it is called in a checkout; elsewhere see [`crate::home`].
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-/// The folder.
-pub fn root() -> &'static Path {
-    let cli = Path::new(env!("CARGO_MANIFEST_DIR"));
-    cli.parent().unwrap_or(cli)
-}
-
-/// The aircraft of all commands: the generic business jet.
+/// The aircraft of all commands, by its name: the generic business jet.
 pub fn aircraft() -> PathBuf {
-    root().join("aircraft/generic-business-jet.toml")
+    "generic-business-jet".into()
 }
 
-/// Where its FMU is packaged to.
+/// Where its FMU is packaged to, from flexible-aircraft's own folder.
 pub fn fmu() -> PathBuf {
-    root().join("target/fmu/FlexibleAircraft.fmu")
+    "target/fmu/FlexibleAircraft.fmu".into()
 }

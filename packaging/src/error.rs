@@ -70,9 +70,6 @@ pub enum PackageError {
         /// What happened instead.
         reason: String,
     },
-    /// The library wrote a model description that this crate does not understand.
-    #[error("modelDescription.xml: {0}")]
-    ModelDescription(String),
     /// The archive could not be put together.
     #[error("cannot build the archive: {0}")]
     Archive(#[from] zip::result::ZipError),

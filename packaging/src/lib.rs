@@ -20,6 +20,7 @@ pub mod c_abi;
 mod documentation;
 mod draft;
 mod error;
+mod installation;
 mod library;
 mod licences;
 mod merge;
@@ -31,13 +32,14 @@ mod temporary;
 
 pub use draft::{Draft, is_stream, open_stream, replaced_by};
 pub use error::{FileError, FmuError, PackageError};
+pub use installation::Installation;
 pub use library::{BuildMark, LibraryFault};
+pub use licences::Licences;
 pub use merge::{MergeError, merge};
 pub use platform::{Platform, UnknownPlatform};
 pub use temporary::remove_all as remove_temporary_files;
 
 use archive::Entry;
-use model_description::ModelDescription;
 
 /// The icon that importing tools show.
 const ICON: &[u8] = include_bytes!("../../modelDescription/model.png");
@@ -57,8 +59,8 @@ pub struct Package {
     pub stations_along: Vec<(String, usize)>,
     /// The shared library of each platform.
     pub binaries: Vec<(Platform, PathBuf)>,
-    /// The folder of flexible-aircraft's own workspace, where cargo finds out what is linked.
-    pub workspace: PathBuf,
+    /// Where the licences of what is linked come from.
+    pub licences: Licences,
 }
 
 impl Package {
@@ -95,10 +97,8 @@ impl Package {
     pub fn to_bytes(&self) -> Result<Vec<u8>, PackageError> {
         let (aircraft, model, starts) = self.reduce()?;
         let xml = fmi::description::write(&model, &starts);
-        let description = ModelDescription::parse(&xml).map_err(PackageError::ModelDescription)?;
-
         let mut entries = vec![Entry::new(archive::MODEL_DESCRIPTION, xml), Entry::new("model.png", ICON)];
-        entries.extend(self.libraries(&description.model_identifier)?);
+        entries.extend(libraries(&self.binaries)?);
         entries.push(Entry::new(format!("resources/{}", fmi::RESOURCE_FILE), model.to_bytes()));
         entries.extend(
             fmi::starts::write(&model, &starts)
@@ -107,7 +107,7 @@ impl Package {
         entries.push(Entry::new("resources/aircraft.toml", read(&self.aircraft)?));
         let page = documentation::page(&aircraft, &model, &starts);
         entries.push(Entry::new("documentation/index.html", page));
-        entries.extend(licences::gather(&self.workspace)?);
+        entries.extend(self.licences.entries()?);
         Ok(archive::to_bytes(entries)?)
     }
 
@@ -127,30 +127,30 @@ impl Package {
     pub fn write(&self, output: &Path) -> Result<(), PackageError> {
         Ok(self.draft(output)?.keep()?)
     }
+}
 
-    /// One library per platform, each of them of this version and these sources.
-    fn libraries(&self, model_identifier: &str) -> Result<Vec<Entry>, PackageError> {
-        let mut found = BTreeSet::new();
-        if let Some((twice, _)) = self.binaries.iter().find(|(platform, _)| !found.insert(*platform)) {
-            return Err(PackageError::TwoBinaries(*twice));
-        }
-        if self.binaries.is_empty() {
-            return Err(PackageError::NoBinary);
-        }
-        let entry = |(platform, path): &(Platform, PathBuf)| {
-            let bytes = read(path)?;
-            let expected = BuildMark::own();
-            let fault = match library::examine(&bytes, *platform) {
-                Ok(found) if found == expected => {
-                    return Ok(Entry::new(platform.library_path(model_identifier), bytes));
-                }
-                Ok(found) => LibraryFault::OtherBuild { found, expected },
-                Err(fault) => fault,
-            };
-            Err(PackageError::WrongBinary { path: path.clone(), fault })
-        };
-        self.binaries.iter().map(entry).collect()
+/// One library per platform, each of them of this version and these sources.
+fn libraries(binaries: &[(Platform, PathBuf)]) -> Result<Vec<Entry>, PackageError> {
+    let mut found = BTreeSet::new();
+    if let Some((twice, _)) = binaries.iter().find(|(platform, _)| !found.insert(*platform)) {
+        return Err(PackageError::TwoBinaries(*twice));
     }
+    if binaries.is_empty() {
+        return Err(PackageError::NoBinary);
+    }
+    let entry = |(platform, path): &(Platform, PathBuf)| {
+        let bytes = read(path)?;
+        let expected = BuildMark::own();
+        let fault = match library::examine(&bytes, *platform) {
+            Ok(found) if found == expected => {
+                return Ok(Entry::new(platform.library_path(fmi::MODEL_IDENTIFIER), bytes));
+            }
+            Ok(found) => LibraryFault::OtherBuild { found, expected },
+            Err(fault) => fault,
+        };
+        Err(PackageError::WrongBinary { path: path.clone(), fault })
+    };
+    binaries.iter().map(entry).collect()
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, FileError> {

@@ -1,8 +1,9 @@
-//! The licences of everything that is linked into the shared library, as `documentation/licenses/`.
+//! The licences of everything that is linked into the shared library, as `documentation/licenses/`, and of what is linked
+//! into the command where that is installed.
 //!
-//! cargo knows what is linked: the packages that the library needs at run time, without procedural macros, build
+//! cargo knows what is linked: the packages that are needed at run time, without procedural macros, build
 //! scripts and what only tests and tools use. Those of all platforms are listed, whichever are packaged, so that
-//! FMUs packaged on different machines have the same list.
+//! FMUs packaged on different machines have the same list. Where there is no cargo, the list was made before.
 
 use std::collections::BTreeSet;
 use std::ffi::OsString;
@@ -13,6 +14,28 @@ use serde::Deserialize;
 
 use crate::archive::Entry;
 use crate::{FileError, PackageError, Platform, read};
+
+/// Where an FMU keeps its licences, and a data folder those of the library.
+const FOLDER: &str = "documentation/licenses";
+
+/// Where the licences of an FMU come from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Licences {
+    /// cargo finds out what is linked, in this folder of flexible-aircraft's own workspace.
+    Workspace(PathBuf),
+    /// They were gathered when this data folder was written.
+    Gathered(PathBuf),
+}
+
+impl Licences {
+    /// The licence files of `flexible-aircraft` and of all it is linked with, and a list of them.
+    pub(crate) fn entries(&self) -> Result<Vec<Entry>, PackageError> {
+        match self {
+            Licences::Workspace(workspace) => of_library(workspace),
+            Licences::Gathered(data) => Ok(gathered(data, FOLDER)?),
+        }
+    }
+}
 
 /// What `cargo metadata` prints, as far as it matters here.
 #[derive(Deserialize)]
@@ -28,37 +51,83 @@ struct LibraryPackage {
     manifest_path: PathBuf,
 }
 
-/// The licence files of `flexible-aircraft` and of all it is linked with, and a list of them.
-pub(crate) fn gather(workspace: &Path) -> Result<Vec<Entry>, PackageError> {
-    let mut list = String::from(LIST_HEAD);
+/// Those of the library.
+pub(crate) fn of_library(workspace: &Path) -> Result<Vec<Entry>, PackageError> {
+    gather(workspace, "flexible-aircraft", FOLDER, &format!("{LIBRARY_HEAD}{LINKED_BY_ZIG}"))
+}
+
+/// Those of a program of the workspace, a package of cargo, in a folder.
+pub(crate) fn of_program(workspace: &Path, package: &str, folder: &str) -> Result<Vec<Entry>, PackageError> {
+    gather(workspace, package, folder, PROGRAM_HEAD)
+}
+
+/// The licence files of a package and of all it is linked with, and a list of them.
+fn gather(workspace: &Path, package: &str, folder: &str, head: &str) -> Result<Vec<Entry>, PackageError> {
+    let mut list = head.to_owned();
     let mut entries = Vec::new();
-    for package in linked_packages(workspace)? {
+    for package in linked_packages(workspace, package)? {
         let licence = package.license.as_deref().unwrap_or("see its licence file");
         list.push_str(&format!("{} {}: {licence}\n", package.name, package.version));
         for file in licence_files(&package)? {
             let name = file.file_name().unwrap_or_default().to_string_lossy();
-            let path = format!("documentation/licenses/{}-{}/{name}", package.name, package.version);
+            let path = format!("{folder}/{}-{}/{name}", package.name, package.version);
             entries.push(Entry::new(path, read(&file)?));
         }
     }
-    entries.insert(0, Entry::new("documentation/licenses/README.txt", list));
+    entries.insert(0, Entry::new(format!("{folder}/README.txt"), list));
     Ok(entries)
 }
 
-const LIST_HEAD: &str = "\
+/// All files of a folder of a data folder, under their paths in there.
+fn gathered(data: &Path, folder: &str) -> Result<Vec<Entry>, FileError> {
+    let mut entries = Vec::new();
+    for (name, path) in listed(&data.join(folder))? {
+        let inside = format!("{folder}/{name}");
+        if path.is_dir() {
+            entries.extend(gathered(data, &inside)?);
+        } else {
+            entries.push(Entry::new(inside, read(&path)?));
+        }
+    }
+    Ok(entries)
+}
+
+/// What is in a folder, by its names.
+pub(crate) fn listed(folder: &Path) -> Result<Vec<(String, PathBuf)>, FileError> {
+    let failed = |source| FileError { action: "list", path: folder.to_owned(), source };
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(failed)? {
+        let entry = entry.map_err(failed)?;
+        found.push((entry.file_name().to_string_lossy().into_owned(), entry.path()));
+    }
+    found.sort();
+    Ok(found)
+}
+
+const LIBRARY_HEAD: &str = "\
 Linked into the shared library, with the licences that their authors chose. The texts are in the folders
 beside this file. The library also contains parts of the Rust standard library (The Rust Project
-contributors, MIT OR Apache-2.0: the texts are those of flexible-aircraft). What packaging/build-platforms.sh
+contributors, MIT OR Apache-2.0: the texts are those of flexible-aircraft). ";
+
+const PROGRAM_HEAD: &str = "\
+Linked into the command, with the licences that their authors chose. The texts are in the folders
+beside this file. The command also contains parts of the Rust standard library (The Rust Project
+contributors, MIT OR Apache-2.0: the texts are those of flexible-aircraft).
+
+";
+
+const LINKED_BY_ZIG: &str = "\
+What packaging/build-platforms.sh
 links also contains parts of LLVM's libunwind (Apache-2.0 WITH LLVM-exception) and of zig's compiler_rt (MIT), for
 Windows instead of mingw-w64's run-time library (public domain) and of GCC's (GPL-3.0-or-later WITH GCC-exception-3.1).
 
 ";
 
-/// What the library needs at run time on any platform, by name and version.
+/// What a package needs at run time on any platform, by name and version.
 ///
 /// `cargo tree` knows which features are on; `cargo metadata` knows where the sources are.
-fn linked_packages(workspace: &Path) -> Result<Vec<LibraryPackage>, PackageError> {
-    let mut tree = vec!["tree", "--locked", "--package", "flexible-aircraft"];
+fn linked_packages(workspace: &Path, package: &str) -> Result<Vec<LibraryPackage>, PackageError> {
+    let mut tree = vec!["tree", "--locked", "--package", package];
     tree.extend(["--edges", "normal,no-proc-macro", "--prefix", "none", "--format", "{p}"]);
     for platform in Platform::ALL {
         tree.extend(["--target", platform.target_triple()]);
@@ -99,20 +168,14 @@ fn cargo(workspace: &Path, arguments: &[&str]) -> Result<Vec<u8>, PackageError> 
 /// The files beside the manifest that are named like a licence, in alphabetical order.
 fn licence_files(package: &LibraryPackage) -> Result<Vec<PathBuf>, PackageError> {
     let folder = package.manifest_path.parent().unwrap_or(Path::new("."));
-    let unreadable = |source| FileError { action: "list", path: folder.to_owned(), source };
-    let mut files = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
-        let path = entry.map_err(unreadable)?.path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_uppercase();
+    let files = listed(folder)?.into_iter().filter(|(name, path)| {
+        let name = name.to_ascii_uppercase();
         let is_licence = ["LICENSE", "LICENCE", "COPYING", "COPYRIGHT", "NOTICE", "UNLICENSE"]
             .iter()
             .any(|beginning| name.starts_with(beginning));
-        if is_licence && path.is_file() {
-            files.push(path);
-        }
-    }
-    files.sort();
-    Ok(files)
+        is_licence && path.is_file()
+    });
+    Ok(files.map(|(_, path)| path).collect())
 }
 
 #[cfg(test)]
@@ -122,7 +185,7 @@ mod tests {
     #[test]
     fn linked_libraries_are_listed_and_tools_and_macros_are_not() {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let entries = gather(&workspace).unwrap();
+        let entries = of_library(&workspace).unwrap();
         let list = std::str::from_utf8(&entries[0].bytes).unwrap();
         for linked in ["flexible-aircraft 0", "nalgebra 0", "libm 0"] {
             assert!(list.contains(linked), "{linked} is missing in\n{list}");

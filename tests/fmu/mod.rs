@@ -10,7 +10,7 @@ use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft_packaging::c_abi::Fmu;
-use flexible_aircraft_packaging::{FmuError, Package, PackageError, Platform};
+use flexible_aircraft_packaging::{FmuError, Licences, Package, PackageError, Platform};
 
 use crate::support::{AILERON, ELEVATOR, RUDDER, jet};
 
@@ -31,7 +31,7 @@ fn package() -> Package {
         starts: Vec::new(),
         stations_along: Vec::new(),
         binaries: vec![(Platform::host().unwrap(), library)],
-        workspace: env!("CARGO_MANIFEST_DIR").into(),
+        licences: Licences::Workspace(env!("CARGO_MANIFEST_DIR").into()),
     }
 }
 

@@ -99,7 +99,7 @@ fn assert_none(places: &[String], rule: &str) {
 
 #[test]
 fn unsafe_code_stays_at_the_two_sides_of_the_c_interface() {
-    let sources = sources(&["src", "packaging/src", "cli/src"]);
+    let sources = sources(&["src", "packaging/src", "cli/src", "python/src"]);
     let elsewhere = sources.iter().filter(|s| !s.is_under(&["src/fmi2/", "packaging/src/c_abi"]));
     let words = ["unsafe ", "extern \"C\"", "no_mangle", "libc::"];
     assert_none(&places(elsewhere, &words), "only src/fmi2 and packaging/src/c_abi speak C");
@@ -130,7 +130,7 @@ fn only_the_aircraft_and_fmu_resources_are_read_from_files() {
 #[test]
 fn a_source_file_is_short_enough_to_be_read() {
     const LINES: usize = 400;
-    let sources = sources(&["src", "tests", "packaging", "cli", "examples", "benches"]);
+    let sources = sources(&["src", "tests", "packaging", "cli", "python", "examples", "benches"]);
     let long = sources.iter().filter(|source| source.text.lines().count() > LINES);
     let long: Vec<String> = long.map(|s| format!("{}: {}", s.path, s.text.lines().count())).collect();
     assert_none(&long, &format!("a module is one idea of at most {LINES} lines"));
@@ -138,7 +138,7 @@ fn a_source_file_is_short_enough_to_be_read() {
 
 #[test]
 fn nothing_in_the_library_panics_on_purpose() {
-    let sources = sources(&["src", "packaging/src", "cli/src"]);
+    let sources = sources(&["src", "packaging/src", "cli/src", "python/src"]);
     let words =
         ["todo!", "unimplemented!", "panic!", "unreachable!", "assert!", "assert_eq!", "assert_ne!", "dbg!"];
     assert_none(&places(sources.iter(), &words), "errors are values");
@@ -147,7 +147,7 @@ fn nothing_in_the_library_panics_on_purpose() {
 /// `println!` panics when nobody reads; `File::create` and `fs::write` leave half a file where a good one was.
 #[test]
 fn the_command_line_prints_and_writes_through_what_cannot_lose_anything() {
-    let sources = sources(&["packaging/src", "cli/src"]);
+    let sources = sources(&["packaging/src", "cli/src", "python/src"]);
     let words = ["println!", "print!", "eprintln!", "eprint!"];
     assert_none(&places(sources.iter(), &words), "cli/src/terminal.rs prints");
     let words = ["File::create", "fs::write", "create_dir_all"];
@@ -158,7 +158,7 @@ fn the_command_line_prints_and_writes_through_what_cannot_lose_anything() {
 #[test]
 fn every_unwrap_is_proved_by_a_comment() {
     let mut unproved = Vec::new();
-    for source in sources(&["src", "packaging/src", "cli/src"]) {
+    for source in sources(&["src", "packaging/src", "cli/src", "python/src"]) {
         let lines: Vec<&str> = source.text.lines().collect();
         let unwraps =
             source.code().filter(|(_, line)| line.contains(".unwrap()") || line.contains(".expect("));

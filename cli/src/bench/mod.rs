@@ -71,6 +71,9 @@ pub enum BenchError {
     /// The flight in the library.
     #[error(transparent)]
     Simulation(#[from] SimulationError),
+    /// There is nothing to fly.
+    #[error("{0}; `flexair package` writes one")]
+    NoFmu(FileError),
     /// The flight through the C interface.
     #[error(transparent)]
     Fmu(#[from] FmuError),
@@ -123,7 +126,10 @@ pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
     if Plants::under(&model, &PlantSettings::of(&model))?.half().is_none() {
         return Err(BenchError::NoMirrorPlane(aircraft.name));
     }
-    let fmu = Fmu::open(&options.fmu)?;
+    let fmu = Fmu::open(&options.fmu).map_err(|error| match error {
+        FmuError::File(file) => BenchError::NoFmu(file),
+        other => other.into(),
+    })?;
     let control = &model.controls[pitch_control(&model)?];
     let mut names = model.stations.iter().map(|station| station.name.as_str());
     let first = names.clone().next();

@@ -4,7 +4,7 @@ use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft_packaging::c_abi::Fmu;
-use flexible_aircraft_packaging::{Package, Platform};
+use flexible_aircraft_packaging::{Licences, Package, Platform};
 
 use super::equations::{EquationCosts, RightHandSide};
 use super::options::Optional;
@@ -36,7 +36,7 @@ fn jet() -> (tempfile::TempDir, Fmu) {
         starts: Vec::new(),
         stations_along: Vec::new(),
         binaries,
-        workspace,
+        licences: Licences::Workspace(workspace),
     }
     .write(&output)
     .unwrap();

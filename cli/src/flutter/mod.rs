@@ -6,9 +6,10 @@ use clap::Args;
 use flexible_aircraft::structure::ModeCount;
 
 use crate::analysis::Analysis;
+use crate::answer::Answer;
 use crate::condition::{Airspeeds, ConditionOptions, Error};
 use crate::files::{Drafts, refuse_overwriting};
-use crate::progress::Progress;
+use crate::progress::Audience;
 use crate::{diagnostics, terminal};
 
 mod plots;
@@ -56,7 +57,7 @@ pub fn run(options: &FlutterOptions) -> Result<(), Error> {
     refuse_overwriting(&outputs.each_ref().map(PathBuf::as_path), [options.condition.aircraft.as_path()])?;
     let [dampings, frequencies, aperiodic, roots] = outputs.each_ref().map(PathBuf::as_path);
     let drafts = Drafts::new([dampings, frequencies, roots, aperiodic])?;
-    let analysis = analyse(options)?;
+    let analysis = analyse(options, &Audience::of_command())?;
     for warning in report::warnings(&analysis) {
         diagnostics::warn(&warning);
     }
@@ -76,14 +77,19 @@ pub fn run(options: &FlutterOptions) -> Result<(), Error> {
     Ok(())
 }
 
-fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
+/// The roots and what they say, as arrays.
+pub fn answer(options: &FlutterOptions, audience: &Audience) -> Result<Answer, Error> {
+    Ok(roots::answer(&analyse(options, audience)?))
+}
+
+fn analyse(options: &FlutterOptions, audience: &Audience) -> Result<Analysis, Error> {
     let FlutterOptions { condition, from, to, points, modes, .. } = options;
     let aircraft = condition.read()?;
     let airspeeds = Airspeeds::new([*from, *to], *points, aircraft.support)?;
     let (model, count) = condition.reduce(&aircraft, ModeCount::asked_or_usual(*modes, USUAL_MODES))?;
     condition.check_mobility(&aircraft, &model, *modes)?;
     let settings = condition.settings(&aircraft, &model, count);
-    let progress = Progress::new(airspeeds.points, "airspeeds");
+    let progress = audience.progress(airspeeds.points, "airspeeds");
     Ok(Analysis::new(&model, settings, airspeeds, &progress)?)
 }
 

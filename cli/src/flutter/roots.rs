@@ -2,8 +2,12 @@
 
 use std::fmt::Write;
 
+use flexible_aircraft::stability::{Crossing, CrossingKind};
+
+use super::report;
 use crate::analysis::Analysis;
-use crate::analysis::motion::{damping, frequency, leading_motion, oscillates};
+use crate::analysis::motion::{composition, damping, frequency, leading_motion, name, oscillates};
+use crate::answer::Answer;
 use crate::numbers::Plain;
 
 /// Names with their units. `root` counts the curves of the plots; it is empty for an unstable eigenvalue that none of
@@ -36,4 +40,44 @@ pub fn table(analysis: &Analysis) -> String {
         }
     }
     text
+}
+
+/// A row of eigenvalues for each root, a column for each airspeed, NaN where the root is not; where roots cross the imaginary
+/// axis; what was not analysed; and the report.
+pub fn answer(analysis: &Analysis) -> Answer {
+    let sweep = &analysis.sweep;
+    let eigenvalues = sweep.branches.iter().flat_map(|branch| &branch.roots).map(|root| {
+        root.as_ref().map_or([f64::NAN; 2], |root| [root.eigenvalue.re, root.eigenvalue.im.abs()])
+    });
+    let numbers =
+        |number: fn(&Crossing) -> f64| Answer::Numbers(sweep.crossings.iter().map(number).collect());
+    let kind = |crossing: &Crossing| match crossing.kind {
+        CrossingKind::Flutter => "flutter".to_owned(),
+        CrossingKind::Divergence => "divergence".to_owned(),
+    };
+    let crossings = Answer::named([
+        ("airspeed", numbers(|crossing| crossing.airspeed)),
+        ("frequency", numbers(|crossing| crossing.root.eigenvalue.im.abs())),
+        ("root", Answer::Counts(sweep.crossings.iter().map(|crossing| crossing.branch).collect())),
+        ("kind", Answer::Texts(sweep.crossings.iter().map(kind).collect())),
+        ("is_onset", Answer::Truths(sweep.crossings.iter().map(|crossing| crossing.is_onset).collect())),
+        ("motion", Answer::Texts(sweep.crossings.iter().map(|c| composition(&c.root, analysis)).collect())),
+    ]);
+    Answer::named([
+        ("airspeeds", Answer::Numbers(sweep.airspeeds.clone())),
+        ("roots", Answer::Texts(sweep.branches.iter().map(|branch| name(branch, analysis)).collect())),
+        (
+            "eigenvalues",
+            Answer::Complex {
+                rows: sweep.branches.len(),
+                columns: sweep.airspeeds.len(),
+                values: eigenvalues.collect(),
+            },
+        ),
+        ("crossings", crossings),
+        ("skipped", Answer::Numbers(sweep.skipped.iter().map(|skipped| skipped.airspeed).collect())),
+        ("skipped_because", Answer::Texts(sweep.skipped.iter().map(|s| s.reason.to_string()).collect())),
+        ("warnings", Answer::Texts(report::warnings(analysis))),
+        ("report", Answer::Text(report::text(analysis))),
+    ])
 }

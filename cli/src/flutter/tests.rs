@@ -24,6 +24,10 @@ fn options(aircraft: &str, rest: &str) -> FlutterOptions {
     Line::try_parse_from(words).unwrap_or_else(|error| panic!("{error}")).options
 }
 
+fn analyse(options: &FlutterOptions) -> Result<Analysis, Error> {
+    super::analyse(options, &Audience::new(false))
+}
+
 fn section(rest: &str) -> Analysis {
     analyse(&options("typical-section.toml", rest)).unwrap()
 }

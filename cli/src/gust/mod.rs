@@ -11,9 +11,11 @@ use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::FileError;
 
+use crate::answer::Answer;
 use crate::files::{Drafts, Overwriting, refuse_overwriting};
 use crate::flown::{self, FlownOptions, seconds, trimmed};
 use crate::gust_flights::{Failures, GustFlights, TooManyLooks};
+use crate::progress::Audience;
 use crate::simulate::schedule::Schedule;
 use crate::watched::{NoSuchOutput, Watched, is_part};
 use crate::{diagnostics, terminal, workspace};
@@ -116,17 +118,11 @@ pub fn run(options: &GustOptions) -> Result<(), Error> {
     let outputs = endings.map(|ending| options.output.join(format!("{name}-{ending}")));
     refuse_overwriting(&outputs.each_ref().map(PathBuf::as_path), [file])?;
     let drafts = Drafts::new(outputs.iter().map(PathBuf::as_path))?;
-    let model = options.flown.reduce(&options.flown.read(file)?)?;
-    let variables = VariableTable::new(&model);
-    let settings = options.flown.settings(&variables, &model)?;
-    let watched = || watched(&options.output_names, &variables);
     let (written, failures) = if options.continuous {
-        let (directions, gust) = options.gusts.continuous(&settings, &options.flown.set)?;
-        let watched = watched()?;
-        (continuous::run(&model, &Settings { gust, ..settings }, &directions, &watched)?, None)
+        (options.turbulence()?.written(), None)
     } else {
-        let cases = options.gusts.cases(&settings, &options.flown.set, options.duration)?;
-        options.single(&model, &settings, &cases, &watched()?)?
+        let flights = options.fly(&Audience::of_command())?;
+        (flights.written(), flights.failures)
     };
     terminal::print(&written.printed)?;
     drafts.keep(&written.files)?;
@@ -142,35 +138,78 @@ struct Written {
     files: [String; 3],
 }
 
+/// What every gust did, or turbulence, as arrays.
+pub fn answer(options: &GustOptions, audience: &Audience) -> Result<Answer, Error> {
+    if options.continuous {
+        return Ok(options.turbulence()?.answer());
+    }
+    let Flights { watched, found, failures, .. } = options.fly(audience)?;
+    Ok(table::answer(&watched, &found, failures.as_ref()))
+}
+
+/// All gusts that could be flown, at least one.
+struct Flights {
+    model: Arc<ReducedModel>,
+    settings: Settings,
+    watched: Vec<Watched>,
+    found: Found,
+    failures: Option<Failures>,
+    /// That they took.
+    seconds: f64,
+}
+
+impl Flights {
+    fn written(&self) -> Written {
+        let Flights { model, settings, watched, found, seconds, .. } = self;
+        let files = [
+            table::all(watched, found),
+            table::worst(watched, found),
+            plot::increments(&model.name, watched, found).to_svg(),
+        ];
+        Written { printed: report::text(model, settings, watched, found, *seconds), files }
+    }
+}
+
 impl GustOptions {
-    /// Flies single gusts: what is written of them, and which could not be flown to the end.
-    fn single(
-        &self,
-        model: &Arc<ReducedModel>,
-        settings: &Settings,
-        cases: &[Case],
-        watched: &[Watched],
-    ) -> Result<(Written, Option<Failures>), Error> {
+    /// What turbulence does.
+    fn turbulence(&self) -> Result<continuous::Found, Error> {
+        let model = self.flown.reduce(&self.flown.read(&self.aircraft)?)?;
+        let variables = VariableTable::new(&model);
+        let settings = self.flown.settings(&variables, &model)?;
+        let (directions, gust) = self.gusts.continuous(&settings, &self.flown.set)?;
+        let watched = watched(&self.output_names, &variables)?;
+        Ok(continuous::Found::new(model, Settings { gust, ..settings }, &directions, watched)?)
+    }
+
+    /// Flies single gusts.
+    fn fly(&self, audience: &Audience) -> Result<Flights, Error> {
+        let model = self.flown.reduce(&self.flown.read(&self.aircraft)?)?;
+        let variables = VariableTable::new(&model);
+        let settings = self.flown.settings(&variables, &model)?;
+        let cases = self.gusts.cases(&settings, &self.flown.set, self.duration)?;
+        let watched = watched(&self.output_names, &variables)?;
         let schedule = Schedule::hands_off(self.duration);
-        let gust_flights = GustFlights::new(model, settings, &schedule, self.step);
+        let gust_flights = GustFlights::new(&model, &settings, &schedule, self.step).before(audience);
         gust_flights.check(cases.len())?;
-        let trim = found::values(&mut trimmed(model, settings, 0.0)?, watched);
-        if let Some(warning) = set::cut_off(cases, settings, self.duration) {
+        let trim = found::values(&mut trimmed(&model, &settings, 0.0)?, &watched);
+        if let Some(warning) = set::cut_off(&cases, &settings, self.duration) {
             diagnostics::warn(&warning);
         }
         let began = Instant::now();
-        let (flights, failures) = fly(&gust_flights, cases, watched);
+        let (flights, failures) = fly(&gust_flights, &cases, &watched);
         let found = Found { trim, flights };
         if let Some(failures) = failures.as_ref().filter(|_| found.flights.is_empty()) {
             return Err(failures.clone().into());
         }
         let seconds = began.elapsed().as_secs_f64();
-        let files = [
-            table::all(watched, &found),
-            table::worst(watched, &found),
-            plot::increments(&model.name, watched, &found).to_svg(),
-        ];
-        Ok((Written { printed: report::text(model, settings, watched, &found, seconds), files }, failures))
+        Ok(Flights {
+            model: Arc::clone(&model),
+            settings: settings.clone(),
+            watched,
+            found,
+            failures,
+            seconds,
+        })
     }
 }
 

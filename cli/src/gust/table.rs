@@ -2,6 +2,8 @@
 
 use super::case::Case;
 use super::found::{Extremes, Flown, Found};
+use crate::answer::Answer;
+use crate::gust_flights::Failures;
 use crate::numbers::Plain;
 use crate::watched::Watched;
 
@@ -52,6 +54,31 @@ pub fn worst(watched: &[Watched], found: &Found) -> String {
             &format!("{},{},{},{},{}\n", output.name, output.unit, Plain(*trim), side(least), side(greatest));
     }
     text
+}
+
+/// A row for each gust, a column for each output; and which gusts could not be flown.
+pub fn answer(watched: &[Watched], found: &Found, failures: Option<&Failures>) -> Answer {
+    let flights = &found.flights;
+    let of_gusts = |number: fn(&Flown) -> f64| Answer::Numbers(flights.iter().map(number).collect());
+    let of_outputs = |number: fn(&Extremes) -> f64| Answer::Matrix {
+        rows: flights.len(),
+        columns: watched.len(),
+        values: flights.iter().flat_map(|flown| flown.extremes.iter().map(number)).collect(),
+    };
+    let failed = failures.map_or(Vec::new(), |failures| failures.lines().collect());
+    Answer::named([
+        ("names", Answer::Texts(watched.iter().map(|output| output.name.clone()).collect())),
+        ("units", Answer::Texts(watched.iter().map(|output| output.unit.clone()).collect())),
+        ("trim", Answer::Numbers(found.trim.clone())),
+        ("gradient", of_gusts(|flown| flown.case.gust.gradient)),
+        ("direction", of_gusts(|flown| flown.case.degrees)),
+        ("peak", of_gusts(|flown| flown.peak)),
+        ("least", of_outputs(|extremes| extremes.least.0)),
+        ("least_time", of_outputs(|extremes| extremes.least.1)),
+        ("greatest", of_outputs(|extremes| extremes.greatest.0)),
+        ("greatest_time", of_outputs(|extremes| extremes.greatest.1)),
+        ("failures", Answer::Texts(failed)),
+    ])
 }
 
 /// Gradient, direction and sense.

@@ -3,6 +3,7 @@
 use flexible_aircraft::{LinearModel, LinearName};
 
 use super::labels::Labels;
+use crate::answer::Answer;
 
 /// An array.
 pub enum Array {
@@ -12,6 +13,16 @@ pub enum Array {
     Vector(Vec<f64>),
     /// Texts in one dimension.
     Texts(Vec<String>),
+}
+
+impl From<Array> for Answer {
+    fn from(array: Array) -> Self {
+        match array {
+            Array::Matrix { rows, columns, values } => Answer::Matrix { rows, columns, values },
+            Array::Vector(values) => Answer::Numbers(values),
+            Array::Texts(texts) => Answer::Texts(texts),
+        }
+    }
 }
 
 /// All keys with their arrays, in the order of the files.

@@ -8,6 +8,7 @@ use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::{Inflow, flight_modes};
 use rayon::prelude::*;
 
+use crate::answer::Answer;
 use crate::chart::{Axis, Chart, Curve, Mark, Window, stacked};
 use crate::numbers::{Plain, short};
 use crate::progress::Progress;
@@ -25,8 +26,13 @@ pub struct Locus {
 
 impl Locus {
     /// Over ascending airspeeds, m/s, on all cores.
-    pub fn new(model: &Arc<ReducedModel>, settings: &Settings, inflow: Inflow, airspeeds: &[f64]) -> Self {
-        let progress = Progress::new(airspeeds.len(), "airspeeds");
+    pub fn new(
+        model: &Arc<ReducedModel>,
+        settings: &Settings,
+        inflow: Inflow,
+        airspeeds: &[f64],
+        progress: &Progress,
+    ) -> Self {
         let at = |&airspeed: &f64| {
             let mut settings = settings.clone();
             settings.plant.airspeed = airspeed;
@@ -66,6 +72,23 @@ impl Locus {
             }
         }
         text
+    }
+
+    /// The same as arrays.
+    pub fn answer(&self) -> Answer {
+        let rows: Vec<(f64, &FlightMode)> = self
+            .points
+            .iter()
+            .flat_map(|(airspeed, modes)| modes.modes.iter().map(move |mode| (*airspeed, mode)))
+            .collect();
+        let eigenvalues =
+            rows.iter().map(|(_, mode)| [mode.eigenvalue().re, mode.eigenvalue().im]).collect::<Vec<_>>();
+        Answer::named([
+            ("airspeed", Answer::Numbers(rows.iter().map(|(airspeed, _)| *airspeed).collect())),
+            ("mode", Answer::Texts(rows.iter().map(|(_, mode)| mode.name.to_string()).collect())),
+            ("eigenvalue", Answer::Complex { rows: rows.len(), columns: 1, values: eigenvalues }),
+            ("quasi_steady", Answer::Truths(rows.iter().map(|(_, mode)| mode.is_quasi_steady).collect())),
+        ])
     }
 
     /// Root loci, upper half: of rigid motion, and of the structure.

@@ -4,17 +4,18 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
-use flexible_aircraft::aircraft::Support;
+use flexible_aircraft::LinearContents;
 use flexible_aircraft::flight::{Settings, SimulationError};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::VariableTable;
-use flexible_aircraft::{LinearContents, LinearModel, flight_modes};
 use flexible_aircraft_packaging::FileError;
 use zip::result::ZipError;
 
+use crate::answer::Answer;
 use crate::files::{Drafts, Overwriting, refuse_overwriting};
-use crate::flown::{self, FlownOptions, condition, trimmed};
-use crate::numbers::{fixed, short};
+use crate::flown::{self, FlownOptions};
+use crate::numbers::short;
+use crate::progress::Audience;
 use crate::{axis, diagnostics, terminal, workspace};
 
 mod arrays;
@@ -22,6 +23,7 @@ mod balanced;
 mod inputs;
 mod json;
 mod labels;
+mod linearised;
 mod locus;
 mod mat;
 mod modes;
@@ -30,8 +32,8 @@ mod tables;
 mod wake;
 
 use inputs::Chosen;
+use linearised::Linearised;
 use locus::Locus;
-use modes::Modes;
 use wake::Wake;
 
 /// Options of `flexair linearise`.
@@ -148,28 +150,7 @@ fn run_model(options: &LineariseOptions) -> Result<(), Error> {
     let paths: Vec<&Path> = outputs.iter().map(PathBuf::as_path).collect();
     refuse_overwriting(&paths, [options.aircraft.as_path()])?;
     let drafts = Drafts::new(paths.iter().copied())?;
-    let model = options.flown.reduce(&options.flown.read(&options.aircraft)?)?;
-    let settings = options.flown.settings(&VariableTable::new(&model), &model)?;
-    trimmed(&model, &settings, 0.0)?;
-    let contents = LinearContents {
-        inflow: options.inflow.states(),
-        all_states: options.all_states,
-        gust_planes: options.gust_stations,
-    };
-    let mut linear = LinearModel::with(Arc::clone(&model), &settings, contents)?;
-    let modes = Modes::new(&model, &linear, flight_modes(Arc::clone(&model), &settings, contents.inflow)?);
-    let eigenvalues = linear.eigenvalues().unwrap_or_else(|error| {
-        diagnostics::warn(&error.to_string());
-        Vec::new()
-    });
-    let mut printed = modes.text(&eigenvalues) + "\n";
-    options.inputs.choose(&mut linear);
-    if let Wake::Balanced(order) = options.inflow {
-        let reduced = balanced::reduce(&linear, order)?;
-        printed += &(reduced.text() + "\n");
-        linear = reduced.model;
-    }
-    printed.insert_str(0, &heading(&model, &settings, &linear));
+    let Linearised { linear, modes, told } = options.linearise()?;
     let arrays = arrays::of(&linear);
     let mut contents: Vec<Vec<u8>> = Vec::with_capacity(outputs.len());
     for format in formats {
@@ -183,7 +164,7 @@ fn run_model(options: &LineariseOptions) -> Result<(), Error> {
             Format::Mat => contents.push(mat::bytes(&arrays)),
         }
     }
-    terminal::print(&printed)?;
+    terminal::print(&told)?;
     drafts.keep(&contents)?;
     for path in outputs {
         terminal::print(&format!("{}\n", path.display()))?;
@@ -191,50 +172,13 @@ fn run_model(options: &LineariseOptions) -> Result<(), Error> {
     Ok(())
 }
 
-/// What was linearised, and how large it is.
-fn heading(model: &ReducedModel, settings: &Settings, linear: &LinearModel) -> String {
-    let manoeuvre = match model.support {
-        Support::Free => settings.plant.condition.manoeuvre().name(!model.engines.is_empty()),
-        Support::Clamped => "rest in the tunnel",
-    };
-    let [states, inputs, outputs] = [&linear.states, &linear.inputs, &linear.outputs].map(Vec::len);
-    let condition = condition(model, settings);
-    let planes = planes(&linear.gust_planes);
-    format!(
-        "{}: {manoeuvre}, {condition}\n{states} states, {inputs} inputs, {outputs} outputs\n{planes}\n",
-        model.name
-    )
-}
-
-/// Where a gust is given to the model, if it is.
-fn planes(places: &[f64]) -> String {
-    let [first, second, ..] = places else { return String::new() };
-    let last = places[places.len() - 1];
-    let (count, apart) = (places.len(), first - second);
-    let [first, last, apart] = [*first, last, apart].map(|number| fixed(number, 4));
-    format!("{count} gust planes, {first} to {last} m ahead of O, {apart} m apart\n")
-}
-
 /// Follows the modes over airspeeds, and writes where they go.
 fn run_locus(options: &LineariseOptions, airspeeds: &[f64]) -> Result<(), Error> {
-    if matches!(options.inflow, Wake::Balanced(_)) {
-        return Err(Error::LocusReduced(options.inflow));
-    }
     let outputs = ["locus.csv", "locus.svg"].map(|ending| options.file(ending));
     let paths = outputs.each_ref().map(PathBuf::as_path);
     refuse_overwriting(&paths, [options.aircraft.as_path()])?;
     let drafts = Drafts::new(paths)?;
-    let model = options.flown.reduce(&options.flown.read(&options.aircraft)?)?;
-    let settings = options.flown.settings(&VariableTable::new(&model), &model)?;
-    let mut locus = Locus::new(&model, &settings, options.inflow.states(), airspeeds);
-    if locus.is_empty()
-        && let Some((_, failure)) = locus.failures.pop()
-    {
-        return Err(failure.into());
-    }
-    for (airspeed, failure) in &locus.failures {
-        diagnostics::warn(&format!("left out: {} m/s: {failure}", short(*airspeed)));
-    }
+    let locus = options.locus(airspeeds, &Audience::of_command())?;
     drafts.keep([locus.table(), locus.drawing()])?;
     for path in paths {
         terminal::print(&format!("{}\n", path.display()))?;
@@ -257,7 +201,52 @@ fn speeds(text: &str) -> Result<LocusSpeeds, String> {
     })
 }
 
+/// All matrices, names and units under the keys of the files, and the modes; or the modes over airspeeds.
+pub fn answer(options: &LineariseOptions, audience: &Audience) -> Result<Answer, Error> {
+    if let Some(LocusSpeeds(airspeeds)) = &options.speed {
+        return Ok(options.locus(airspeeds, audience)?.answer());
+    }
+    let Linearised { linear, modes, .. } = options.linearise()?;
+    let arrays = arrays::of(&linear).into_iter().map(|(key, array)| (key, array.into()));
+    Ok(Answer::named(arrays.chain([("modes", modes.answer())])))
+}
+
 impl LineariseOptions {
+    fn flown(&self) -> Result<(Arc<ReducedModel>, Settings), Error> {
+        let model = self.flown.reduce(&self.flown.read(&self.aircraft)?)?;
+        let settings = self.flown.settings(&VariableTable::new(&model), &model)?;
+        Ok((model, settings))
+    }
+
+    fn linearise(&self) -> Result<Linearised, Error> {
+        let (model, settings) = self.flown()?;
+        let contents = LinearContents {
+            inflow: self.inflow.states(),
+            all_states: self.all_states,
+            gust_planes: self.gust_stations,
+        };
+        Linearised::new(&model, &settings, contents, self.inflow, self.inputs)
+    }
+
+    /// The modes over airspeeds; those that cannot be flown are warned of.
+    fn locus(&self, airspeeds: &[f64], audience: &Audience) -> Result<Locus, Error> {
+        if matches!(self.inflow, Wake::Balanced(_)) {
+            return Err(Error::LocusReduced(self.inflow));
+        }
+        let (model, settings) = self.flown()?;
+        let progress = audience.progress(airspeeds.len(), "airspeeds");
+        let mut locus = Locus::new(&model, &settings, self.inflow.states(), airspeeds, &progress);
+        if locus.is_empty()
+            && let Some((_, failure)) = locus.failures.pop()
+        {
+            return Err(failure.into());
+        }
+        for (airspeed, failure) in &locus.failures {
+            diagnostics::warn(&format!("left out: {} m/s: {failure}", short(*airspeed)));
+        }
+        Ok(locus)
+    }
+
     /// Each format once, in the order in which they were asked for.
     fn formats(&self) -> Vec<Format> {
         let mut formats: Vec<Format> = Vec::new();

@@ -10,6 +10,7 @@ use flexible_aircraft::stability::{Complex, FlightMode, FlightModes};
 use flexible_aircraft::structure::ReducedModel;
 use serde_json::{Value, json};
 
+use crate::answer::Answer;
 use crate::numbers::{Plain, aligned, fixed};
 
 /// Less than this of the rigid motion that takes part is rounding.
@@ -184,6 +185,30 @@ impl Modes {
             "roll_time_constant": roll_time_constant,
         });
         json!({ "modes": modes, "flying_qualities": flying_qualities })
+    }
+
+    /// As arrays.
+    pub fn answer(&self) -> Answer {
+        let modes = &self.found.modes;
+        let eigenvalues = modes.iter().map(|mode| [mode.eigenvalue().re, mode.eigenvalue().im]).collect();
+        let number = |number: Option<f64>| Answer::Number(number.unwrap_or(f64::NAN));
+        let Qualities { load_factor_slope, control_anticipation, roll_time_constant } = self.qualities;
+        Answer::named([
+            ("names", Answer::Texts(modes.iter().map(|mode| mode.name.to_string()).collect())),
+            (
+                "families",
+                Answer::Texts(modes.iter().map(|mode| family(mode).unwrap_or_default().to_owned()).collect()),
+            ),
+            ("eigenvalues", Answer::Complex { rows: modes.len(), columns: 1, values: eigenvalues }),
+            (
+                "damping_ratios",
+                Answer::Numbers(modes.iter().map(|mode| damping_ratio(mode.eigenvalue())).collect()),
+            ),
+            ("quasi_steady", Answer::Truths(modes.iter().map(|mode| mode.is_quasi_steady).collect())),
+            ("load_factor_per_alpha", number(load_factor_slope)),
+            ("control_anticipation", number(control_anticipation)),
+            ("roll_time_constant", number(roll_time_constant)),
+        ])
     }
 
     /// As a table of comma-separated values.

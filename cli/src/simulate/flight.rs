@@ -80,6 +80,23 @@ impl<'s> Flight<'s> {
         })
     }
 
+    /// Flies, and keeps the outputs at each communication point, row after row.
+    ///
+    /// # Errors
+    /// When the flight has to end.
+    pub fn record(&mut self, step: Option<f64>, progress: &Progress) -> Result<Vec<f64>, SimulationError> {
+        let Flight { simulation, model, schedule, slots, .. } = self;
+        let mut values = Vec::new();
+        schedule.fly(simulation, model, step, |time, simulation| {
+            let instant = simulation.instant_with_loads();
+            values.push(time);
+            values.extend(slots.iter().map(|slot| slot.number(instant)));
+            progress.advance();
+            Ok::<(), SimulationError>(())
+        })?;
+        Ok(values)
+    }
+
     /// The names of the columns.
     pub fn names(&self) -> impl Iterator<Item = &'s str> {
         std::iter::once("time").chain(self.names.clone())

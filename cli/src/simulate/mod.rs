@@ -1,6 +1,7 @@
 //! `flexair simulate`: a flight with the Rust library alone, stepped and steered as an FMI master would do it with
 //! the FMU, under the same names.
 
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, ErrorKind, IsTerminal, Read};
 use std::path::{Path, PathBuf};
@@ -8,13 +9,14 @@ use std::sync::Arc;
 
 use clap::Args;
 use flexible_aircraft::flight::SimulationError;
-use flexible_aircraft::variables::VariableTable;
+use flexible_aircraft::variables::{Unit, VariableTable};
 use flexible_aircraft_packaging::FileError;
 
+use crate::answer::Answer;
 use crate::files::{Drafts, Overwriting, STANDARD, Sink, named, refuse_overwriting};
 use crate::flown::{self, FlownOptions, seconds};
 use crate::numbers::NumberTable;
-use crate::progress::Progress;
+use crate::progress::{Audience, Progress};
 use crate::watched::{NoSuchOutput, Watched};
 use crate::{terminal, workspace};
 
@@ -134,11 +136,15 @@ impl SimulateOptions {
         self.step.or((self.inputs.is_none() || has_waves).then_some(USUAL_STEP))
     }
 
-    /// What is given over time.
-    fn schedule(&self, variables: &VariableTable) -> Result<Schedule, Error> {
+    /// What is given over time: in a table that somebody has, or in the file.
+    fn schedule(&self, table: Option<&[u8]>, variables: &VariableTable) -> Result<Schedule, Error> {
         let table = match &self.inputs {
-            Some(path) => Schedule::parse(&read(path)?, variables)
-                .map_err(|source| Error::Inputs { path: path.clone(), source })?,
+            Some(path) => {
+                let bytes =
+                    table.map_or_else(|| read(path).map(Cow::Owned), |table| Ok(Cow::Borrowed(table)))?;
+                Schedule::parse(&bytes, variables)
+                    .map_err(|source| Error::Inputs { path: path.clone(), source })?
+            }
             None => Schedule::hands_off(self.duration.unwrap_or(USUAL_DURATION)),
         };
         if let (Some(path), 1) = (&self.inputs, table.len()) {
@@ -180,7 +186,7 @@ pub fn run(options: &SimulateOptions) -> Result<(), Error> {
     let model = options.flown.reduce(&aircraft)?;
     let variables = VariableTable::new(&model);
     let settings = options.flown.settings(&variables, &model)?;
-    let schedule = options.schedule(&variables)?;
+    let schedule = options.schedule(None, &variables)?;
     let rows = schedule.point_count(options.step());
     let mut recorded = options.recorded(&variables, rows)?;
     let mut flight = Flight::new(Arc::clone(&model), &settings, &schedule, &variables)?;
@@ -200,6 +206,28 @@ pub fn run(options: &SimulateOptions) -> Result<(), Error> {
         return kept.and(drawing.keep([svg.as_str()]).map_err(Error::from));
     }
     kept
+}
+
+/// Flies, and answers with all outputs: a row for each communication point, a column for each name. The inputs come from a
+/// table in place of the file where there is one.
+pub fn answer(options: &SimulateOptions, table: Option<&[u8]>, audience: &Audience) -> Result<Answer, Error> {
+    let model = options.flown.reduce(&options.flown.read(&options.aircraft)?)?;
+    let variables = VariableTable::new(&model);
+    let settings = options.flown.settings(&variables, &model)?;
+    let schedule = options.schedule(table, &variables)?;
+    let rows = schedule.point_count(options.step());
+    let mut flight = Flight::new(Arc::clone(&model), &settings, &schedule, &variables)?;
+    let values = flight.record(options.step(), &audience.progress(rows as usize, "rows"))?;
+    let names: Vec<String> = flight.names().map(str::to_owned).collect();
+    let unit = |name: &String| {
+        let variable = variables.iter().find(|(_, variable)| variable.name == *name);
+        variable.map_or("s", |(_, variable)| variable.unit.map_or("", Unit::name)).to_owned()
+    };
+    Ok(Answer::named([
+        ("units", Answer::Texts(names.iter().map(unit).collect())),
+        ("values", Answer::Matrix { rows: values.len() / names.len(), columns: names.len(), values }),
+        ("names", Answer::Texts(names)),
+    ]))
 }
 
 /// Keeps what has been written, under another name where the flight ended early.

@@ -1,6 +1,7 @@
 //! `flexair trim`: what holds an aircraft in steady flight, over speeds, altitudes and load factors [theory: trim.manoeuvres].
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::Args;
 use flexible_aircraft::flight::Settings;
@@ -9,14 +10,16 @@ use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::FileError;
 
+use crate::answer::Answer;
 use crate::files::{Drafts, Overwriting, STANDARD, refuse_overwriting};
 use crate::flown::{self, FlownOptions};
+use crate::progress::Audience;
 use crate::{axis, condition, terminal, workspace};
 
 mod points;
 mod table;
 
-use points::Status;
+use points::{Point, Status};
 
 /// Numbers of an axis, in the order in which they were given.
 #[derive(Clone, Debug)]
@@ -121,6 +124,8 @@ pub enum Error {
     Setting(#[from] SettingError),
     #[error("no point could be trimmed; the table says why")]
     None,
+    #[error("no point could be trimmed; the first because: {0}")]
+    Nowhere(String),
     #[error(transparent)]
     File(#[from] FileError),
     #[error(transparent)]
@@ -153,10 +158,7 @@ pub fn run(options: &TrimOptions) -> Result<(), Error> {
     refuse_overwriting(&outputs, [file])?;
     let is_standard = |path: &Path| path == Path::new(STANDARD);
     let drafts = Drafts::new(outputs.iter().copied().filter(|path| !is_standard(path)))?;
-    let model = options.flown.reduce(&options.flown.read(file)?)?;
-    let settings = options.flown.settings(&VariableTable::new(&model), &model)?;
-    let all = options.settings(&model, &settings)?;
-    let points = points::trim(&model, &all, options.ignore_limits)?;
+    let Trims { model, settings, points } = options.trim(&Audience::of_command())?;
     let found = points.iter().filter(|point| point.status == Status::Found).count();
     let printed = table::text(&model, &settings, &points);
     let written = [
@@ -174,7 +176,33 @@ pub fn run(options: &TrimOptions) -> Result<(), Error> {
     if found == 0 { Err(Error::None) } else { Ok(()) }
 }
 
+/// The table as arrays.
+pub fn answer(options: &TrimOptions, audience: &Audience) -> Result<Answer, Error> {
+    let Trims { model, points, .. } = options.trim(audience)?;
+    match points.iter().find(|point| point.status != Status::Found) {
+        Some(first) if points.iter().all(|point| point.status != Status::Found) => {
+            Err(Error::Nowhere(first.message.clone()))
+        }
+        _ => Ok(table::answer(&model, &points)),
+    }
+}
+
+/// All points.
+struct Trims {
+    model: Arc<ReducedModel>,
+    settings: Settings,
+    points: Vec<Point>,
+}
+
 impl TrimOptions {
+    fn trim(&self, audience: &Audience) -> Result<Trims, Error> {
+        let model = self.flown.reduce(&self.flown.read(&self.aircraft)?)?;
+        let settings = self.flown.settings(&VariableTable::new(&model), &model)?;
+        let all = self.settings(&model, &settings)?;
+        let points = points::trim(&model, &all, self.ignore_limits, audience)?;
+        Ok(Trims { model, settings, points })
+    }
+
     /// The settings of every point, load factor after load factor, in each altitude after altitude, in each speed after speed.
     fn settings(&self, model: &ReducedModel, base: &Settings) -> Result<Vec<Settings>, Error> {
         let condition = self.condition(model, base.plant.condition)?;

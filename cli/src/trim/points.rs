@@ -8,6 +8,8 @@ use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::symmetry::Plants;
 use rayon::prelude::*;
 
+use crate::progress::Audience;
+
 /// How a point came out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
@@ -47,8 +49,19 @@ pub struct Point {
 ///
 /// # Errors
 /// When a setting is out of range.
-pub fn trim(model: &ReducedModel, all: &[Settings], ignore_limits: bool) -> Result<Vec<Point>, SettingError> {
-    all.par_iter().map(|settings| point(model, settings, ignore_limits)).collect()
+pub fn trim(
+    model: &ReducedModel,
+    all: &[Settings],
+    ignore_limits: bool,
+    audience: &Audience,
+) -> Result<Vec<Point>, SettingError> {
+    let progress = audience.progress(all.len(), "trims");
+    let trim = |settings: &Settings| {
+        let point = point(model, settings, ignore_limits);
+        progress.advance();
+        point
+    };
+    all.par_iter().map(trim).collect()
 }
 
 fn point(model: &ReducedModel, settings: &Settings, ignore_limits: bool) -> Result<Point, SettingError> {

@@ -7,6 +7,7 @@ use flexible_aircraft::structure::ReducedModel;
 use serde_json::json;
 
 use super::points::{Point, Status};
+use crate::answer::Answer;
 use crate::flown::level;
 use crate::numbers::{Plain, aligned, fixed};
 
@@ -143,6 +144,31 @@ pub fn csv(model: &ReducedModel, points: &[Point]) -> String {
         let _ = writer.write_record(&record);
     }
     String::from_utf8_lossy(&writer.into_inner().unwrap_or_default()).into_owned()
+}
+
+/// The same as arrays, with NaN where nothing is trimmed.
+pub fn answer(model: &ReducedModel, points: &[Point]) -> Answer {
+    let columns = columns(model);
+    let axes_of = |axis: usize| points.iter().map(move |point| axes(point)[axis].2).collect();
+    let of_axes = points.iter().take(1).flat_map(axes).enumerate();
+    let of_axes = of_axes.map(|(axis, (name, unit, _))| (name.to_owned(), unit, axes_of(axis)));
+    let of_trims = columns.iter().map(|Column { name, unit, value, .. }| {
+        let number = |point: &Point| point.trim.as_ref().map_or(f64::NAN, |trim| value(point, trim));
+        (name.clone(), *unit, points.iter().map(number).collect())
+    });
+    let (mut values, mut units) = (Vec::new(), Vec::new());
+    for (name, unit, numbers) in of_axes.chain(of_trims) {
+        values.push((name.clone(), Answer::Numbers(numbers)));
+        units.push((name, Answer::Text(unit.to_owned())));
+    }
+    let texts = |text: fn(&Point) -> String| Answer::Texts(points.iter().map(text).collect());
+    Answer::named([
+        ("columns", Answer::Members(values)),
+        ("units", Answer::Members(units)),
+        ("status", texts(|point| point.status.name().to_owned())),
+        ("messages", texts(|point| point.message.clone())),
+        ("warnings", texts(|point| point.warnings.join("; "))),
+    ])
 }
 
 /// The same with units.

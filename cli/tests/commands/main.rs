@@ -11,6 +11,8 @@ mod files;
 #[cfg(test)]
 mod gust;
 #[cfg(test)]
+mod installed;
+#[cfg(test)]
 mod linearise;
 #[cfg(test)]
 mod loads;

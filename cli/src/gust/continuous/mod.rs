@@ -11,6 +11,7 @@ use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::{HarmonicGusts, InTurbulence};
 
 use super::Written;
+use crate::answer::Answer;
 use crate::diagnostics;
 use crate::flown::trimmed;
 use crate::numbers::{Plain, fixed, short};
@@ -37,14 +38,18 @@ pub enum Error {
 }
 
 /// What was found.
-struct Found<'w> {
-    watched: &'w [Watched],
+pub struct Found {
+    model: Arc<ReducedModel>,
+    settings: Settings,
+    watched: Vec<Watched>,
     /// Of each watched output.
     trim: Vec<f64>,
     turbulence: TurbulenceSettings,
     /// U_σ, m/s of true airspeed.
     velocity: f64,
     directions: Vec<Direction>,
+    /// That it took.
+    seconds: f64,
 }
 
 /// Turbulence in a direction.
@@ -66,51 +71,91 @@ struct Row<'f> {
     limits: [f64; 2],
 }
 
-/// Finds what an aircraft, whose gust gives U_σ, does in turbulence of some directions, degrees.
-pub fn run(
-    model: &Arc<ReducedModel>,
-    settings: &Settings,
-    directions: &[f64],
-    watched: &[Watched],
-) -> Result<Written, Error> {
-    let turbulence = match settings.turbulence.spectrum {
-        Spectrum::None => TurbulenceSettings { spectrum: Spectrum::VonKarman, ..settings.turbulence },
-        _ => settings.turbulence,
-    };
-    // The trim is in still air.
-    let calm = Settings {
-        gust: GustSettings::default(),
-        turbulence: TurbulenceSettings::default(),
-        ..settings.clone()
-    };
-    trimmed(model, &calm, 0.0)?;
-    let began = Instant::now();
-    let gusts = HarmonicGusts::new(Arc::clone(model), &calm)?;
-    let linear = gusts.linear_model();
-    let place = |output: &Watched| {
-        let place = linear.outputs.iter().position(|other| other.name == output.name);
-        place.ok_or_else(|| Error::Sampled(output.name.clone()))
-    };
-    let places = watched.iter().map(place).collect::<Result<Vec<usize>, Error>>()?;
-    let in_direction = |&degrees: &f64| {
-        let outputs = gusts.in_turbulence(degrees.to_radians(), &turbulence, &places)?;
-        Ok(Direction { degrees, outputs })
-    };
-    let found = Found {
-        watched,
-        trim: places.iter().map(|&place| linear.y0[place]).collect(),
-        turbulence,
-        velocity: settings.gust.turbulence_velocity(settings.plant.altitude),
-        directions: directions.iter().map(in_direction).collect::<Result<_, Error>>()?,
-    };
-    found.warn();
-    Ok(Written {
-        printed: report::text(model, settings, &found, began.elapsed().as_secs_f64()),
-        files: [table::csv(&found), table::json(model, &found), plot::densities(&model.name, &found)],
-    })
-}
+impl Found {
+    /// Finds what an aircraft, whose gust gives U_σ, does in turbulence of some directions, degrees.
+    pub fn new(
+        model: Arc<ReducedModel>,
+        settings: Settings,
+        directions: &[f64],
+        watched: Vec<Watched>,
+    ) -> Result<Self, Error> {
+        let turbulence = match settings.turbulence.spectrum {
+            Spectrum::None => TurbulenceSettings { spectrum: Spectrum::VonKarman, ..settings.turbulence },
+            _ => settings.turbulence,
+        };
+        // The trim is in still air.
+        let calm = Settings {
+            gust: GustSettings::default(),
+            turbulence: TurbulenceSettings::default(),
+            ..settings.clone()
+        };
+        trimmed(&model, &calm, 0.0)?;
+        let began = Instant::now();
+        let gusts = HarmonicGusts::new(Arc::clone(&model), &calm)?;
+        let linear = gusts.linear_model();
+        let place = |output: &Watched| {
+            let place = linear.outputs.iter().position(|other| other.name == output.name);
+            place.ok_or_else(|| Error::Sampled(output.name.clone()))
+        };
+        let places = watched.iter().map(place).collect::<Result<Vec<usize>, Error>>()?;
+        let in_direction = |&degrees: &f64| {
+            let outputs = gusts.in_turbulence(degrees.to_radians(), &turbulence, &places)?;
+            Ok(Direction { degrees, outputs })
+        };
+        let directions = directions.iter().map(in_direction).collect::<Result<_, Error>>()?;
+        let found = Found {
+            watched,
+            trim: places.iter().map(|&place| linear.y0[place]).collect(),
+            turbulence,
+            velocity: settings.gust.turbulence_velocity(settings.plant.altitude),
+            directions,
+            seconds: began.elapsed().as_secs_f64(),
+            model,
+            settings,
+        };
+        found.warn();
+        Ok(found)
+    }
 
-impl Found<'_> {
+    /// What is printed, and the files.
+    pub fn written(&self) -> Written {
+        Written {
+            printed: report::text(&self.model, &self.settings, self, self.seconds),
+            files: [
+                table::csv(self),
+                table::json(&self.model, self),
+                plot::densities(&self.model.name, self),
+            ],
+        }
+    }
+
+    /// A row for each direction, a column for each output.
+    pub fn answer(&self) -> Answer {
+        let of_outputs = |number: fn(&Row) -> f64| Answer::Matrix {
+            rows: self.directions.len(),
+            columns: self.watched.len(),
+            values: self
+                .directions
+                .iter()
+                .flat_map(|direction| self.rows(direction).map(|row| number(&row)))
+                .collect(),
+        };
+        Answer::named([
+            ("names", Answer::Texts(self.watched.iter().map(|output| output.name.clone()).collect())),
+            ("units", Answer::Texts(self.watched.iter().map(|output| output.unit.clone()).collect())),
+            ("trim", Answer::Numbers(self.trim.clone())),
+            (
+                "direction",
+                Answer::Numbers(self.directions.iter().map(|direction| direction.degrees).collect()),
+            ),
+            ("rms", of_outputs(|row| row.rms)),
+            ("crossings", of_outputs(|row| row.crossings)),
+            ("velocity", Answer::Number(self.velocity)),
+            ("least", of_outputs(|row| row.limits[0])),
+            ("greatest", of_outputs(|row| row.limits[1])),
+        ])
+    }
+
     /// Of each watched output what a direction does.
     fn rows<'f>(&'f self, direction: &'f Direction) -> impl Iterator<Item = Row<'f>> {
         let outputs = self.watched.iter().zip(&self.trim).zip(&direction.outputs.outputs);

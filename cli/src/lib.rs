@@ -2,15 +2,19 @@
 //!
 //! One module per command; this one knows the options and nothing else.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
-use std::process::ExitCode;
 
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Arg, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use flexible_aircraft_packaging::{Platform, remove_temporary_files};
 
+mod aircraft;
 mod analysis;
+pub mod answer;
 mod axis;
 mod bench;
+pub mod calls;
 mod chart;
 mod check;
 mod completions;
@@ -22,6 +26,7 @@ mod flown;
 mod flutter;
 mod gust;
 mod gust_flights;
+pub mod home;
 mod linearise;
 mod loads;
 mod manoeuvre;
@@ -30,7 +35,7 @@ mod marked;
 mod merge;
 mod numbers;
 mod package;
-mod progress;
+pub mod progress;
 mod reproduce;
 mod simulate;
 mod ssp;
@@ -41,6 +46,7 @@ mod watched;
 mod workspace;
 
 use diagnostics::Report as _;
+use home::Home;
 
 /// Nonlinear flight dynamics of flexible aircraft, packaged for simulation tools (FMI 2.0 co-simulation)
 #[derive(Parser)]
@@ -90,6 +96,9 @@ enum Command {
     /// Join the aircraft's FMU and others, such as control laws, to a system that masters run (SSP, OSP)
     Ssp(ssp::SspOptions),
 
+    /// List the aircraft that come with the program, by the names that every command takes
+    Aircraft(aircraft::AircraftOptions),
+
     /// Print a script with which a shell completes commands and options
     Completions(completions::CompletionsOptions),
 }
@@ -126,7 +135,8 @@ struct PackageOptions {
     stations_along: Vec<(String, usize)>,
 
     /// A shared library built elsewhere, for a further platform or in place of the one built here:
-    /// aarch64-linux, darwin64, linux64 or win64, and its file. May be repeated
+    /// aarch64-linux, darwin64, linux64 or win64, and its file. May be repeated [default: where the program is installed, those
+    /// that came with it]
     #[arg(long, value_name = "PLATFORM=FILE", value_parser = platform_and_file)]
     binary: Vec<(Platform, PathBuf)>,
 
@@ -158,8 +168,9 @@ fn component_and_count(option: &str) -> Result<(String, usize), String> {
 }
 
 /// The command line as it is parsed: every option takes negative numbers as values, so that `-1` is a bad number and not
-/// an unknown option; a count says what it allows; names of choices count in any case.
-fn command_line() -> clap::Command {
+/// an unknown option; a count says what it allows; names of choices count in any case. Where the program is at home decides
+/// where outputs go and which aircraft names are known.
+fn command_line(home: &Home) -> clap::Command {
     let option = |option: Arg| {
         if !option.get_action().takes_values() || option.is_positional() {
             return option;
@@ -168,7 +179,25 @@ fn command_line() -> clap::Command {
         let option = option.allow_negative_numbers(true).ignore_case(true);
         if is_count { option.value_parser(count) } else { option }
     };
-    CommandLine::command().mut_subcommands(|command| command.mut_args(option))
+    CommandLine::command().mut_subcommands(|command| {
+        let name = command.get_name().to_owned();
+        command.mut_args(|argument| at_home(home, &name, option(argument)))
+    })
+}
+
+/// An option of a command with the default that it has at home.
+fn at_home(home: &Home, command: &str, option: Arg) -> Arg {
+    let Some(default) = option.get_default_values().first().map(PathBuf::from) else { return option };
+    if default == workspace::aircraft() {
+        let home = home.clone();
+        let help = option.get_help().map(ToString::to_string).unwrap_or_default();
+        let parser = PathBufValueParser::new().try_map(move |given| home.aircraft(given));
+        return option.value_parser(parser).help(format!("{help}, or a name that `flexair aircraft` lists"));
+    }
+    match home.output(command, &default) {
+        same if same == default => option,
+        other => option.default_value(other.into_os_string()),
+    }
 }
 
 fn count(text: &str) -> Result<usize, String> {
@@ -187,12 +216,29 @@ fn stop_when_asked() {
 /// What shells return for a program that Ctrl-C ended.
 const INTERRUPTED: i32 = 130;
 
-fn main() -> ExitCode {
+/// What shells take for success.
+const SUCCESS: u8 = 0;
+
+/// What they take for the failure of a command.
+const FAILURE: u8 = 1;
+
+/// What they take for a command line that is not right.
+const USAGE: u8 = 2;
+
+/// Does what a command line asks for, the program's name first, and returns what the program should end with.
+pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8 {
     stop_when_asked();
-    let matches = command_line().get_matches();
-    let command = CommandLine::from_arg_matches(&matches).unwrap_or_else(|error| error.exit()).command;
+    let matches = command_line(home).try_get_matches_from(arguments);
+    let command = match matches.and_then(|matches| CommandLine::from_arg_matches(&matches)) {
+        Ok(CommandLine { command }) => command,
+        Err(error) => {
+            // Nobody is left who could be told that it failed.
+            let _ = error.print();
+            return if error.use_stderr() { USAGE } else { SUCCESS };
+        }
+    };
     let outcome = match command {
-        Command::Package(options) => package::run(options).map_err(|error| error.report()),
+        Command::Package(options) => package::run(options, home).map_err(|error| error.report()),
         Command::Merge(options) => merge::run(&options).map_err(|error| error.report()),
         Command::Reproduce(options) => reproduce::run(&options).map_err(|error| error.report()),
         Command::Simulate(options) => simulate::run(&options).map_err(|error| error.report()),
@@ -205,15 +251,16 @@ fn main() -> ExitCode {
         Command::Sweep(options) => sweep::run(&options).map_err(|error| error.report()),
         Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
         Command::Ssp(options) => ssp::run(&options).map_err(|error| error.report()),
+        Command::Aircraft(_) => aircraft::run(home).map_err(|error| error.report()),
         Command::Completions(options) => {
-            completions::run(&options, command_line()).map_err(|error| error.report())
+            completions::run(&options, command_line(home)).map_err(|error| error.report())
         }
     };
     match outcome {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => SUCCESS,
         Err(report) => {
             terminal::note(&report);
-            ExitCode::FAILURE
+            FAILURE
         }
     }
 }
@@ -221,6 +268,11 @@ fn main() -> ExitCode {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// As in the checkout in which this is built.
+    fn command_line() -> clap::Command {
+        super::command_line(&Home::of_program())
+    }
 
     #[test]
     fn the_options_do_not_contradict_each_other() {
@@ -255,10 +307,12 @@ mod tests {
             "bench",
             "reproduce",
         ];
+        let jet = Home::of_program().aircraft_file("generic-business-jet");
+        assert!(jet.is_file());
         for line in lines.map(|line| format!("flexair {line}")) {
             let matches = command_line().get_matches_from(line.split(' '));
             let (name, matches) = matches.subcommand().unwrap();
-            assert_eq!(matches.get_one::<PathBuf>("aircraft"), Some(&workspace::aircraft()), "{name}");
+            assert_eq!(matches.get_one::<PathBuf>("aircraft"), Some(&jet), "{name}");
         }
     }
 
