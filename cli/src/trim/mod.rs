@@ -16,7 +16,7 @@ use crate::{axis, condition, terminal, workspace};
 mod points;
 mod table;
 
-use points::Status;
+use points::{Status, Trimmed};
 
 /// Numbers of an axis, in the order in which they were given.
 #[derive(Clone, Debug)]
@@ -37,7 +37,8 @@ const MOST_POINTS: usize = 100_000;
 #[command(
     after_help = "Each of --speed, --altitude and --load-factor is a number, a list (120,127) or FROM:TO:N; all are combined. \
 Angles are degrees here and rad in the tables. Where a trim needs more than the limits of the aircraft file, of actuator.* and engine.*, it counts \
-as none, and the table says what is left with them held there.
+as none, and the table says what is left with them held there. The static margin is in mean aerodynamic chords, with structure and wake \
+at rest; only straight flights of a symmetric aircraft have one here.
 
 Examples: level flight over speeds; turns and a pull-up; the right engine of the jet out
   flexair trim --speed 110:180:8
@@ -153,10 +154,16 @@ pub fn run(options: &TrimOptions) -> Result<(), Error> {
     refuse_overwriting(&outputs, [file])?;
     let is_standard = |path: &Path| path == Path::new(STANDARD);
     let drafts = Drafts::new(outputs.iter().copied().filter(|path| !is_standard(path)))?;
-    let model = options.flown.reduce(&options.flown.read(file)?)?;
+    let aircraft = options.flown.read(file)?;
+    let model = options.flown.reduce(&aircraft)?;
     let settings = options.flown.settings(&VariableTable::new(&model), &model)?;
     let all = options.settings(&model, &settings)?;
-    let points = points::trim(&model, &all, options.ignore_limits)?;
+    let trimmed = Trimmed {
+        model: &model,
+        reference: aircraft.reference_lengths(),
+        ignore_limits: options.ignore_limits,
+    };
+    let points = points::trim(&trimmed, &all)?;
     let found = points.iter().filter(|point| point.status == Status::Found).count();
     let printed = table::text(&model, &settings, &points);
     let written = [

@@ -5,6 +5,8 @@ mod before_work;
 #[cfg(test)]
 mod closed_output;
 #[cfg(test)]
+mod describe;
+#[cfg(test)]
 mod files;
 #[cfg(test)]
 mod gust;
