@@ -4,6 +4,7 @@
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use crate::aircraft::Support;
+use crate::kinematics::RigidFreedom;
 
 use super::linearisation::{StateMatrix, Unknown};
 use super::system::Plant;
@@ -95,8 +96,9 @@ impl Plant {
         let block = |row, column| -> Matrix3<f64> { mass.fixed_view::<3, 3>(row, column).into_owned() };
         let force = block(0, 0) * linear + block(0, 3) * angular;
         let about_origin = block(3, 0) * linear + block(3, 3) * angular;
-        // m c× is the lower left block.
-        let centre_of_mass = Vector3::new(mass[(5, 1)], mass[(3, 2)], mass[(4, 0)]) / mass[(0, 0)];
+        // m c× is the lower left block. Half an aircraft may know its sections on the right alone: what is across the plane cancels.
+        let across = if self.equations.freedom == RigidFreedom::InPlane { 0.0 } else { mass[(3, 2)] };
+        let centre_of_mass = Vector3::new(mass[(5, 1)], across, mass[(4, 0)]) / mass[(0, 0)];
         let moment = about_origin - centre_of_mass.cross(&force);
         let lift_slope = force.dot(&Vector3::new(sin, 0.0, -cos));
         if !(lift_slope.is_normal() && lift_slope > 0.0) {

@@ -41,9 +41,9 @@ fn lengths_that_none_has_are_refused() {
     assert_messages(
         &[(before, &after)],
         &[
-            "small.toml:12:1: reference.breadth: found the unknown field \"breadth\"; allowed here: chord_m, area_m2, span_m",
             "small.toml:10:11: reference.chord_m: found 0; a length in metres from 1e-6 to 1000 is allowed",
             "small.toml:11:11: reference.area_m2: found -1; an area in m² from 1e-12 to 1e6 is allowed",
+            "small.toml:12:1: reference.breadth: found the unknown field \"breadth\"; allowed here: chord_m, area_m2, span_m",
         ],
     );
 }

@@ -48,7 +48,7 @@ const CLAIMS: &[Claim] = &[
         "linear_model",
         &["linear-model-gains", "linear-model-eigenvalues", "linear-model-steps"],
     ),
-    ("Static margin", "static_margin", &["static-margin", "static-margin-half", "static-margin-trims"]),
+    ("Static margin", "static_margin", &["static-margin", "static-margin-half", "neutral-point"]),
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
     ("Energy balance in air", "energy_balance", &["energy-balance"]),
     ("Phugoid and short period", "rigid_modes", &["rigid-modes"]),

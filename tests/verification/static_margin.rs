@@ -80,14 +80,14 @@ fn half_the_aircraft_has_the_static_margin_of_the_whole() {
 #[test]
 fn a_rigid_aircraft_keeps_its_neutral_point_when_its_mass_is_moved() {
     let mut record = Record::new(
-        "static-margin-trims",
+        "neutral-point",
         "Neutral point of the rigid jet without inflow, all mass 0.2 m farther back: m of body x (the angle of attack of the trim \
          changes a little, and with it the moment of drag)",
         "definition of the neutral point",
     );
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/generic-business-jet.toml");
     let mut aircraft = Aircraft::read(path).unwrap();
-    let mut found = |aircraft: &Aircraft| {
+    let found = |aircraft: &Aircraft| {
         let model = ReducedModel::new(aircraft, 1).unwrap();
         let settings =
             PlantSettings { fidelity: Fidelity::Rigid, inflow_states: 0, ..PlantSettings::of(&model) };

@@ -36,10 +36,7 @@ impl Balance {
             Support::Clamped => "rest in the tunnel",
         };
         let condition = format!("{manoeuvre}, {}", flown::condition(model, settings));
-        let (stability, beyond) = match stability(model, settings) {
-            Ok((stability, beyond)) => (Ok(stability), beyond),
-            Err(reason) => (Err(reason), None),
-        };
+        let (stability, beyond) = stability(model, settings).unwrap_or_else(|reason| (Err(reason), None));
         let margin = stability.as_ref().ok().zip(lengths).map(|(stability, lengths)| Margin {
             margin: stability.margin(lengths.chord),
             lift_slope: stability.lift_slope_coefficient(lengths.area),
@@ -48,16 +45,19 @@ impl Balance {
     }
 }
 
-/// Static stability, with a warning of what of the trim is beyond its limits.
-fn stability(model: &ReducedModel, settings: &Settings) -> Result<(StaticStability, Option<String>), String> {
-    if model.support == Support::Clamped {
-        return Err(flexible_aircraft::plant::NoStaticStability::Clamped.to_string());
-    }
+/// Static stability in the trim or why there is none, with a warning of what of the trim is beyond its limits.
+///
+/// # Errors
+/// When there is no trim.
+fn stability(
+    model: &ReducedModel,
+    settings: &Settings,
+) -> Result<(Result<StaticStability, String>, Option<String>), String> {
     let plants = Plants::under(model, &settings.plant).map_err(|error| error.to_string())?;
     let found = plants.trim(&settings.plant.trim_condition());
     let trimmed = found.map_err(|error| format!("there is no trim: {error}"))?;
     let plant = plants.half().filter(|_| trimmed.form.is_symmetric()).unwrap_or(plants.whole());
     let exceeded = LimitExceeded::find(&model.limits, plant, trimmed.trim());
-    let stability = plant.static_stability(trimmed.trim()).map_err(|error| error.to_string())?;
+    let stability = plant.static_stability(trimmed.trim()).map_err(|error| error.to_string());
     Ok((stability, LimitExceeded::warning(&exceeded, model, &settings.plant)))
 }

@@ -160,7 +160,7 @@ impl Row {
         let views = [View::Above, across(aircraft, mode.component)];
         let all = || rest.iter().chain(&deflected).flat_map(|line| &line.points);
         Row {
-            head: [format!("{}   {:.3} Hz", mode.number, mode.frequency()), mode.motion.clone()],
+            head: [format!("{} · {:.3} Hz", mode.number, mode.frequency()), mode.motion.clone()],
             extents: views.map(|view| Extent::around(view, all())),
             views,
             deflected,
