@@ -8,7 +8,9 @@ use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Settings, Simulation, SimulationError};
 use flexible_aircraft::plant::LimitExceeded;
-use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
+use flexible_aircraft::structure::{
+    ModalBasis, ModeCount, ModeKind, ReducedModel, Structure, StructureError,
+};
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::assignment;
 
@@ -55,6 +57,11 @@ impl FlownOptions {
     /// The aircraft with its modes.
     pub fn reduce(&self, aircraft: &Aircraft) -> Result<Arc<ReducedModel>, Error> {
         Ok(Arc::new(ReducedModel::new(aircraft, self.count())?))
+    }
+
+    /// The modes of a structure with their shapes: those to which [`reduce`](Self::reduce) reduces.
+    pub fn basis(&self, structure: &Structure) -> Result<ModalBasis, Error> {
+        Ok(ModalBasis::with(structure, self.count(), ModeKind::All)?)
     }
 
     /// Its settings.

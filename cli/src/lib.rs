@@ -20,6 +20,7 @@ mod check;
 mod completions;
 mod condition;
 mod converge;
+mod describe;
 mod diagnostics;
 mod files;
 mod flown;
@@ -70,6 +71,9 @@ enum Command {
 
     /// Trim an aircraft in level flight, climbs, turns, pull-ups, sideslip or with an engine out: a table over speeds and altitudes
     Trim(trim::TrimOptions),
+
+    /// Say what an aircraft file describes: mass, balance, static margin, natural modes, and what is unusual
+    Describe(describe::DescribeOptions),
 
     /// Write a linear model about a trim, for control laws: matrices with names and units as JSON, tables, for NumPy and MATLAB
     #[command(visible_alias = "linearize")]
@@ -243,6 +247,7 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8
         Command::Reproduce(options) => reproduce::run(&options).map_err(|error| error.report()),
         Command::Simulate(options) => simulate::run(&options).map_err(|error| error.report()),
         Command::Trim(options) => trim::run(&options).map_err(|error| error.report()),
+        Command::Describe(options) => describe::run(&options).map_err(|error| error.report()),
         Command::Linearise(options) => linearise::run(&options).map_err(|error| error.report()),
         Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
         Command::Converge(options) => converge::run(&options).map_err(|error| error.report()),
@@ -303,6 +308,7 @@ mod tests {
             "converge",
             "gust",
             "trim",
+            "describe",
             "linearise",
             "bench",
             "reproduce",

@@ -53,6 +53,8 @@ pub(super) const POSITIVE_LENGTH: Allowed = Allowed {
     contains: |x| (1e-6..=1000.0).contains(&x),
     text: "a length in metres from 1e-6 to 1000 is allowed",
 };
+pub(super) const REFERENCE_AREA: Allowed =
+    Allowed { contains: |x| (1e-12..=1e6).contains(&x), text: "an area in m² from 1e-12 to 1e6 is allowed" };
 pub(super) const GYRATION: Allowed = Allowed {
     contains: |x| (0.0..=1000.0).contains(&x),
     text: "a radius of gyration from 0 to 1000 is allowed",

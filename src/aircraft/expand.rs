@@ -66,6 +66,7 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
             inflow_states: file.inflow_states,
             airspeed: file.airspeed.value,
             altitude: file.altitude,
+            reference: file.reference,
             limits: file.limits,
             tunnel_air: file.tunnel_air.as_ref().map(|air| air.value),
             mount: file.mount.as_ref().map_or(Vector3::zeros(), |mount| mount.value),
@@ -96,6 +97,9 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
             let image = (Side::Mirrored, image.unwrap_or(Root::ORIGIN));
             assembly.place(part, image, &mirror.value, Some(&name.value), &file.controls)
         });
+        if image.is_some() {
+            assembly.join_images(placed.len());
+        }
         placed.push(as_written);
         placed.extend(image);
         let groups = part.groups(first_bay, 1 + usize::from(partner.is_some()));
@@ -250,6 +254,13 @@ fn root(
 }
 
 impl Assembly {
+    /// Makes a component and the next one mirror images of each other.
+    fn join_images(&mut self, component: usize) {
+        let components = &mut self.aircraft.components;
+        (components[component].image, components[component + 1].image) =
+            (Some(component + 1), Some(component));
+    }
+
     fn place<'p>(
         &mut self,
         part: &'p Part,
@@ -299,6 +310,7 @@ impl Assembly {
             name: name.to_owned(),
             nodes: nodes.clone(),
             first_beam,
+            image: None,
             parent,
         });
         Placed { name, partner, line: &part.line, nodes, first_beam }

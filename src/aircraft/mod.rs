@@ -14,6 +14,7 @@
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
 //! | `components` | a name | the component that has it |
 //! | `cuts` | [`Aircraft`] | where it is cut in thought, what is outboard of a cut |
+//! | `reference` | [`Aircraft`] | the lengths by which coefficients are made dimensionless |
 //! | `stations_along` | [`Aircraft`] | stations that no file lists |
 //! | `factors` | [`Aircraft`] | the same with other stiffnesses and masses |
 //! | `fidelity` | | at which levels an aircraft can fly |
@@ -51,6 +52,7 @@ mod masses;
 mod model;
 mod model_tables;
 mod read;
+mod reference;
 mod roles;
 mod schema;
 mod stations_along;
@@ -74,9 +76,11 @@ pub use fidelity::Fidelity;
 pub use flap::FlapEffect;
 pub use limits::{Bound, Bounds, Limits};
 pub use model::{
-    AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Component, Cut, Engine, Flap, MOST_INFLOW_STATES,
-    MassBay, MassGroup, ModeBasis, Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir, WrittenComponent,
+    AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Component, Cut, Engine, Flap, GivenReference,
+    MOST_INFLOW_STATES, MassBay, MassGroup, ModeBasis, Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
+    WrittenComponent,
 };
+pub use reference::ReferenceLengths;
 pub use stations_along::StationsAlongError;
 pub(crate) use surfaces::CROSSING;
 

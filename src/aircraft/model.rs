@@ -60,6 +60,17 @@ pub const ALTITUDES: RangeInclusive<f64> = -1000.0..=20_000.0;
 /// Most inflow states of a strip: beyond, the coefficients of the inflow model lose their digits.
 pub const MOST_INFLOW_STATES: usize = 8;
 
+/// What the aircraft file gives of reference lengths.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct GivenReference {
+    /// m.
+    pub chord: Option<f64>,
+    /// m².
+    pub area: Option<f64>,
+    /// m.
+    pub span: Option<f64>,
+}
+
 /// A whole aircraft, expanded. Built by [`Aircraft::read`](super::Aircraft) from an aircraft file.
 ///
 /// ```
@@ -90,6 +101,8 @@ pub struct Aircraft {
     pub airspeed: f64,
     /// Altitude at which it is trimmed unless someone asks for another, m.
     pub altitude: f64,
+    /// What the file says of reference lengths; [`reference_lengths`](Aircraft::reference_lengths) are all of them.
+    pub reference: GivenReference,
     /// What its trims should stay within.
     pub limits: Limits,
     /// The air around a clamped aircraft; `None`: that of the standard atmosphere at the altitude.
@@ -117,6 +130,16 @@ pub struct Aircraft {
     pub written: Vec<WrittenComponent>,
     /// Where section loads are outputs.
     pub cuts: Vec<Cut>,
+}
+
+impl Aircraft {
+    /// The component that an element belongs to, by its index.
+    pub fn component_of(&self, beam: usize) -> Option<usize> {
+        let has_it = |component: &Component| {
+            (component.first_beam..component.first_beam + component.nodes.len() - 1).contains(&beam)
+        };
+        self.components.iter().position(has_it)
+    }
 }
 
 /// A straight Euler–Bernoulli beam element with constant section [theory: structure.tree, structure.beam].
@@ -233,6 +256,8 @@ pub struct Component {
     pub nodes: Vec<usize>,
     /// Its first element; the others follow.
     pub first_beam: usize,
+    /// Its mirror image, if it has one.
+    pub image: Option<usize>,
     /// Which component it hangs on and at which of that one's nodes, counted from its root; `None`: at O.
     pub parent: Option<(usize, usize)>,
 }

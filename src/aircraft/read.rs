@@ -16,6 +16,7 @@ use super::law::Law;
 use super::limit_tables::read_limits;
 use super::model::{ModeBasis, Support};
 use super::model_tables;
+use super::reference::read_reference;
 use super::schema::{
     Along, ComponentSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, Hand, InertiaSpec,
     MassPartSpec, MoveSpec, ParentSpec, PointMassesSpec, STIFFNESS, StationSpec, SurfaceSpec,
@@ -38,6 +39,7 @@ const FILE: &[&str] = &[
     "mount_attitude_deg",
     "symmetric",
     "basis",
+    "reference",
     "limits",
     "control",
     "component",
@@ -126,6 +128,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         load_modes: model_tables::read_load_modes(&table),
         fidelity: model_tables::read_fidelity(&table),
         symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
+        reference: read_reference(&table),
         limits,
         former_limits,
         name: name?,

@@ -8,7 +8,7 @@ use super::error::Place;
 use super::fidelity::Fidelity;
 use super::law::Law;
 use super::limits::Limits;
-use super::model::{ModeBasis, Support, TunnelAir};
+use super::model::{GivenReference, ModeBasis, Support, TunnelAir};
 use super::stretch::Stretch;
 
 /// EA, GJ, EI_y, EI_z in the order in which [`ComponentSpec::stiffness`] holds them.
@@ -28,6 +28,7 @@ pub(super) struct FileSpec {
     pub(super) mount: Option<Located<Vector3<f64>>>,
     /// Whether the structure must be its own mirror image.
     pub(super) symmetric: bool,
+    pub(super) reference: GivenReference,
     pub(super) limits: Limits,
     /// Limits of controls where they stood before controls had tables of their own.
     pub(super) former_limits: Vec<FormerLimits>,

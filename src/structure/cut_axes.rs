@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::aircraft::{CROSSING, Cut, Strip};
+use crate::aircraft::{CROSSING, Strip};
 
 use super::assembly::Structure;
 
@@ -24,10 +24,10 @@ pub(super) struct Axes {
 }
 
 impl Axes {
-    /// Of a lifting surface, if the cut is through one, else of a body.
-    pub(super) fn new(structure: &Structure, cut: &Cut) -> Self {
-        let along = direction(structure, cut.attachment.beam);
-        Axes::of_surface(&strips_at(structure, cut), along).unwrap_or_else(|| Axes::of_body(along))
+    /// At an element: of a lifting surface, if the cut is through one, else of a body.
+    pub(super) fn new(structure: &Structure, beam: usize) -> Self {
+        let along = direction(structure, beam);
+        Axes::of_surface(&strips_at(structure, beam), along).unwrap_or_else(|| Axes::of_body(along))
     }
 
     /// Of a lifting surface, whose strips have a common span that runs along the beam.
@@ -63,12 +63,12 @@ impl Axes {
 
 /// The strips on the element at a cut; where it has none, on the nearest one that has, as far as the component goes on in
 /// nearly the same direction.
-fn strips_at<'a>(structure: &Structure<'a>, cut: &Cut) -> Vec<&'a Strip> {
+fn strips_at<'a>(structure: &Structure<'a>, own: usize) -> Vec<&'a Strip> {
     let aircraft = structure.aircraft;
-    let own = cut.attachment.beam;
     let along = direction(structure, own);
     let goes_on = |beam: &usize| {
-        aircraft.beams[*beam].component == cut.component && direction(structure, *beam).dot(&along) > CROSSING
+        aircraft.beams[*beam].component == aircraft.beams[own].component
+            && direction(structure, *beam).dot(&along) > CROSSING
     };
     let first = (0..own).rev().take_while(goes_on).last().unwrap_or(own);
     let last = (own + 1..aircraft.beams.len()).take_while(goes_on).last().unwrap_or(own);

@@ -96,7 +96,7 @@ pub(super) fn reduced_cuts(
         let position = geometry.position(cut.attachment.fraction);
         let section = tree.at(cut.attachment);
         let arm = position - tree.sections[section].position;
-        let Axes { along, up, chordwise, torsion } = Axes::new(structure, cut);
+        let Axes { along, up, chordwise, torsion } = Axes::new(structure, cut.attachment.beam);
         ReducedCut {
             name: cut.name.clone(),
             component: cut.component.clone(),

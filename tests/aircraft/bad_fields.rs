@@ -133,7 +133,7 @@ fn missing_top_field() {
     assert_messages(
         &[("support = \"free\"\n", "")],
         &[
-            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, model, inflow_states, airspeed_m_s, altitude_m, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, basis, limits, control, component, engine, station, cut",
+            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, model, inflow_states, airspeed_m_s, altitude_m, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, basis, reference, limits, control, component, engine, station, cut",
         ],
     );
 }

@@ -10,6 +10,7 @@ mod good_files;
 mod jet;
 mod mirrors;
 mod ranges;
+mod reference;
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 

@@ -1,7 +1,7 @@
 //! A uniform cantilever in any direction, as an [`Aircraft`] without air.
 
 use flexible_aircraft::aircraft::{
-    Aircraft, Attachment, Beam, Fidelity, Limits, MassBay, ModeBasis, Support,
+    Aircraft, Attachment, Beam, Fidelity, GivenReference, Limits, MassBay, ModeBasis, Support,
 };
 use nalgebra::{Matrix3, Vector3};
 
@@ -75,6 +75,7 @@ impl Cantilever {
             inflow_states: 0,
             airspeed: 127.0,
             altitude: 7620.0,
+            reference: GivenReference::default(),
             limits: Limits::default(),
             controls: Vec::new(),
             tunnel_air: None,

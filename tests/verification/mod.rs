@@ -45,6 +45,7 @@ mod section_loads_summed;
 mod sensors;
 mod small_motions;
 mod spin_up;
+mod static_margin;
 mod strain_energy;
 mod strip_loads;
 mod suction;

@@ -54,6 +54,7 @@ const CLAIMS: &[Claim] = &[
         "harmonic_gusts",
         &["harmonic-gusts", "harmonic-gusts-single", "continuous-turbulence"],
     ),
+    ("Static margin", "static_margin", &["static-margin", "static-margin-half", "neutral-point"]),
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
     ("Energy balance in air", "energy_balance", &["energy-balance"]),
     ("Phugoid and short period", "rigid_modes", &["rigid-modes"]),

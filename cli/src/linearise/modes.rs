@@ -1,5 +1,5 @@
 //! The modes of a linear model by their names, and its flying qualities: as text, and as they stand in files
-//! [theory: stability.modes, linearisation.flying-qualities].
+//! [theory: stability.modes, linearisation.load-factor-slope].
 
 use std::f64::consts::{LN_2, TAU};
 
@@ -37,7 +37,7 @@ pub struct Modes {
     qualities: Qualities,
 }
 
-/// Numbers by which the handling of aircraft is judged [theory: linearisation.flying-qualities].
+/// Numbers by which the handling of aircraft is judged [theory: linearisation.load-factor-slope].
 struct Qualities {
     /// n/α, 1/rad.
     load_factor_slope: Option<f64>,

@@ -19,7 +19,7 @@ use crate::{axis, condition, terminal, workspace};
 mod points;
 mod table;
 
-use points::{Point, Status};
+use points::{Point, Status, Trimmed};
 
 /// Numbers of an axis, in the order in which they were given.
 #[derive(Clone, Debug)]
@@ -40,7 +40,8 @@ const MOST_POINTS: usize = 100_000;
 #[command(
     after_help = "Each of --speed, --altitude and --load-factor is a number, a list (120,127) or FROM:TO:N; all are combined. \
 Angles are degrees here and rad in the tables. Where a trim needs more than the limits of the aircraft file, of actuator.* and engine.*, it counts \
-as none, and the table says what is left with them held there.
+as none, and the table says what is left with them held there. The static margin is in mean aerodynamic chords, with structure and wake \
+at rest; only straight flights of a symmetric aircraft have one here.
 
 Examples: level flight over speeds; turns and a pull-up; the right engine of the jet out
   flexair trim --speed 110:180:8
@@ -196,10 +197,13 @@ struct Trims {
 
 impl TrimOptions {
     fn trim(&self, audience: &Audience) -> Result<Trims, Error> {
-        let model = self.flown.reduce(&self.flown.read(&self.aircraft)?)?;
+        let aircraft = self.flown.read(&self.aircraft)?;
+        let model = self.flown.reduce(&aircraft)?;
         let settings = self.flown.settings(&VariableTable::new(&model), &model)?;
         let all = self.settings(&model, &settings)?;
-        let points = points::trim(&model, &all, self.ignore_limits, audience)?;
+        let reference = aircraft.reference_lengths();
+        let trimmed = Trimmed { model: &model, reference, ignore_limits: self.ignore_limits };
+        let points = points::trim(&trimmed, &all, audience)?;
         Ok(Trims { model, settings, points })
     }
 

@@ -1,5 +1,6 @@
 //! The points of a table of trims.
 
+use flexible_aircraft::aircraft::ReferenceLengths;
 use flexible_aircraft::flight::Settings;
 use flexible_aircraft::plant::{
     LimitExceeded, LimitedTrimError, PlantSettings, SettingError, TrimLimits, TrimPoint,
@@ -37,6 +38,8 @@ pub struct Point {
     pub status: Status,
     /// Where it was trimmed.
     pub trim: Option<TrimPoint>,
+    /// In reference chords, of a straight flight that is its own mirror image.
+    pub static_margin: Option<f64>,
     /// N of all engines together.
     pub total_thrust: f64,
     /// Why it was not trimmed; empty where it was.
@@ -45,36 +48,43 @@ pub struct Point {
     pub warnings: Vec<String>,
 }
 
+/// An aircraft that is trimmed, and how.
+pub struct Trimmed<'a> {
+    pub model: &'a ReducedModel,
+    pub reference: Option<ReferenceLengths>,
+    /// Whether limits of the aircraft file do not count.
+    pub ignore_limits: bool,
+}
+
 /// Trims an aircraft under all of some settings, on all cores.
 ///
 /// # Errors
 /// When a setting is out of range.
-pub fn trim(
-    model: &ReducedModel,
-    all: &[Settings],
-    ignore_limits: bool,
-    audience: &Audience,
-) -> Result<Vec<Point>, SettingError> {
+pub fn trim(aircraft: &Trimmed, all: &[Settings], audience: &Audience) -> Result<Vec<Point>, SettingError> {
     let progress = audience.progress(all.len(), "trims");
     let trim = |settings: &Settings| {
-        let point = point(model, settings, ignore_limits);
+        let point = point(aircraft, settings);
         progress.advance();
         point
     };
     all.par_iter().map(trim).collect()
 }
 
-fn point(model: &ReducedModel, settings: &Settings, ignore_limits: bool) -> Result<Point, SettingError> {
+fn point(aircraft: &Trimmed, settings: &Settings) -> Result<Point, SettingError> {
+    let &Trimmed { model, reference, ignore_limits } = aircraft;
     let plants = Plants::under(model, &settings.plant)?;
     let limits = limits(model, settings, ignore_limits);
     let (plant, found) = plants.trim_within(&settings.plant.trim_condition(), &limits);
     Ok(match found {
         Ok(trim) => {
             let exceeded = LimitExceeded::find(&model.limits, plant, &trim);
+            let is_symmetric = plants.half().is_some() && settings.plant.condition.manoeuvre().is_symmetric();
+            let stability = if is_symmetric { plant.static_stability(&trim).ok() } else { None };
             Point {
                 settings: settings.plant,
                 status: Status::Found,
                 trim: Some(trim.point),
+                static_margin: stability.zip(reference).map(|(found, lengths)| found.margin(lengths.chord)),
                 total_thrust: trim.controls.thrust.iter().sum(),
                 message: String::new(),
                 warnings: exceeded.iter().map(ToString::to_string).collect(),
@@ -87,6 +97,7 @@ fn point(model: &ReducedModel, settings: &Settings, ignore_limits: bool) -> Resu
                 LimitedTrimError::Beyond(_) => Status::BeyondLimits,
             },
             trim: None,
+            static_margin: None,
             total_thrust: 0.0,
             message: error.to_string(),
             warnings: Vec::new(),

@@ -11,8 +11,8 @@ use crate::answer::Answer;
 use crate::flown::level;
 use crate::numbers::{Plain, aligned, fixed};
 
-/// Of a trim at a point.
-type Value = Box<dyn Fn(&Point, &TrimPoint) -> f64>;
+/// Of a trim at a point, if it has one.
+type Value = Box<dyn Fn(&Point, &TrimPoint) -> Option<f64>>;
 
 /// A column: its name, its unit, and its value in a trim.
 struct Column {
@@ -23,13 +23,20 @@ struct Column {
     value: Value,
 }
 
+impl Column {
+    /// None where there is no trim, or nothing of the kind in it.
+    fn of(&self, point: &Point) -> Option<f64> {
+        (self.value)(point, point.trim.as_ref()?)
+    }
+}
+
 /// Of what a trim of an aircraft consists.
 fn columns(model: &ReducedModel) -> Vec<Column> {
     let column = |name: &str, unit, places, value: fn(&TrimPoint) -> f64| Column {
         name: name.to_owned(),
         unit,
         places,
-        value: Box::new(move |_, trim| value(trim)),
+        value: Box::new(move |_, trim| Some(value(trim))),
     };
     let mut columns = vec![
         column("pitch", "rad", 5, |trim| trim.pitch),
@@ -44,7 +51,7 @@ fn columns(model: &ReducedModel) -> Vec<Column> {
             name: control.name.clone(),
             unit: "rad",
             places: 5,
-            value: Box::new(move |_, trim| trim.control(role)),
+            value: Box::new(move |_, trim| Some(trim.control(role))),
         }));
     }
     if !model.engines.is_empty() {
@@ -53,7 +60,7 @@ fn columns(model: &ReducedModel) -> Vec<Column> {
             name: "thrust".to_owned(),
             unit: "N",
             places: 1,
-            value: Box::new(|point, _| point.total_thrust),
+            value: Box::new(|point, _| Some(point.total_thrust)),
         });
     }
     columns.extend([
@@ -61,6 +68,12 @@ fn columns(model: &ReducedModel) -> Vec<Column> {
         column("pitch_rate", "rad/s", 5, |trim| trim.pitch_rate),
         column("load_factor", "1", 4, |trim| trim.load_factor),
     ]);
+    columns.push(Column {
+        name: "static_margin".to_owned(),
+        unit: "1",
+        places: 4,
+        value: Box::new(|point, _| point.static_margin),
+    });
     columns
 }
 
@@ -84,7 +97,7 @@ pub fn text(model: &ReducedModel, settings: &Settings, points: &[Point]) -> Stri
     let mut text = format!("{}: {manoeuvre}, {}\n\n", model.name, level(settings));
     let columns = columns(model);
     let is_shown = |column: &&Column| {
-        let values = points.iter().filter_map(|point| Some((column.value)(point, point.trim.as_ref()?)));
+        let values = points.iter().filter_map(|point| column.of(point));
         values.into_iter().any(|value| value.abs() >= 5e-6)
     };
     let shown: Vec<&Column> = columns.iter().filter(is_shown).collect();
@@ -99,8 +112,8 @@ pub fn text(model: &ReducedModel, settings: &Settings, points: &[Point]) -> Stri
     let mut lines: Vec<Vec<String>> = vec![heads.collect()];
     for point in points {
         let [airspeed, altitude, _] = axes(point).map(|(_, _, value)| Plain(value).to_string());
-        let numbers = shown.iter().map(|column| match &point.trim {
-            Some(trim) => fixed((column.value)(point, trim), column.places),
+        let numbers = shown.iter().map(|column| match column.of(point) {
+            Some(value) => fixed(value, column.places),
             None => "–".to_owned(),
         });
         let asked = has_factors.then(|| Plain(factor(point)).to_string());
@@ -136,10 +149,8 @@ pub fn csv(model: &ReducedModel, points: &[Point]) -> String {
     for point in points {
         let mut record: Vec<String> =
             axes(point).into_iter().map(|(_, _, value)| Plain(value).to_string()).collect();
-        record.extend(columns.iter().map(|column| match &point.trim {
-            Some(trim) => Plain((column.value)(point, trim)).to_string(),
-            None => String::new(),
-        }));
+        let numbers = columns.iter().map(|column| column.of(point).map(|value| Plain(value).to_string()));
+        record.extend(numbers.map(Option::unwrap_or_default));
         record.extend([point.status.name().to_owned(), point.message.clone(), point.warnings.join("; ")]);
         let _ = writer.write_record(&record);
     }
@@ -153,7 +164,8 @@ pub fn answer(model: &ReducedModel, points: &[Point]) -> Answer {
     let of_axes = points.iter().take(1).flat_map(axes).enumerate();
     let of_axes = of_axes.map(|(axis, (name, unit, _))| (name.to_owned(), unit, axes_of(axis)));
     let of_trims = columns.iter().map(|Column { name, unit, value, .. }| {
-        let number = |point: &Point| point.trim.as_ref().map_or(f64::NAN, |trim| value(point, trim));
+        let number =
+            |point: &Point| point.trim.as_ref().and_then(|trim| value(point, trim)).unwrap_or(f64::NAN);
         (name.clone(), *unit, points.iter().map(number).collect())
     });
     let (mut values, mut units) = (Vec::new(), Vec::new());
@@ -186,8 +198,7 @@ pub fn json(model: &ReducedModel, points: &[Point]) -> String {
             row.insert(name.to_owned(), json!(value));
         }
         for column in &columns {
-            let value = point.trim.as_ref().map(|trim| (column.value)(point, trim));
-            row.insert(column.name.clone(), json!(value));
+            row.insert(column.name.clone(), json!(column.of(point)));
         }
         row.insert("status".to_owned(), json!(point.status.name()));
         row.insert("message".to_owned(), json!(point.message));

@@ -20,6 +20,7 @@ fn lines() -> Vec<(&'static str, String, Option<&'static str>)> {
             Some("converged"),
         ),
         ("trim", "trim --modes 2 --csv trims.csv".into(), Some("trims.csv")),
+        ("describe", "describe --modes 2 --json about.json".into(), Some("about.json")),
         (
             "linearise",
             "linearise --modes 2 --inflow steady --output linear".into(),

@@ -7,6 +7,8 @@ mod closed_output;
 #[cfg(test)]
 mod continuous;
 #[cfg(test)]
+mod describe;
+#[cfg(test)]
 mod files;
 #[cfg(test)]
 mod gust;

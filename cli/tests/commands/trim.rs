@@ -90,3 +90,21 @@ fn what_does_not_go_together_is_refused_by_the_options_names() {
         assert!(said.contains(reason), "{options}: {said}");
     }
 }
+
+#[test]
+fn straight_symmetric_flights_have_a_static_margin_and_others_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let margins = |options: &str| -> Vec<Option<f64>> {
+        let found = run(folder.path(), &format!("trim --json - {options}"));
+        assert!(found.status.success(), "{}", text(&found.stderr));
+        let json: serde_json::Value = serde_json::from_slice(&found.stdout).unwrap();
+        assert_eq!(json["units"]["static_margin"].as_str(), Some("1"));
+        json["trims"].as_array().unwrap().iter().map(|trim| trim["static_margin"].as_f64()).collect()
+    };
+    // The prototype's number.
+    let level = margins("--speed 127");
+    assert!((level[0].unwrap() - 0.09872).abs() < 5e-6, "{level:?}");
+    assert!(margins("--climb-angle 5")[0].is_some());
+    assert_eq!(margins("--turn --bank-angle 20"), [None]);
+    assert_eq!(margins("--pull-up --load-factor 1.2"), [None]);
+}

@@ -1,0 +1,137 @@
+use flexible_aircraft::ReducedModel;
+
+use super::*;
+
+fn read(file: &str) -> Aircraft {
+    Aircraft::read(format!("{}/../aircraft/{file}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+/// The jet, changed.
+fn jet(change: impl FnOnce(&mut Aircraft)) -> Aircraft {
+    let mut jet = read("generic-business-jet");
+    change(&mut jet);
+    jet
+}
+
+fn facts(aircraft: &Aircraft) -> Facts {
+    Facts::new(aircraft, &ReducedModel::new(aircraft, 1).unwrap())
+}
+
+fn wing(aircraft: &Aircraft) -> usize {
+    aircraft.wing().unwrap()
+}
+
+#[test]
+fn a_static_margin_is_between_0_and_a_half() {
+    assert_eq!(static_margin(0.1), None);
+    assert!(
+        static_margin(-0.02)
+            .unwrap()
+            .starts_with("the static margin is -0.02, usual is 0 to 0.5 of the chord")
+    );
+    assert!(static_margin(0.61).unwrap().contains("is 0.61, usual"));
+}
+
+#[test]
+fn the_lowest_frequency_is_between_a_fifth_of_a_hertz_and_50() {
+    assert_eq!(lowest_frequency(2.4), None);
+    assert!(lowest_frequency(0.1).unwrap().contains("0.1 Hz, usual is 0.2 to 50 Hz"));
+    assert!(lowest_frequency(80.0).is_some());
+}
+
+#[test]
+fn a_wing_carries_5_to_1000_kilograms_a_square_metre() {
+    assert_eq!(wing_loading(&facts(&read("generic-business-jet"))), None);
+    let heavy = jet(|jet| jet.bays.iter_mut().for_each(|bay| bay.mass *= 10.0));
+    assert!(wing_loading(&facts(&heavy)).unwrap().contains("kg/m², usual is 5 to 1000 kg/m²"));
+}
+
+#[test]
+fn the_centre_of_mass_is_within_the_aircraft() {
+    let usual = read("generic-business-jet");
+    assert_eq!(centre_of_mass(&usual, &facts(&usual)), None);
+    let ahead = jet(|jet| jet.bays.iter_mut().for_each(|bay| bay.offset.x += 30.0));
+    assert!(centre_of_mass(&ahead, &facts(&ahead)).unwrap().contains("usual is between them"));
+}
+
+#[test]
+fn given_reference_lengths_are_about_those_of_the_wing() {
+    assert!(reference_lengths(&jet(|jet| jet.reference.chord = Some(3.5))).is_empty());
+    let odd = reference_lengths(&jet(|jet| jet.reference.chord = Some(37.0)));
+    assert_eq!(odd, ["[reference] chord_m is 37, the wing has 3.73073: usual is about that"]);
+}
+
+#[test]
+fn what_lifts_weighs_something() {
+    let usual = read("generic-business-jet");
+    assert_eq!(massless(&usual, wing(&usual)), None);
+    let light = jet(|jet| {
+        let wing = wing(jet);
+        let beams = elements(jet, wing);
+        jet.bays.retain(|bay| !beams.contains(&bay.attachment.beam));
+    });
+    assert!(
+        massless(&light, wing(&light)).unwrap().starts_with("wing_right has strips and its mass is 0 kg")
+    );
+}
+
+#[test]
+fn a_wing_is_stiffer_in_its_plane() {
+    let usual = read("generic-business-jet");
+    for component in 0..usual.components.len() {
+        assert_eq!(stiffness_ratio(&usual, component), None);
+    }
+    let exchanged = jet(|jet| {
+        for beam in &mut jet.beams {
+            (beam.bending_stiffness_y, beam.bending_stiffness_z) =
+                (beam.bending_stiffness_z, beam.bending_stiffness_y);
+        }
+    });
+    let warning = stiffness_ratio(&exchanged, wing(&exchanged)).unwrap();
+    assert!(warning.contains("is 0.285714 of that out of it, usual is 0.5 or more"), "{warning}");
+}
+
+#[test]
+fn chords_of_neighbours_are_alike() {
+    let usual = read("generic-business-jet");
+    assert_eq!(chord_step(&usual, wing(&usual)), None);
+    let step = jet(|jet| jet.strips[5].semichord *= 10.0);
+    let component = step.component_of(step.strips[5].attachment.beam).unwrap();
+    assert!(chord_step(&step, component).unwrap().contains("usual is a factor of 3 at most"));
+}
+
+#[test]
+fn a_section_lifts_no_more_than_a_thin_aerofoil() {
+    let usual = read("goland-wing");
+    assert_eq!(lift_slope(&usual, 0), None);
+    let steep = jet(|jet| jet.strips.iter_mut().for_each(|strip| strip.lift_slope = 10.0));
+    assert!(lift_slope(&steep, wing(&steep)).unwrap().contains("is 10, usual is up to 2π, 6.28319 per rad"));
+}
+
+#[test]
+fn a_wing_has_strips_up_to_its_end() {
+    let usual = read("generic-business-jet");
+    for component in 0..usual.components.len() {
+        assert_eq!(gap(&usual, component), None);
+    }
+    let bare = jet(|jet| {
+        let wing = wing(jet);
+        let last = elements(jet, wing).end - 1;
+        jet.strips.retain(|strip| strip.attachment.beam != last);
+    });
+    let warning = gap(&bare, wing(&bare)).unwrap();
+    assert!(
+        warning.contains("1 of the 24 elements from the first strip to the end have no strip"),
+        "{warning}"
+    );
+}
+
+#[test]
+fn a_control_moves_something() {
+    let usual = read("generic-business-jet");
+    assert!((0..usual.controls.len()).all(|control| idle_control(&usual, control).is_none()));
+    let idle = jet(|jet| {
+        jet.strips.iter_mut().filter_map(|strip| strip.flap.as_mut()).for_each(|flap| flap.gains[0] = 0.0);
+    });
+    assert!(idle_control(&idle, 0).unwrap().starts_with("elevator moves no flap"));
+}

@@ -1,0 +1,267 @@
+//! Static stability in pitch: how lift and moment answer a change of the angle of attack when everything elastic has come to
+//! rest; from them the static margin and the neutral point [theory: linearisation.static-margin, linearisation.residualised].
+
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+
+use crate::aircraft::Support;
+use crate::kinematics::RigidFreedom;
+
+use super::linearisation::{StateMatrix, Unknown};
+use super::system::Plant;
+use super::trim::Trim;
+
+/// How lift and moment change with the angle of attack at a constant airspeed, structure and wake at rest.
+///
+/// ```
+/// # use flexible_aircraft::Aircraft;
+/// # use flexible_aircraft::plant::{Plant, PlantSettings};
+/// let aircraft = Aircraft::read("aircraft/generic-business-jet.toml")?;
+/// let jet = aircraft.reduce()?;
+/// let settings = PlantSettings::of(&jet);
+/// let plant = Plant::under(&jet, &settings)?;
+/// let stability = plant.static_stability(&plant.trim(&settings.trim_condition())?)?;
+/// let chord = aircraft.reference_lengths().ok_or("the jet has strips")?.chord; // m
+/// assert!((stability.margin(chord) - 0.0987).abs() < 1e-4);
+/// assert!(stability.neutral_point() < stability.centre_of_mass.x); // x is forward
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StaticStability {
+    /// dL/dα across the path, N/rad.
+    pub lift_slope: f64,
+    /// dM/dα about the centre of mass, nose-up, N·m/rad.
+    pub moment_slope: f64,
+    /// Of the deformed aircraft in its trim, body axes, m.
+    pub centre_of_mass: Vector3<f64>,
+    /// ½ρV² of the trim, Pa.
+    pub dynamic_pressure: f64,
+}
+
+/// Why there is no static stability to speak of.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum NoStaticStability {
+    /// Nothing can turn.
+    #[error("the aircraft is clamped")]
+    Clamped,
+    /// In a turn or a pull-up.
+    #[error("the path bends, and a static margin is that of a straight flight")]
+    CurvedPath,
+    /// Structure and wake find no rest, as where the air comes from behind or the wing is about to diverge.
+    #[error("structure and wake find no rest beside the trim")]
+    Restless,
+    /// A greater angle of attack gives no more lift, as where a soft wing gives way.
+    #[error(
+        "the lift changes by {lift_slope:.5e} N per rad of the angle of attack, and a static margin needs more than 0"
+    )]
+    Liftless {
+        /// dL/dα, N/rad.
+        lift_slope: f64,
+    },
+}
+
+impl StaticStability {
+    /// K = −dM/dL in parts of a chord, m: positive where the aircraft turns back.
+    pub fn margin(&self, chord: f64) -> f64 {
+        -self.moment_slope / self.lift_slope / chord
+    }
+
+    /// Body x of the neutral point, m, forward of O: the place of a centre of mass about which the moment would not change.
+    pub fn neutral_point(&self) -> f64 {
+        self.centre_of_mass.x + self.moment_slope / self.lift_slope
+    }
+
+    /// dC_L/dα on a reference area, m², 1/rad.
+    pub fn lift_slope_coefficient(&self, area: f64) -> f64 {
+        self.lift_slope / (self.dynamic_pressure * area)
+    }
+}
+
+impl Plant {
+    /// Static stability in pitch of a straight flight in its trim. Allocates.
+    ///
+    /// # Errors
+    /// When there is none to speak of.
+    pub fn static_stability(&self, trim: &Trim) -> Result<StaticStability, NoStaticStability> {
+        if self.support() == Support::Clamped {
+            return Err(NoStaticStability::Clamped);
+        }
+        if trim.point.turn_rate != 0.0 || trim.point.pitch_rate != 0.0 {
+            return Err(NoStaticStability::CurvedPath);
+        }
+        let (sin, cos) = libm::sincos(trim.point.angle_of_attack());
+        let departure = Vector3::new(-sin, 0.0, cos) * (self.speed_at(trim) * libm::cos(trim.point.sideslip));
+        let [linear, angular] =
+            accelerations(&self.linearise(trim), departure).ok_or(NoStaticStability::Restless)?;
+        let mass = self.equations.exact_mass_matrix(&trim.state);
+        let block = |row, column| -> Matrix3<f64> { mass.fixed_view::<3, 3>(row, column).into_owned() };
+        let force = block(0, 0) * linear + block(0, 3) * angular;
+        let about_origin = block(3, 0) * linear + block(3, 3) * angular;
+        // m c× is the lower left block. Half an aircraft may know its sections on the right alone: what is across the plane cancels.
+        let across = if self.equations.freedom == RigidFreedom::InPlane { 0.0 } else { mass[(3, 2)] };
+        let centre_of_mass = Vector3::new(mass[(5, 1)], across, mass[(4, 0)]) / mass[(0, 0)];
+        let moment = about_origin - centre_of_mass.cross(&force);
+        let lift_slope = force.dot(&Vector3::new(sin, 0.0, -cos));
+        if !(lift_slope.is_normal() && lift_slope > 0.0) {
+            return Err(NoStaticStability::Liftless { lift_slope });
+        }
+        let dynamic_pressure = self.air_data(&trim.state, &trim.controls).dynamic_pressure;
+        Ok(StaticStability { lift_slope, moment_slope: moment.y, centre_of_mass, dynamic_pressure })
+    }
+}
+
+/// v̇ and ω̇ after a departure of v, with q̇ = q̈ = 0 and the wake's λ̇ = 0 [theory: linearisation.residualised].
+fn accelerations(state_matrix: &StateMatrix, departure: Vector3<f64>) -> Option<[Vector3<f64>; 2]> {
+    let StateMatrix { unknowns, matrix } = state_matrix;
+    let places = |is_one: fn(&Unknown) -> bool| -> Vec<usize> {
+        (0..unknowns.len()).filter(|&place| is_one(&unknowns[place])).collect()
+    };
+    let rigid = places(|unknown| matches!(unknown, Unknown::Velocity(_) | Unknown::Rate(_)));
+    let coordinates = places(|unknown| matches!(unknown, Unknown::Coordinate(_)));
+    let accelerated = places(|unknown| matches!(unknown, Unknown::CoordinateRate(_)));
+    let wake = places(|unknown| matches!(unknown, Unknown::Inflow { .. }));
+    let (rows, columns) = ([&rigid[..], &accelerated].concat(), [&rigid[..], &coordinates].concat());
+    let forcing = forcing(state_matrix, &wake, &columns)?;
+    let lagging = solved_by_strip(state_matrix, &wake, &forcing.columns(0, rigid.len()).into_owned())?;
+    let by_wake = part(matrix, &rows, &wake);
+    let quick = part(matrix, &rows, &columns) - &by_wake * forcing;
+    // v̇, ω̇ and q are unknown: (1 + A_λ D⁻¹ G) ẋ − B_q q = B_x x.
+    let mut equations = DMatrix::zeros(rows.len(), columns.len());
+    equations.columns_mut(0, rigid.len()).copy_from(&(by_wake * lagging));
+    for place in 0..rigid.len() {
+        equations[(place, place)] += 1.0;
+    }
+    let elastic = quick.columns(rigid.len(), coordinates.len());
+    equations.columns_mut(rigid.len(), coordinates.len()).copy_from(&-elastic);
+    let departures = DVector::from_iterator(
+        rigid.len(),
+        rigid.iter().map(|&place| match unknowns[place] {
+            Unknown::Velocity(axis) => departure[axis],
+            _ => 0.0,
+        }),
+    );
+    let found = equations.lu().solve(&(quick.columns(0, rigid.len()) * departures))?;
+    let mut rates = [Vector3::zeros(); 2];
+    for (place, rate) in rigid.iter().zip(&found) {
+        match unknowns[*place] {
+            Unknown::Velocity(axis) => rates[0][axis] = *rate,
+            Unknown::Rate(axis) => rates[1][axis] = *rate,
+            _ => {}
+        }
+    }
+    rates.iter().all(|rate| rate.iter().all(|number| number.is_finite())).then_some(rates)
+}
+
+/// G: what the wake lags behind by is its state and G x, for its rate is D (η + G x).
+fn forcing(state_matrix: &StateMatrix, wake: &[usize], columns: &[usize]) -> Option<DMatrix<f64>> {
+    solved_by_strip(state_matrix, wake, &part(&state_matrix.matrix, wake, columns))
+}
+
+/// D⁻¹ R: the wakes of strips do not feel each other.
+fn solved_by_strip(state_matrix: &StateMatrix, wake: &[usize], right: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let StateMatrix { unknowns, matrix } = state_matrix;
+    let strip = |place: &usize| match unknowns[*place] {
+        Unknown::Inflow { strip, .. } => Some(strip),
+        _ => None,
+    };
+    let mut solved = DMatrix::zeros(right.nrows(), right.ncols());
+    let mut first = 0;
+    for states in wake.chunk_by(|one, other| strip(one) == strip(other)) {
+        let own = part(matrix, states, states).lu();
+        let rows = own.solve(&right.rows(first, states.len()).into_owned())?;
+        solved.rows_mut(first, states.len()).copy_from(&rows);
+        first += states.len();
+    }
+    Some(solved)
+}
+
+/// Some rows and columns of a matrix.
+fn part(matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> DMatrix<f64> {
+    DMatrix::from_fn(rows.len(), columns.len(), |row, column| matrix[(rows[row], columns[column])])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// ẋ = A x of a velocity, a coordinate, its rate and a wake of two states on one strip.
+    fn small() -> StateMatrix {
+        let unknowns = vec![
+            Unknown::Velocity(2),
+            Unknown::Coordinate(0),
+            Unknown::CoordinateRate(0),
+            Unknown::Inflow { strip: 0, place: 3 },
+            Unknown::Inflow { strip: 0, place: 4 },
+        ];
+        // The wake's rate is D (η + G x), G = (0.5, −0.25) for the velocity, (2, 1) for the coordinate.
+        let own = nalgebra::Matrix2::new(-3.0, 1.0, -1.0, -3.0);
+        let forcing = nalgebra::Matrix2::new(0.5, 2.0, -0.25, 1.0);
+        let mut matrix = DMatrix::from_row_slice(
+            5,
+            5,
+            &[
+                -1.0, 0.5, 0.1, 0.3, 0.2, //
+                0.0, 0.0, 1.0, 0.0, 0.0, //
+                0.7, -9.0, -0.2, 0.4, -0.6, //
+                0.0, 0.0, 0.0, 0.0, 0.0, //
+                0.0, 0.0, 0.0, 0.0, 0.0,
+            ],
+        );
+        matrix.fixed_view_mut::<2, 2>(3, 3).copy_from(&own);
+        matrix.fixed_view_mut::<2, 2>(3, 0).copy_from(&(own * forcing));
+        StateMatrix { unknowns, matrix }
+    }
+
+    #[test]
+    fn structure_and_wake_rest_in_the_accelerations_that_are_found() {
+        let found = accelerations(&small(), Vector3::z() * 2.0).unwrap();
+        assert_eq!((found[0].x, found[0].y, found[1]), (0.0, 0.0, Vector3::zeros()));
+        // Anew, with all equations side by side: unknown are v̇, q, η, λ̇ = η̇ + G ẋ = 0.
+        let StateMatrix { matrix: a, .. } = small();
+        let g = [0.5, -0.25];
+        let all = DMatrix::from_row_slice(
+            4,
+            4,
+            &[
+                1.0,
+                -a[(0, 1)],
+                -a[(0, 3)],
+                -a[(0, 4)], //
+                0.0,
+                -a[(2, 1)],
+                -a[(2, 3)],
+                -a[(2, 4)], //
+                g[0],
+                a[(3, 1)],
+                a[(3, 3)],
+                a[(3, 4)], //
+                g[1],
+                a[(4, 1)],
+                a[(4, 3)],
+                a[(4, 4)],
+            ],
+        );
+        let right = DVector::from_column_slice(&[a[(0, 0)], a[(2, 0)], -a[(3, 0)], -a[(4, 0)]]) * 2.0;
+        let expected = all.lu().solve(&right).unwrap()[0];
+        assert!((found[0].z / expected - 1.0).abs() < 1e-13, "{} {expected}", found[0].z);
+    }
+
+    #[test]
+    fn a_wake_that_does_not_move_on_finds_no_rest() {
+        let mut still = small();
+        still.matrix.rows_mut(3, 2).fill(0.0);
+        assert_eq!(accelerations(&still, Vector3::z()), None);
+    }
+
+    #[test]
+    fn margin_and_neutral_point_are_the_same_distance() {
+        let stability = StaticStability {
+            lift_slope: 2e6,
+            moment_slope: -1e6,
+            centre_of_mass: Vector3::new(0.3, 0.0, 0.1),
+            dynamic_pressure: 5000.0,
+        };
+        assert_eq!(stability.margin(2.5), 0.2);
+        assert_eq!(stability.neutral_point(), -0.2);
+        assert_eq!(stability.lift_slope_coefficient(80.0), 5.0);
+    }
+}
