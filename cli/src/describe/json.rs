@@ -1,5 +1,6 @@
 //! A description as JSON, in SI units and radians.
 
+use flexible_aircraft::plant::StaticStability;
 use nalgebra::Matrix3;
 use serde_json::{Map, Value, json};
 
@@ -44,7 +45,7 @@ fn stability(balance: &Balance) -> Value {
         "condition": balance.condition,
         "static_margin": balance.margin.as_ref().map(|margin| margin.margin),
         "lift_slope": balance.margin.as_ref().map(|margin| margin.lift_slope),
-        "neutral_point": found.map(|stability| stability.neutral_point()),
+        "neutral_point": found.map(StaticStability::neutral_point),
         "centre_of_mass": found.map(|stability| <[f64; 3]>::from(stability.centre_of_mass)),
         "message": balance.stability.as_ref().err(),
     })
