@@ -3,19 +3,20 @@
 # laws. With platforms in PLATFORMS (win64, aarch64-linux) their libraries are built and flown too, with WHEEL=1, or platforms in
 # WHEEL, the Python package is built, installed and tested: that is slow, and rarely breaks. Needs Rust, a C compiler and Python 3.11 or newer.
 #
-# Everything is built in release mode: the FMU needs that anyway, and nothing is compiled twice.
+# What the tests in Rust are made of is compiled with the release's optimisations but linked quickly (profile `checked`); the FMU and the
+# command, which the tests in Python fly, are those of a release.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 target=${CARGO_TARGET_DIR:-target}
 
 if cargo nextest --version >/dev/null 2>&1; then
-    cargo nextest run --workspace --release --no-fail-fast
+    cargo nextest run --workspace --cargo-profile checked --no-fail-fast
 else
-    cargo test --workspace --lib --bins --tests --release --no-fail-fast
+    cargo test --workspace --lib --bins --tests --profile checked --no-fail-fast
 fi
-cargo test --workspace --doc --release
+cargo test --workspace --doc --profile checked
 # With the packages that the tests above had, so that nothing is compiled anew.
-cargo build --workspace --examples --release
+cargo build --workspace --examples --profile checked
 
 cargo run --release --quiet -- package --no-check --output "$target/fmu/FlexibleAircraft.fmu"
 
@@ -33,7 +34,7 @@ python_of() {
 # An importer whose packages conflict with those of the others.
 GEMSEO_PYTHON=$(python_of tests/masters/requirements-gemseo.txt gemseo)
 export GEMSEO_PYTHON
-export FMU=$target/fmu/FlexibleAircraft.fmu FLEXAIR=$target/release/flexair EXAMPLES=$target/release/examples
+export FMU=$target/fmu/FlexibleAircraft.fmu FLEXAIR=$target/release/flexair EXAMPLES=$target/checked/examples
 for tests in fmpy masters coupling; do
     python=$(python_of tests/$tests/requirements.txt $tests)
     "$python" -m pytest -rs tests/$tests

@@ -148,7 +148,7 @@ def in_rust():
 
     @functools.cache
     def in_rust(*arguments):
-        program = Path(os.environ.get("EXAMPLES", ROOT / "target/release/examples")).absolute() / "closed_loop"
+        program = Path(os.environ.get("EXAMPLES", ROOT / "target/checked/examples")).absolute() / "closed_loop"
         assert program.is_file(), f"{program} does not exist: run `cargo build --release --examples`"
         command = [program, *arguments]
         table = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout

@@ -21,7 +21,7 @@ PULSE = ("attitude.pitch", "load_factor.z", WING_TIP)
 
 def example(name, *arguments):
     """What an example in Rust prints; the folder named by the environment variable EXAMPLES has it."""
-    program = Path(os.environ.get("EXAMPLES", ROOT / "target/release/examples")).absolute() / name
+    program = Path(os.environ.get("EXAMPLES", ROOT / "target/checked/examples")).absolute() / name
     assert program.is_file(), f"{program} does not exist: run `cargo build --release --examples`"
     command = [program, *map(str, arguments)]
     return subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
