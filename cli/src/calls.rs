@@ -10,7 +10,7 @@ use crate::answer::Answer;
 use crate::diagnostics::Report;
 use crate::home::Home;
 use crate::progress::{Audience, Left};
-use crate::{Command, CommandLine, command_line, flutter, gust, linearise, package, simulate, trim};
+use crate::{Command, CommandLine, command_line, describe, flutter, gust, linearise, package, simulate, trim};
 
 /// Why a call has no answer.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -56,6 +56,7 @@ fn answer(
 ) -> Result<Answer, Failure> {
     match command {
         Command::Package(options) => package::answer(options, home, audience).map_err(|error| failed(&error)),
+        Command::Describe(options) => describe::answer(&options).map_err(|error| failed(&error)),
         Command::Simulate(options) => {
             simulate::answer(&options, table, audience).map_err(|error| failed(&error))
         }

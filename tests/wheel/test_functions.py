@@ -47,9 +47,36 @@ def test_a_linear_model_is_that_of_the_commands_file(run, tmp_path):
     model = flexair.linearise("goland-wing", modes=2)
     assert run("linearise", "goland-wing", "--modes", 2).returncode == 0
     written = json.loads((tmp_path / "flexair-out/linearise/goland-wing-linear.json").read_text())
+    modes, qualities = written.pop("modes"), written.pop("flying_qualities")
+    assert model.modes.names == [mode["name"] for mode in modes] and len(modes) == 2
+    assert [[root.real, root.imag] for root in model.modes.eigenvalues] == [mode["eigenvalue"] for mode in modes]
+    assert qualities["load_factor_per_alpha"] is None and np.isnan(model.modes.load_factor_per_alpha)
     for key, values in written.items():
         found = getattr(model, key)
         assert (found.tolist() if isinstance(found, np.ndarray) else found) == values, key
+
+
+def test_modes_are_followed_over_airspeed_and_a_reduced_model_has_those_of_the_whole(run, tmp_path):
+    locus = flexair.root_locus(speed=[120.0, 130.0], modes=2, inflow="steady")
+    phugoid = [root for name, root in zip(locus.mode, locus.eigenvalue) if name == "phugoid"]
+    assert len(phugoid) == 2 and phugoid[0].imag > phugoid[1].imag > 0.1
+    model = flexair.linearise(inflow="balanced:36", inputs="controls", gust_stations=0)
+    assert model.A.shape == (36, 36) and model.u_names == ["elevator", "aileron", "aileron_symmetric", "rudder", "thrust_left", "thrust_right"]
+    roots = np.linalg.eigvals(model.A)
+    for name in ["phugoid", "spiral"]:
+        assert np.abs(roots - model.modes[name]).min() < 1e-6 * abs(model.modes[name])
+    assert np.abs(roots - model.modes["short period"]).min() < 1e-2
+
+
+def test_what_a_file_describes_and_turbulence_are_those_of_the_commands_files(run, tmp_path):
+    described = flexair.describe("generic-business-jet", modes=4)
+    assert run("describe", "--modes", 4, "--json", "d.json").returncode == 0
+    assert described == json.loads((tmp_path / "d.json").read_text())
+    turbulence = flexair.turbulence(output_names=["load_factor.z"], modes=2)
+    assert run("gust", "--continuous", "--output-names", "load_factor.z", "--modes", 2).returncode == 0
+    rows = (tmp_path / "flexair-out/gust/generic-business-jet-continuous.csv").read_text().splitlines()
+    assert turbulence.names == ["load_factor.z"] and 0.02 < turbulence.rms[0, 0] < 0.06
+    assert repr(float(turbulence.rms[0, 0])) in rows[1]
 
 
 def test_a_flight_with_a_shape_and_with_arrays_is_that_of_the_commands_table(run, tmp_path):

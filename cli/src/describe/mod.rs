@@ -1,12 +1,15 @@
 //! `flexair describe`: what an aircraft file describes: mass, balance, static margin, natural modes, and what is unusual about it.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::Args;
 use flexible_aircraft::structure::{ModeMotion, ReducedModel, Structure, StructureError};
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::FileError;
+use nalgebra::DMatrix;
 
+use crate::answer::Answer;
 use crate::files::{Drafts, Overwriting, STANDARD, refuse_overwriting};
 use crate::flown::{self, FlownOptions};
 use crate::{terminal, workspace};
@@ -89,30 +92,16 @@ struct Description {
 
 /// Describes an aircraft; what is unusual is no failure.
 pub fn run(options: &DescribeOptions) -> Result<(), Error> {
-    let file = options.file.as_deref().unwrap_or(&options.aircraft);
     let outputs: Vec<&Path> = options.json.iter().chain(&options.plot).map(PathBuf::as_path).collect();
-    refuse_overwriting(&outputs, [file])?;
+    refuse_overwriting(&outputs, [options.file()])?;
     let is_standard = |path: &&PathBuf| path.as_path() == Path::new(STANDARD);
     let files = options.json.iter().filter(|path| !is_standard(path)).chain(&options.plot);
     let drafts = Drafts::new(files.map(PathBuf::as_path))?;
 
-    let aircraft = options.flown.read(file)?;
-    let structure = Structure::new(&aircraft)?;
-    let basis = options.flown.basis(&structure)?;
-    let shapes = basis.shapes.clone();
-    let motions = ModeMotion::of_modes(&structure, &shapes);
-    let model = std::sync::Arc::new(ReducedModel::of_basis(&structure, basis)?);
-    let settings = options.flown.settings(&VariableTable::new(&model), &model)?;
-    let plant = &settings.plant;
-    let modes = modes::name(&aircraft, &model.modes, &motions, plant);
-    if options.plot.is_some() && modes.is_empty() {
+    let Described { structure, shapes, description } = options.describe()?;
+    if options.plot.is_some() && description.modes.is_empty() {
         return Err(Error::NoModes);
     }
-    let facts = Facts::new(&aircraft, &model);
-    let balance = Balance::new(&model, &settings, facts.reference);
-    let warnings = warnings::find(&aircraft, &facts, &balance, &modes);
-    let description = Description { facts, balance, modes, warnings };
-
     let json = options.json.as_ref().map(|_| json::text(&description));
     let plot = options.plot.as_ref().map(|_| drawing::svg(&structure, &shapes, &description.modes));
     match (&json, options.json.as_ref().is_some_and(|path| is_standard(&path))) {
@@ -122,4 +111,37 @@ pub fn run(options: &DescribeOptions) -> Result<(), Error> {
     let to_file = json.filter(|_| !options.json.as_ref().is_some_and(|path| is_standard(&path)));
     drafts.keep(to_file.into_iter().chain(plot))?;
     Ok(())
+}
+
+/// All of it as the text of a JSON object.
+pub fn answer(options: &DescribeOptions) -> Result<Answer, Error> {
+    Ok(Answer::named([("json", Answer::Text(json::text(&options.describe()?.description)))]))
+}
+
+/// An aircraft with what is said of it, and the shapes of its modes.
+struct Described {
+    structure: Structure,
+    shapes: DMatrix<f64>,
+    description: Description,
+}
+
+impl DescribeOptions {
+    fn file(&self) -> &Path {
+        self.file.as_deref().unwrap_or(&self.aircraft)
+    }
+
+    fn describe(&self) -> Result<Described, Error> {
+        let aircraft = self.flown.read(self.file())?;
+        let structure = Structure::new(&aircraft)?;
+        let basis = self.flown.basis(&structure)?;
+        let shapes = basis.shapes.clone();
+        let motions = ModeMotion::of_modes(&structure, &shapes);
+        let model = Arc::new(ReducedModel::of_basis(&structure, basis)?);
+        let settings = self.flown.settings(&VariableTable::new(&model), &model)?;
+        let modes = modes::name(&aircraft, &model.modes, &motions, &settings.plant);
+        let facts = Facts::new(&aircraft, &model);
+        let balance = Balance::new(&model, &settings, facts.reference);
+        let warnings = warnings::find(&aircraft, &facts, &balance, &modes);
+        Ok(Described { structure, shapes, description: Description { facts, balance, modes, warnings } })
+    }
 }

@@ -1,4 +1,4 @@
-"""Nonlinear flight dynamics of flexible aircraft: trims, linear models, flights, gusts, flutter, and FMUs for simulation tools.
+"""Nonlinear flight dynamics of flexible aircraft: trims, linear models, flights, gusts, turbulence, flutter, and FMUs for simulation tools.
 
     import flexair
 
@@ -10,9 +10,20 @@ An aircraft is the path of a file or a name of `flexair.aircraft()`. Functions d
 raise `flexair.Error` with the message of the command. Other threads run meanwhile; Ctrl-C ends a call.
 """
 
-from ._calls import aircraft, flutter, gust, linearise, package, simulate, trim
+from ._calls import aircraft, describe, flutter, gust, linearise, package, root_locus, simulate, trim, turbulence
 from ._native import Error, UsageError
-from ._results import Crossing, Flight, Flutter, Gusts, LinearModel, Packaged, Trims
+from ._results import (
+    Crossing,
+    Flight,
+    Flutter,
+    Gusts,
+    LinearModel,
+    Modes,
+    Packaged,
+    RootLocus,
+    Trims,
+    Turbulence,
+)
 
 __all__ = [
     "Crossing",
@@ -21,14 +32,20 @@ __all__ = [
     "Flutter",
     "Gusts",
     "LinearModel",
+    "Modes",
     "Packaged",
+    "RootLocus",
     "Trims",
+    "Turbulence",
     "UsageError",
     "aircraft",
+    "describe",
     "flutter",
     "gust",
     "linearise",
     "package",
+    "root_locus",
     "simulate",
     "trim",
+    "turbulence",
 ]

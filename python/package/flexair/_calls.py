@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -12,7 +13,18 @@ import numpy.typing as npt
 from . import _native
 from ._arguments import File, Number, Numbers, Parameters, options, table
 from ._data import DATA
-from ._results import Crossing, Flight, Flutter, Gusts, LinearModel, Packaged, Trims
+from ._results import (
+    Crossing,
+    Flight,
+    Flutter,
+    Gusts,
+    LinearModel,
+    Modes,
+    Packaged,
+    RootLocus,
+    Trims,
+    Turbulence,
+)
 
 #: The aircraft of all calls: the generic business jet.
 JET = "generic-business-jet"
@@ -103,17 +115,64 @@ def trim(
     return Trims(**_call("trim", written, [aircraft], progress))
 
 
+def describe(
+    aircraft: File = JET,
+    *,
+    modes: int | None = None,
+    load_modes: bool = False,
+    parameters: Parameters | None = None,
+) -> dict[str, Any]:
+    """What an aircraft file describes: mass, balance, static margin, natural modes, and what is unusual, as the command writes it in JSON."""
+    written = options(modes=modes, load_modes=load_modes, set=parameters)
+    return dict(json.loads(_call("describe", written, [aircraft], progress=False)["json"]))
+
+
 def linearise(
     aircraft: File = JET,
     *,
-    inflow: Literal["keep", "steady"] = "keep",
+    inflow: str = "keep",
+    inputs: Literal["all", "controls"] = "all",
+    all_states: bool = False,
+    gust_stations: int | None = None,
     modes: int | None = None,
     load_modes: bool = False,
     parameters: Parameters | None = None,
 ) -> LinearModel:
-    """A linear model about the trim with which a flight begins, for control laws. "steady" leaves the states of the wake out."""
-    written = options(inflow=inflow, modes=modes, load_modes=load_modes, set=parameters)
-    return LinearModel(**_call("linearise", written, [aircraft], progress=False))
+    """A linear model about the trim with which a flight begins, for control laws, and its modes.
+
+    `inflow` is "keep", "steady", which leaves the states of the wake out, or "balanced:N", which leaves N states of all;
+    `gust_stations` are planes from nose to tail at which a gust is an input.
+    """
+    written = options(
+        inflow=inflow,
+        inputs=inputs,
+        all_states=all_states,
+        gust_stations=gust_stations,
+        modes=modes,
+        load_modes=load_modes,
+        set=parameters,
+    )
+    answer = _call("linearise", written, [aircraft], progress=False)
+    found = answer.pop("modes")
+    found["eigenvalues"] = found["eigenvalues"].ravel()
+    return LinearModel(modes=Modes(**found), **answer)
+
+
+def root_locus(
+    aircraft: File = JET,
+    *,
+    speed: Numbers,
+    inflow: Literal["keep", "steady"] = "keep",
+    modes: int | None = None,
+    load_modes: bool = False,
+    parameters: Parameters | None = None,
+    progress: bool = False,
+) -> RootLocus:
+    """The modes of an aircraft by their names, followed over airspeeds (m/s)."""
+    written = options(speed=speed, inflow=inflow, modes=modes, load_modes=load_modes, set=parameters)
+    answer = _call("linearise", written, [aircraft], progress)
+    answer["eigenvalue"] = answer["eigenvalue"].ravel()
+    return RootLocus(**answer)
 
 
 def simulate(
@@ -194,6 +253,34 @@ def gust(
         set=parameters,
     )
     return Gusts(**_call("gust", written, [aircraft], progress))
+
+
+def turbulence(
+    aircraft: File = JET,
+    *,
+    direction: Numbers | None = None,
+    criterion: Literal["cs25_vc", "cs25_vd"] | None = None,
+    weights: Sequence[Number] | None = None,
+    output_names: Sequence[str] | None = None,
+    modes: int | None = None,
+    load_modes: bool = False,
+    parameters: Parameters | None = None,
+) -> Turbulence:
+    """What continuous turbulence does to an aircraft, by its linear model: root mean squares, and limits by CS 25.341(b).
+
+    `direction` is degrees, 0 upwards, 90 to the right; spectrum and scale are `parameters` (turbulence.spectrum, turbulence.scale).
+    """
+    written = options(
+        continuous=True,
+        direction=direction,
+        criterion=criterion,
+        weights=weights,
+        output_names=output_names,
+        modes=modes,
+        load_modes=load_modes,
+        set=parameters,
+    )
+    return Turbulence(**_call("gust", written, [aircraft], progress=False))
 
 
 def flutter(

@@ -43,6 +43,44 @@ class Trims:
 
 
 @dataclass(frozen=True)
+class Modes:
+    """The modes of an aircraft in flight by their names, slowest first, and its flying qualities (NaN where there are none)."""
+
+    #: "phugoid", "short period", "Dutch roll", "roll", "spiral", "altitude", "elastic 1", …
+    names: list[str]
+    #: "symmetric", "antisymmetric", or nothing where a mode is both.
+    families: list[str]
+    #: 1/s; of a pair the upper one.
+    eigenvalues: npt.NDArray[np.complex128]
+    damping_ratios: Array
+    #: Of each mode whether its eigenvalue is that of an inflow that follows at once, for with its own it is lost among the wake's.
+    quasi_steady: npt.NDArray[np.bool_]
+    #: n/alpha of the control for pitch, 1/rad.
+    load_factor_per_alpha: float
+    #: Squared frequency of the short period by n/alpha, 1/s².
+    control_anticipation: float
+    #: s.
+    roll_time_constant: float
+
+    def __getitem__(self, name: str) -> complex:
+        """The eigenvalue of a mode."""
+        return complex(self.eigenvalues[self.names.index(name)])
+
+
+@dataclass(frozen=True)
+class RootLocus:
+    """The modes of an aircraft over airspeed: a row for each mode at each airspeed."""
+
+    #: m/s.
+    airspeed: Array
+    #: Names, followed over airspeed.
+    mode: list[str]
+    #: 1/s; of a pair the upper one.
+    eigenvalue: npt.NDArray[np.complex128]
+    quasi_steady: npt.NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
 class LinearModel:
     """x' = A x + B u + Bd u' and y = C x + D u + Dd u' for departures from x0, u0 and y0.
 
@@ -68,6 +106,9 @@ class LinearModel:
     x_labels: list[str]
     u_labels: list[str]
     y_labels: list[str]
+    modes: Modes
+    #: Where the planes of `gust_stations` are, m ahead of O.
+    gust_planes: Array | None = None
 
 
 class Flight(dict[str, Array]):
@@ -99,6 +140,28 @@ class Gusts:
     greatest_time: Array
     #: Gusts that could not be flown to the end, with the reason; they have no row.
     failures: list[str]
+
+
+@dataclass(frozen=True)
+class Turbulence:
+    """What continuous turbulence does to outputs. Matrices have a row for each direction and a column for each output."""
+
+    #: The outputs.
+    names: list[str]
+    units: list[str]
+    #: Each output in still air.
+    trim: Array
+    #: Degrees, 0 upwards, 90 to the right.
+    direction: Array
+    #: Root mean squares by that of the turbulence, per m/s.
+    rms: Array
+    #: How often each output crosses its mean upwards, Hz.
+    crossings: Array
+    #: U_sigma of CS 25.341(b), m/s of true airspeed.
+    velocity: float
+    #: Limits: the trim less and more U_sigma times the root mean square.
+    least: Array
+    greatest: Array
 
 
 @dataclass(frozen=True)
