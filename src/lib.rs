@@ -50,7 +50,7 @@
 //! | [`devices`] | commands, settings, time | what acts, and what sampled sensors give |
 //! | [`flight`] | `ReducedModel`, settings | a flight in time |
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
-//! | [`Flight`], [`LinearModel`] | `ReducedModel` | a flight, a linear model by the names of variables |
+//! | [`Flight`], [`LinearModel`], [`HarmonicGusts`] | `ReducedModel` | a flight, a linear model, and what gusts do to it, by the names of variables |
 //! | `fmi` | everything above | an FMU without its C: instance, life cycle, saved states, model description (feature `fmi`) |
 //! | `fmi2` | `fmi` | the C ABI of FMI 2.0 (feature `fmi`) |
 //!

@@ -1,4 +1,4 @@
-//! A flight, and linear models of one, by the names of variables: the face of the library for those who want neither an FMU nor its types.
+//! A flight, linear models of one and what gusts do to them, by the names of variables: the face of the library for those who want neither an FMU nor its types.
 //!
 //! Names, units, signs and starts are those of the FMU; [`Flight::variables`] lists them.
 

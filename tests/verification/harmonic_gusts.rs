@@ -73,8 +73,8 @@ fn one_minus_cosine(frequency: f64, duration: f64) -> Complex<f64> {
 fn a_single_gust_by_fourier_is_that_of_the_independent_computation() {
     let mut record = Record::new(
         "harmonic-gusts-single",
-        "A 1-cosine gust upwards, H = 30 m, nominal stiffness: largest increments per 10 m/s by Fourier transforms of the linear response \
-         (to 2e-4)",
+        "A 1-cosine gust upwards, H = 30 m, nominal stiffness: largest increments per 10 m/s by Fourier transforms of the linear response, \
+         against a time march (to 2e-4) and Fourier transforms (to 1e-3) of the independent computation",
         SOURCE,
     );
     let gusts = gusts(1.0);
@@ -102,11 +102,13 @@ fn a_single_gust_by_fourier_is_that_of_the_independent_computation() {
         terms.sum()
     };
     let largest = |output: usize| (0..300).map(|step| at(2e-3 * f64::from(step), output)).fold(0.0, f64::max);
-    for (output, (name, expected)) in
-        [("load factor at O", 0.5331), ("root bending, N m", 336_808.0)].into_iter().enumerate()
-    {
-        record.relative(name, expected, 2e-4, largest(output));
+    let references = [("load factor at O", 0.5333, 0.5331), ("root bending, N m", 336_961.0, 336_808.0)];
+    for (output, (name, march, fourier)) in references.into_iter().enumerate() {
+        let found = largest(output);
+        record.relative(&format!("{name}: march, 0.2 m/s, times 50"), march, 2e-4, found);
+        record.relative(&format!("{name}: Fourier"), fourier, 1e-3, found);
     }
+    record.remark("The reference looks every 5 ms: the largest of such looks at the curve found here is up to 3e-4 below its peak.");
     record.finish();
 }
 

@@ -23,9 +23,9 @@ pub fn text(model: &ReducedModel, settings: &Settings, found: &Found, seconds: f
         let ends = [outputs.frequencies.first(), outputs.frequencies.last()];
         let [first, last] = ends.map(|end| short(end.copied().unwrap_or(0.0)));
         text += &format!(
-            "{} frequencies from {first} to {last} rad/s; the last halving of their steps moved no Ā by more than {} of it\n",
+            "{} frequencies from {first} to {last} rad/s; the last halving of their steps moved no Ā by more than {:.0e} of it\n",
             outputs.frequencies.len(),
-            short(outputs.moved)
+            outputs.moved
         );
     }
     text += &format!("found in {seconds:.2} s\n");
