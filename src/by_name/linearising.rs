@@ -27,7 +27,7 @@ impl LinearModel {
         settings: &Settings,
         inflow: Inflow,
     ) -> Result<Self, SimulationError> {
-        LinearModel::with(model.into(), settings, inflow, UnknownsKept::Felt)
+        LinearModel::with(&model.into(), settings, inflow, UnknownsKept::Felt)
     }
 
     /// The same with all states of a flight: `position.north`, `position.east`, `attitude.yaw`, and how far the air has gone,
@@ -40,11 +40,11 @@ impl LinearModel {
         settings: &Settings,
         inflow: Inflow,
     ) -> Result<Self, SimulationError> {
-        LinearModel::with(model.into(), settings, inflow, UnknownsKept::All)
+        LinearModel::with(&model.into(), settings, inflow, UnknownsKept::All)
     }
 
     fn with(
-        model: Arc<ReducedModel>,
+        model: &Arc<ReducedModel>,
         settings: &Settings,
         inflow: Inflow,
         kept: UnknownsKept,
@@ -63,18 +63,18 @@ impl LinearModel {
             return Err(SettingError { setting, found, allowed: allowed.to_owned() }.into());
         }
         // All that is checked before a flight, limits of actuators among it.
-        Simulation::new(Arc::clone(&model), &settings, 0.0)?;
+        Simulation::new(Arc::clone(model), &settings, 0.0)?;
         let along_course = settings.plant.along_course();
-        let plants = Plants::under(&model, &along_course)?;
+        let plants = Plants::under(model, &along_course)?;
         let trimmed = plants.trim(&along_course.trim_condition())?;
         let (plant, trim) = (plants.whole(), trimmed.trims.whole());
         let course = Course::new(settings.plant.heading).from(&trim.state[plant.layout().attitude()]);
-        let table = VariableTable::new(&model);
+        let table = VariableTable::new(model);
         let outputs = linear_names::outputs(&table, &settings);
         let slots: Vec<OutputSlot> = outputs.iter().map(|(slot, _)| *slot).collect();
         let mut found = LinearModel::named(about(plant, trim, course, &slots, kept), plant, &table);
         found.outputs = outputs.into_iter().map(|(_, name)| name).collect();
-        lags::append(&mut found, &slots, &model, &settings);
+        lags::append(&mut found, &slots, model, &settings);
         if kept == UnknownsKept::All {
             all_states::complete(&mut found, course, &table);
         }

@@ -199,7 +199,10 @@ fn a_wing_in_a_tunnel_whose_roots_all_decay_fast_is_reduced_and_one_that_nothing
     let folder = tempfile::tempdir().unwrap();
     let wing = workspace("aircraft/very-flexible-wing.toml");
     let reduce = |options: &str| {
-        run(folder.path(), &format!("linearise {} --inflow balanced:20 {options} --output out", wing.display()))
+        run(
+            folder.path(),
+            &format!("linearise {} --inflow balanced:20 {options} --output out", wing.display()),
+        )
     };
     let found = reduce("");
     let printed = text(&found.stdout);
