@@ -10,7 +10,9 @@ use crate::answer::Answer;
 use crate::diagnostics::Report;
 use crate::home::Home;
 use crate::progress::{Audience, Left};
-use crate::{Command, CommandLine, command_line, describe, flutter, gust, linearise, package, simulate, trim};
+use crate::{
+    Command, CommandLine, command_line, describe, flutter, gust, linearise, package, simulate, trim,
+};
 
 /// Why a call has no answer.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::Args;
+use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::structure::{ModeMotion, ReducedModel, Structure, StructureError};
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::FileError;
@@ -98,7 +99,8 @@ pub fn run(options: &DescribeOptions) -> Result<(), Error> {
     let files = options.json.iter().filter(|path| !is_standard(path)).chain(&options.plot);
     let drafts = Drafts::new(files.map(PathBuf::as_path))?;
 
-    let Described { structure, shapes, description } = options.describe()?;
+    let aircraft = options.flown.read(options.file())?;
+    let Described { structure, shapes, description } = options.describe(&aircraft)?;
     if options.plot.is_some() && description.modes.is_empty() {
         return Err(Error::NoModes);
     }
@@ -115,12 +117,14 @@ pub fn run(options: &DescribeOptions) -> Result<(), Error> {
 
 /// All of it as the text of a JSON object.
 pub fn answer(options: &DescribeOptions) -> Result<Answer, Error> {
-    Ok(Answer::named([("json", Answer::Text(json::text(&options.describe()?.description)))]))
+    let aircraft = options.flown.read(options.file())?;
+    let json = json::text(&options.describe(&aircraft)?.description);
+    Ok(Answer::named([("json", Answer::Text(json))]))
 }
 
 /// An aircraft with what is said of it, and the shapes of its modes.
-struct Described {
-    structure: Structure,
+struct Described<'a> {
+    structure: Structure<'a>,
     shapes: DMatrix<f64>,
     description: Description,
 }
@@ -130,18 +134,17 @@ impl DescribeOptions {
         self.file.as_deref().unwrap_or(&self.aircraft)
     }
 
-    fn describe(&self) -> Result<Described, Error> {
-        let aircraft = self.flown.read(self.file())?;
-        let structure = Structure::new(&aircraft)?;
+    fn describe<'a>(&self, aircraft: &'a Aircraft) -> Result<Described<'a>, Error> {
+        let structure = Structure::new(aircraft)?;
         let basis = self.flown.basis(&structure)?;
         let shapes = basis.shapes.clone();
         let motions = ModeMotion::of_modes(&structure, &shapes);
         let model = Arc::new(ReducedModel::of_basis(&structure, basis)?);
         let settings = self.flown.settings(&VariableTable::new(&model), &model)?;
-        let modes = modes::name(&aircraft, &model.modes, &motions, &settings.plant);
-        let facts = Facts::new(&aircraft, &model);
+        let modes = modes::name(aircraft, &model.modes, &motions, &settings.plant);
+        let facts = Facts::new(aircraft, &model);
         let balance = Balance::new(&model, &settings, facts.reference);
-        let warnings = warnings::find(&aircraft, &facts, &balance, &modes);
+        let warnings = warnings::find(aircraft, &facts, &balance, &modes);
         Ok(Described { structure, shapes, description: Description { facts, balance, modes, warnings } })
     }
 }

@@ -254,10 +254,7 @@ fn modes_are_told_by_name_with_flying_qualities_and_stand_in_the_files() {
     assert!(named("short period")["participations"]["rate.y"].as_f64().unwrap() > 0.1);
     assert!(json["flying_qualities"]["load_factor_per_alpha"].as_f64().unwrap() > 5.0);
     let table = std::fs::read_to_string(folder.path().join("out").join(file("modes"))).unwrap();
-    assert!(
-        table.contains(&format!("phugoid,symmetric,")) && table.lines().count() == 1 + modes.len(),
-        "{table}"
-    );
+    assert!(table.contains("phugoid,symmetric,") && table.lines().count() == 1 + modes.len(), "{table}");
 }
 
 #[test]
