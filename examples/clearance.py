@@ -3,10 +3,10 @@
     pip install fmpy distributed pyarrow matplotlib
     python examples/clearance.py --flexair target/release/flexair --output target/clearance.parquet
 
-An FMU for each mass, since masses are no parameters: `mass_case` changes the text of the aircraft file. The other three are
-parameters. At each point the jet meets 1-cosine gusts of CS-25 from below, of the lengths of GRADIENTS, without the law and with
-it; its row keeps the worst root bending of the wing and the worst load factor. What has no trim, or one that nobody could fly, is a
-row that says why. A picture beside the table has maps, envelopes and the ten worst points.
+An FMU for each mass, since masses are no parameters: `mass_case` changes the text of the aircraft file. The other three
+are parameters. At each point the jet meets 1-cosine gusts of CS-25 from below, of the lengths of GRADIENTS, without the law
+and with it; its row keeps the worst root bending of the wing and the worst load factor. What has no trim, or one that nobody
+could fly, is a row that says why. A picture beside the table has a map, envelopes and the ten worst points.
 
 Points, workers that die and other clusters are as in `dask_sweep.py`, the law as in `gust_load_alleviation.py`: sampled every
 10 ms and one step late, behind an actuator. On another cluster the workers need FMPy, and find the FMUs under the same paths.
@@ -57,9 +57,10 @@ def all_points():
 
 
 def mass_case(text, factor):
-    """An aircraft file with a factor on each `total_kg` in a line that ends in the comment `# fuel`; all else stays as it is."""
+    """An aircraft file with a factor on each `total_kg` in a line that ends in `# fuel`; all else stays, comments too."""
     line = re.compile(r"^(?P<before>.*\btotal_kg\s*=\s*)(?P<mass>[-+.\deE]+)(?P<after>.*#\s*fuel\s*)$", re.MULTILINE)
-    changed, count = line.subn(lambda found: f"{found['before']}{factor * float(found['mass'])!r}{found['after']}", text)
+    multiplied = lambda found: f"{found['before']}{factor * float(found['mass'])!r}{found['after']}"
+    changed, count = line.subn(multiplied, text)
     if count == 0:
         sys.exit("the aircraft file has no line with `total_kg` that ends in `# fuel`")
     tomllib.loads(changed)  # still TOML

@@ -108,7 +108,7 @@ def rows(client, fly, points, **fixed):
 
 
 def write(table, names, output):
-    """The columns of these names: Parquet by the name of the file, comma-separated values otherwise; empty where a flight failed."""
+    """Columns of these names: Parquet by the name of the file, or comma-separated values; empty where a flight failed."""
     output.parent.mkdir(parents=True, exist_ok=True)
     if output.suffix == ".parquet":
         import pyarrow

@@ -1,4 +1,4 @@
-"""The clearance flies what the FMU alone and the coupled system fly, keeps its rows when a worker dies, and says why a row is empty."""
+"""The clearance flies what the FMU alone and the coupled system fly, and keeps its rows when a worker dies."""
 
 import csv
 import os
@@ -48,8 +48,8 @@ def rows(undisturbed):
 def test_a_mass_case_changes_the_fuel_and_nothing_else():
     text = clearance.AIRCRAFT.read_text(encoding="utf-8")
     changed = clearance.mass_case(text, 0.25)
-    differing = [(before, after) for before, after in zip(text.splitlines(), changed.splitlines(), strict=True) if before != after]
-    [(before, after)] = differing
+    lines = zip(text.splitlines(), changed.splitlines(), strict=True)
+    [(before, after)] = [(before, after) for before, after in lines if before != after]
     assert "2110.5" in before and after.partition("#")[2] == before.partition("#")[2] == " fuel"
     expected, found = tomllib.loads(text), tomllib.loads(changed)
     [wing] = [component for component in expected["component"] if component["name"] == "wing_right"]
