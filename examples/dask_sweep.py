@@ -37,11 +37,13 @@ def point(number):
 def unpacked(fmu):
     """The FMU's folder and description, made once by each worker."""
     worker = get_worker()
-    if not hasattr(worker, "unpacked_fmu"):
+    if not hasattr(worker, "unpacked_fmus"):
+        worker.unpacked_fmus = {}
+    if fmu not in worker.unpacked_fmus:
         # Among the worker's own files: it goes with them.
         folder = tempfile.mkdtemp(prefix="fmu-", dir=worker.local_directory)
-        worker.unpacked_fmu = extract(fmu, unzipdir=folder), read_model_description(fmu)
-    return worker.unpacked_fmu
+        worker.unpacked_fmus[fmu] = extract(fmu, unzipdir=folder), read_model_description(fmu)
+    return worker.unpacked_fmus[fmu]
 
 
 def callbacks(said):
@@ -93,10 +95,10 @@ def fly(point, fmu):
     return row | {"message": " ".join(said)}
 
 
-def rows(client, fmu, points):
-    """The row of each point, in the order in which they come."""
+def rows(client, fly, points, **fixed):
+    """The row that `fly` makes of each point and what is fixed, in the order in which they come."""
     # Not pure: the same point may be flown again.
-    flights = client.map(fly, points, fmu=str(fmu), pure=False)
+    flights = client.map(fly, points, **fixed, pure=False)
     point_of = dict(zip((flight.key for flight in flights), points))
     for flight in as_completed(flights):
         try:
@@ -105,18 +107,18 @@ def rows(client, fmu, points):
             yield {**point_of[flight.key], "status": "worker_died", "message": str(error)}
 
 
-def write(table, output):
-    """Parquet by the name of the file, comma-separated values otherwise; empty where a flight failed."""
+def write(table, names, output):
+    """Columns of these names: Parquet by the name of the file, or comma-separated values; empty where a flight failed."""
     output.parent.mkdir(parents=True, exist_ok=True)
     if output.suffix == ".parquet":
         import pyarrow
         import pyarrow.parquet
 
-        columns = {name: [row.get(name) for row in table] for name in COLUMNS}
+        columns = {name: [row.get(name) for row in table] for name in names}
         pyarrow.parquet.write_table(pyarrow.table(columns), output)
         return
     with output.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, COLUMNS, restval="")
+        writer = csv.DictWriter(file, names, restval="")
         writer.writeheader()
         writer.writerows(table)
 
@@ -134,12 +136,12 @@ def main():
     cluster = options.scheduler or LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0")
     with Client(cluster) as client:
         table = []
-        for row in rows(client, options.fmu.resolve(), points):
+        for row in rows(client, fly, points, fmu=str(options.fmu.resolve())):
             table.append(row)
             print(f"{len(table)} of {len(points)}: point {row['point']} {row['status']}", flush=True)
     if not options.scheduler:
         cluster.close()
-    write(sorted(table, key=lambda row: row["point"]), options.output)
+    write(sorted(table, key=lambda row: row["point"]), COLUMNS, options.output)
 
 
 if __name__ == "__main__":

@@ -191,13 +191,15 @@ fn command_line(home: &Home) -> clap::Command {
 
 /// An option of a command with the default that it has at home.
 fn at_home(home: &Home, command: &str, option: Arg) -> Arg {
-    let Some(default) = option.get_default_values().first().map(PathBuf::from) else { return option };
-    if default == workspace::aircraft() {
+    let default = option.get_default_values().first().map(PathBuf::from);
+    let is_named_so = option.get_value_names().is_some_and(|names| *names == ["AIRCRAFT"]);
+    if is_named_so || default == Some(workspace::aircraft()) {
         let home = home.clone();
         let help = option.get_help().map(ToString::to_string).unwrap_or_default();
         let parser = PathBufValueParser::new().try_map(move |given| home.aircraft(given));
         return option.value_parser(parser).help(format!("{help}, or a name that `flexair aircraft` lists"));
     }
+    let Some(default) = default else { return option };
     match home.output(command, &default) {
         same if same == default => option,
         other => option.default_value(other.into_os_string()),
@@ -253,7 +255,7 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8
         Command::Converge(options) => converge::run(&options).map_err(|error| error.report()),
         Command::Gust(options) => gust::run(&options).map_err(|error| error.report()),
         Command::Loads(options) => loads::run(&options).map_err(|error| error.report()),
-        Command::Sweep(options) => sweep::run(&options).map_err(|error| error.report()),
+        Command::Sweep(options) => sweep::run(&options, home).map_err(|error| error.report()),
         Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
         Command::Ssp(options) => ssp::run(&options).map_err(|error| error.report()),
         Command::Aircraft(_) => aircraft::run(home).map_err(|error| error.report()),

@@ -177,18 +177,13 @@ struct Moments {
 }
 
 impl Moments {
-    /// Of each output, by Simpson's rule over every node, or every second one, of an even number of steps then.
+    /// Of each output, by the trapezoidal rule over every node, or every second one of an even number of steps.
     fn of(nodes: &[Node], densities: &[Densities], every: usize) -> Vec<Self> {
         let mut moments = vec![Moments::default(); densities.first().map_or(0, Vec::len)];
-        let last = (nodes.len() - 1) / every;
-        for (number, (node, densities)) in nodes.iter().zip(densities).step_by(every).enumerate() {
-            let weight = match number {
-                0 => 1.0,
-                number if number == last => 1.0,
-                number if number % 2 == 1 => 4.0,
-                _ => 2.0,
-            };
-            let width = weight / 3.0 * every as f64 * node.stretch;
+        let last = nodes.len() - 1;
+        for (number, (node, densities)) in nodes.iter().zip(densities).enumerate().step_by(every) {
+            let weight = if number == 0 || number == last { 0.5 } else { 1.0 };
+            let width = weight * every as f64 * node.stretch;
             for (moments, density) in moments.iter_mut().zip(densities) {
                 moments.square += width * density;
                 moments.of_rates += width * density * node.frequency * node.frequency;

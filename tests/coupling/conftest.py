@@ -7,6 +7,7 @@ in the folder named by EXAMPLES.
 import csv
 import functools
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -14,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import pyarrow.parquet
 import pytest
+from distributed import LocalCluster
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
@@ -92,6 +94,43 @@ def sweep(tmp_path_factory):
     return sweep
 
 
+def killer(number):
+    """Whom it has killed, and a function for `on_cluster` that kills a worker after so many results."""
+    killed = []
+
+    def kill(lines, cluster):
+        if len(lines) == number:
+            worker = cluster.workers[0].pid
+            os.kill(worker, signal.SIGKILL)
+            killed.append(worker)
+
+    return killed, kill
+
+
+@pytest.fixture(scope="session")
+def on_cluster(tmp_path_factory):
+    """A function that runs an example on a cluster of two workers: the table that it writes. `after(lines, cluster)` is called
+    for each result."""
+
+    def on_cluster(example, points, table, *options, after=None):
+        output = tmp_path_factory.mktemp(example) / table
+        with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster:
+            command = [sys.executable, EXAMPLES / f"{example}.py", "--points", str(points), *options]
+            command += ["--scheduler", cluster.scheduler_address, "--output", output]
+            with subprocess.Popen(command, stdout=subprocess.PIPE, encoding="utf-8") as run:
+                lines = []
+                for line in run.stdout:
+                    if f" of {points}: " in line:
+                        lines.append(line)
+                        if after is not None:
+                            after(lines, cluster)
+            assert run.returncode == 0
+        assert len(lines) == points
+        return output
+
+    return on_cluster
+
+
 @pytest.fixture(scope="session")
 def aircraft_in_gust(tmp_path_factory):
     """Path of the aircraft's FMU whose parameters start in a gust, with an actuator."""
@@ -108,7 +147,7 @@ def fmus(tmp_path_factory):
     folder = tmp_path_factory.mktemp("fmus")
     for script in [*LAWS, "vertical_gust"]:
         command = [sys.executable, "-m", "pythonfmu", "build", "--file", EXAMPLES / f"{script}.py", "--dest", folder]
-        subprocess.run([*command, EXAMPLES / "fmu_with_units.py"], check=True)
+        subprocess.run([*command, EXAMPLES / "fmu_with_units.py", EXAMPLES / "alleviation_law.py"], check=True)
     return folder
 
 

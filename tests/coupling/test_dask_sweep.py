@@ -1,37 +1,23 @@
 """The Dask example has the same rows whether or not a worker dies, and those of `flexair sweep`."""
 
 import csv
-import os
-import signal
-import subprocess
 import sys
 
 import pyarrow.parquet
 import pytest
-from distributed import Client, LocalCluster
+from distributed import Client
 
-from conftest import ROOT
+from conftest import ROOT, killer
 
 POINTS = 24
 
 
 @pytest.fixture(scope="module")
-def swept(aircraft, tmp_path_factory):
-    """A function that runs the example on a cluster: its table as bytes. `after(lines, cluster)` is called for each result."""
+def swept(aircraft, on_cluster):
+    """A function that runs the example on a cluster: its table as a file. `after(lines, cluster)` is called for each result."""
 
-    def swept(name, after=lambda lines, cluster: None):
-        output = tmp_path_factory.mktemp("dask") / name
-        with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster:
-            command = [sys.executable, ROOT / "examples/dask_sweep.py", "--fmu", aircraft, "--points", str(POINTS)]
-            command += ["--scheduler", cluster.scheduler_address, "--output", output]
-            with subprocess.Popen(command, stdout=subprocess.PIPE, encoding="utf-8") as example:
-                lines = []
-                for line in example.stdout:
-                    lines.append(line)
-                    after(lines, cluster)
-            assert example.returncode == 0
-        assert len(lines) == POINTS
-        return output
+    def swept(name, after=None):
+        return on_cluster("dask_sweep", POINTS, name, "--fmu", aircraft, after=after)
 
     return swept
 
@@ -42,14 +28,7 @@ def undisturbed(swept):
 
 
 def test_a_worker_that_is_killed_changes_no_bit_of_the_table(swept, undisturbed):
-    killed = []
-
-    def kill(lines, cluster):
-        if len(lines) == 5:
-            worker = cluster.workers[0].pid
-            os.kill(worker, signal.SIGKILL)
-            killed.append(worker)
-
+    killed, kill = killer(5)
     disturbed = swept("disturbed.csv", kill)
     assert len(killed) == 1
     assert disturbed.read_bytes() == undisturbed.read_bytes()
@@ -91,7 +70,8 @@ def test_what_cannot_be_flown_is_a_row_that_says_why(aircraft):
     points = [{"point": number, **point} for number, point in enumerate(points)]
     with Client(n_workers=1, threads_per_worker=1, dashboard_address=":0") as client:
         client.upload_file(str(ROOT / "examples/dask_sweep.py"))
-        rows = sorted(dask_sweep.rows(client, aircraft.resolve(), points), key=lambda row: row["point"])
+        found = dask_sweep.rows(client, dask_sweep.fly, points, fmu=str(aircraft.resolve()))
+        rows = sorted(found, key=lambda row: row["point"])
     expected = [("no_trim", "too slow: "), ("left_validity", "no longer finite"), ("invalid", "allowed is 0.01 to ")]
     for row, (status, message) in zip(rows, expected, strict=True):
         assert row["status"] == status and message in row["message"] and "%%" not in row["message"]

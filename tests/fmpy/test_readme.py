@@ -2,6 +2,7 @@
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -75,6 +76,17 @@ def test_the_commands_of_the_readme_fly_the_fmu_from_c_and_from_python_alike(fol
     shell = ["bash", "-euo", "pipefail", "-c", commands]
     lines = subprocess.run(shell, cwd=folder, check=True, capture_output=True, text=True).stdout.splitlines()
     assert len(lines) == 16 and lines[:8] == lines[8:], lines
+
+
+def test_the_ten_commands_of_the_readme_run(folder):
+    """But for the sweep, which takes minutes, and for the FMU, which all these tests have already."""
+    [commands] = [commands for commands in blocks("sh") if commands.startswith("flexair ")]
+    lines = [shlex.split(line, comments=True)[1:] for line in commands.splitlines()]
+    assert len(lines) == 10
+    for line in lines:
+        if line[0] not in ("sweep", "package"):
+            subprocess.run([*FLEXAIR, *line], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    assert len(np.genfromtxt(folder / "flight.csv", delimiter=",", names=True, deletechars="")) > 1000
 
 
 def test_the_readme_names_every_example():

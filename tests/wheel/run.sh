@@ -18,13 +18,15 @@ cp tests/wheel/*.py "$folder"
 mkdir "$folder/wheels"
 cp "$target"/wheels/*.whl "$folder/wheels"
 
-# In a namespace where an empty folder lies over the checkout, if the system lets us; without cargo in any case.
-away=(env --chdir="$folder")
+# In a namespace where an empty folder lies over the checkout, if the system lets us; in any case no program is found but those
+# of the environment.
+root=$PWD away=()
 hide='mount -t tmpfs none "$0" && exec "$@"'
-if unshare --mount --map-root-user sh -c "$hide" "$PWD" true 2>/dev/null; then
-    away+=(unshare --mount --map-root-user sh -c "$hide" "$PWD")
+if unshare --mount --map-root-user sh -c "$hide" "$root" true 2>/dev/null; then
+    away=(unshare --mount --map-root-user sh -c "$hide" "$root")
 else
     echo 'tests/wheel: the checkout cannot be hidden here' >&2
 fi
-env --ignore-environment PATH="$folder/venv/bin:/usr/bin:/bin" HOME="$folder" \
-    "${away[@]}" "$folder/venv/bin/python" -m pytest -rs "$folder"
+cd "$folder"
+"${away[@]}" env --ignore-environment PATH="$folder/venv/bin" HOME="$folder" \
+    "$folder/venv/bin/python" -m pytest -rs "$folder"

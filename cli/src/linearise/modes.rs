@@ -21,7 +21,7 @@ const LEADS: f64 = 0.1;
 
 /// Other roots that are damped more than this share of critically and decay faster than this (1/s) are not told: most are the wake's.
 const WELL_DAMPED: f64 = 0.5;
-const FAST: f64 = 5.0;
+const FAST: f64 = 1.0;
 
 /// States on which nothing depends, which no mode has.
 const ALONE: [&str; 3] = ["position.north", "position.east", "attitude.yaw"];
@@ -243,7 +243,7 @@ fn family(mode: &FlightMode) -> Option<&'static str> {
 /// Of critical damping; of a root at rest 0.
 fn damping_ratio(root: Complex<f64>) -> f64 {
     let frequency = root.norm();
-    if frequency > 0.0 { -root.re / frequency } else { 0.0 }
+    if frequency > REST { -root.re / frequency } else { 0.0 }
 }
 
 fn none() -> String {

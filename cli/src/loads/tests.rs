@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Parser;
 
 use super::*;
+use crate::home::Home;
 
 #[derive(Parser)]
 struct Line {
@@ -13,7 +14,11 @@ struct Line {
 }
 
 fn options(line: &str) -> LoadsOptions {
-    Line::parse_from(std::iter::once("loads").chain(line.split_whitespace())).options
+    let jet = Home::of_program().aircraft_file("generic-business-jet");
+    LoadsOptions {
+        aircraft: jet,
+        ..Line::parse_from(std::iter::once("loads").chain(line.split_whitespace())).options
+    }
 }
 
 fn analysis(line: &str) -> Analysis {

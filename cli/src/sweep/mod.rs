@@ -14,6 +14,7 @@ use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 use crate::diagnostics::read_aircraft;
 use crate::files::{Overwriting, refuse_overwriting};
 use crate::flown;
+use crate::home::Home;
 use crate::marked::Rejected;
 use crate::progress::Progress;
 use crate::{terminal, workspace};
@@ -107,7 +108,7 @@ pub enum Error {
 }
 
 /// Flies all points that have no part yet, and says how all came out.
-pub fn run(options: &SweepOptions) -> Result<(), Error> {
+pub fn run(options: &SweepOptions, home: &Home) -> Result<(), Error> {
     if options.jobs == Some(0) {
         return Err(Error::NoJobs);
     }
@@ -116,7 +117,7 @@ pub fn run(options: &SweepOptions) -> Result<(), Error> {
     let unreadable = |source| Error::Unreadable { path: options.file.clone(), source };
     let text = std::fs::read_to_string(&options.file).map_err(unreadable)?;
     let file = SweepFile::parse(&text, &file_name)?;
-    let aircraft_file = aircraft_file(&file, &options.file);
+    let aircraft_file = aircraft_file(&file, &options.file, home);
     let aircraft = read_aircraft(&aircraft_file).map_err(flown::Error::from)?;
     let failed = |source| FileError { action: "read", path: aircraft_file.clone(), source };
     let identity = Identity::new(text.as_bytes(), &std::fs::read(&aircraft_file).map_err(failed)?);
@@ -129,11 +130,12 @@ pub fn run(options: &SweepOptions) -> Result<(), Error> {
     if swept.tally[0] == 0 { Err(Error::None) } else { Ok(()) }
 }
 
-/// As the sweep file names it, or the one that all commands take.
-fn aircraft_file(file: &SweepFile, sweep_file: &Path) -> PathBuf {
-    match &file.aircraft {
-        Some(path) => sweep_file.parent().unwrap_or(Path::new("")).join(path),
-        None => workspace::aircraft(),
+/// As the sweep file names it, a path from where it is or one that comes with the program, or the one that all commands take.
+fn aircraft_file(file: &SweepFile, sweep_file: &Path, home: &Home) -> PathBuf {
+    let named = file.aircraft.clone().unwrap_or_else(workspace::aircraft);
+    match named.to_str().filter(|name| home.aircraft_names().iter().any(|known| known == name)) {
+        Some(name) => home.aircraft_file(name),
+        None => sweep_file.parent().unwrap_or(Path::new("")).join(named),
     }
 }
 

@@ -33,6 +33,8 @@ fn lines() -> Vec<(&'static str, String, Option<&'static str>)> {
             Some("gusts"),
         ),
         ("ssp", "ssp a.fmu --output a.ssp --set aircraft.model=rigid".into(), Some("a.ssp")),
+        ("sweep", "sweep sweep.toml --output swept".into(), Some("swept/manifest.json")),
+        ("aircraft", "aircraft".into(), None),
         ("completions", "completions bash".into(), None),
         ("help", "help".into(), None),
     ]
@@ -64,6 +66,8 @@ fn commands_in_the_help(folder: &Path) -> Vec<String> {
 fn every_command_does_its_work_when_nobody_reads_what_it_says() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("inputs.csv"), "time\n0\n2\n").unwrap();
+    let sweep = "[set]\nmodel = \"rigid\"\n[run]\nkind = \"trim\"\n[[vary]]\nname = \"airspeed\"\nvalues = [120.0, 130.0]\n[[keep]]\noutput = \"trim.pitch\"\n";
+    std::fs::write(folder.path().join("sweep.toml"), sweep).unwrap();
     let lines = lines();
     let mut tested: Vec<&str> = lines.iter().map(|(command, ..)| *command).chain(["bench"]).collect();
     let mut known = commands_in_the_help(folder.path());

@@ -277,7 +277,7 @@ fn modes_are_followed_over_airspeed() {
         ("--speed 140,120", "allowed are at least two ascending airspeeds"),
         ("--speed 120:140:3 --format csv", "cannot be used with"),
         ("--speed 120:140:3 --inflow balanced:20", "--inflow balanced:20: found with --speed"),
-        ("--speed 1:2:2", "no trim"),
+        ("--speed 1:2:2", "no steady level flight found at 2 m/s"),
     ] {
         let failed = run(folder.path(), &format!("linearise --modes 2 {options} --output wrong"));
         let errors = text(&failed.stderr);

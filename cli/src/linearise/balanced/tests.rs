@@ -9,7 +9,7 @@ use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::{Inflow, LinearModel};
 use nalgebra::{Complex, DMatrix};
 
-use crate::workspace;
+use crate::home::Home;
 
 use super::{Error, reduce, scales};
 
@@ -17,7 +17,11 @@ use super::{Error, reduce, scales};
 fn small() -> &'static LinearModel {
     static MODEL: OnceLock<LinearModel> = OnceLock::new();
     MODEL.get_or_init(|| {
-        let jet = ReducedModel::new(&Aircraft::read(workspace::aircraft()).unwrap(), 2).unwrap();
+        let jet = ReducedModel::new(
+            &Aircraft::read(Home::of_program().aircraft_file("generic-business-jet")).unwrap(),
+            2,
+        )
+        .unwrap();
         let mut settings = Settings::of(&jet);
         settings.plant.inflow_states = 1;
         settings.actuators.set(0, Actuator { frequency: 40.0, damping: 0.7, ..settings.actuators.get(0) });
