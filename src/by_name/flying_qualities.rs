@@ -50,17 +50,17 @@ pub fn flight_modes(
         Ok((trim.point, plants.whole().linearise(trim)))
     };
     let condition = along_course.trim_condition();
-    let (point, matrix) = linearised(&condition).map_err(SimulationError::Trim)?;
+    let (point, motion) = linearised(&condition).map_err(SimulationError::Trim)?;
     // A flight on the way that cannot be trimmed is passed over.
     let on_the_way =
         way_to(&condition, &point).into_iter().filter_map(|condition| linearised(&condition).ok());
-    let before = on_the_way.fold(None, |before: Option<ModeNames>, (_, matrix)| match before {
-        Some(before) => Some(ModeNames::after(&matrix, &before)),
-        None => Some(FlightModes::new(&matrix).names),
+    let before = on_the_way.fold(None, |before: Option<ModeNames>, (_, motion)| match before {
+        Some(before) => Some(ModeNames::after(&motion, &before)),
+        None => Some(FlightModes::new(&motion).names),
     });
     Ok(match before {
-        Some(before) => FlightModes::with_names(&matrix, ModeNames::after(&matrix, &before)),
-        None => FlightModes::new(&matrix),
+        Some(before) => FlightModes::with_names(&motion, ModeNames::after(&motion, &before)),
+        None => FlightModes::new(&motion),
     })
 }
 

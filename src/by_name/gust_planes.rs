@@ -6,9 +6,9 @@ use crate::air::{GustWave, ImposedGust};
 use crate::plant::SettingError;
 use crate::variables::Unit;
 
+use super::at_trim::AtTrim;
 use super::linear_model::LinearModel;
 use super::linear_names::Name;
-use super::linearising::AtTrim;
 
 /// The senses of a plane's inputs: their names, and where they blow along the track, to the right, down.
 const SENSES: [(&str, [f64; 3]); 2] = [("up", [0.0, 0.0, -1.0]), ("right", [0.0, 1.0, 0.0])];

@@ -9,8 +9,8 @@ use crate::air::{GustWave, ImposedGust};
 use crate::flight::{Settings, SimulationError};
 use crate::structure::ReducedModel;
 
+use super::at_trim::AtTrim;
 use super::linear_model::{LinearContents, LinearModel};
-use super::linearising::AtTrim;
 use super::resolvent::{Resolvent, product};
 
 /// An aircraft that is linearised about the trim with which a flight begins, in harmonic gusts.

@@ -3,6 +3,7 @@
 //! Names, units, signs and starts are those of the FMU; [`Flight::variables`] lists them.
 
 mod all_states;
+mod at_trim;
 mod flying_qualities;
 mod frequency_grid;
 mod gust_planes;
