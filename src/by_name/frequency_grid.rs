@@ -52,9 +52,9 @@ impl FrequencyGrid {
         FrequencyGrid { range, roots }
     }
 
-    /// How many steps it has at first: an even number.
+    /// How many steps it has at first: a multiple of 4.
     pub fn steps(&self) -> usize {
-        2 * (0.5 * self.length()).ceil().max(1.0) as usize
+        4 * (0.25 * self.length()).ceil().max(1.0) as usize
     }
 
     /// Frequencies in so many equal steps of N, from end to end.

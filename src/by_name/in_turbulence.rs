@@ -15,8 +15,10 @@ use super::resolvent::product;
 /// Frequencies of turbulence that count, rad/s.
 const FREQUENCIES: RangeInclusive<f64> = 0.05..=300.0;
 
-/// Steps of the frequencies are halved until no Ā is moved by more than this part of it, or until there are so many.
+/// Steps of the frequencies are halved until no Ā is moved by more than this part of it, and was not moved much more by the halving
+/// before, for a single one may leave it by chance; or until there are so many.
 const TOLERANCE: f64 = 2e-4;
+const TOLERANCE_BEFORE: f64 = 1e-3;
 const MOST_STEPS: usize = 1 << 15;
 
 /// Ā below this part of the largest of its unit is left out of account, and less is rounding.
@@ -81,9 +83,10 @@ impl HarmonicGusts {
         let mut nodes = grid.nodes(grid.steps());
         let mut densities = asked.densities(&nodes);
         let moved = loop {
-            let [coarse, fine] = [2, 1].map(|every| Moments::of(&nodes, &densities, every));
-            let moved = self.largest_change(outputs, &coarse, &fine);
-            if moved <= TOLERANCE || nodes.len() > MOST_STEPS {
+            let [coarse, middle, fine] = [4, 2, 1].map(|every| Moments::of(&nodes, &densities, every));
+            let before = self.largest_change(outputs, &coarse, &middle);
+            let moved = self.largest_change(outputs, &middle, &fine);
+            if moved <= TOLERANCE && before <= TOLERANCE_BEFORE || nodes.len() > MOST_STEPS {
                 break moved;
             }
             (nodes, densities) = asked.halved(&grid, densities);
@@ -177,7 +180,7 @@ struct Moments {
 }
 
 impl Moments {
-    /// Of each output, by the trapezoidal rule over every node, or every second one of an even number of steps.
+    /// Of each output, by the trapezoidal rule over every node, or every second or fourth one of a multiple of four steps.
     fn of(nodes: &[Node], densities: &[Densities], every: usize) -> Vec<Self> {
         let mut moments = vec![Moments::default(); densities.first().map_or(0, Vec::len)];
         let last = nodes.len() - 1;
