@@ -14,11 +14,11 @@ struct Line {
 }
 
 fn options(line: &str) -> LoadsOptions {
-    let jet = Home::of_program().aircraft_file("generic-business-jet");
-    LoadsOptions {
-        aircraft: jet,
-        ..Line::parse_from(std::iter::once("loads").chain(line.split_whitespace())).options
+    let mut options = Line::parse_from(std::iter::once("loads").chain(line.split_whitespace())).options;
+    if options.aircraft == workspace::aircraft() {
+        options.aircraft = Home::of_program().aircraft_file("generic-business-jet");
     }
+    options
 }
 
 fn analysis(line: &str) -> Analysis {
