@@ -4,7 +4,8 @@
 //!
 //! In the whole motion the inflow takes so large a part in every mode that what leads it does not tell the mode. With an
 //! inflow that follows the motion at once it does: there modes get their names, and from there each is followed to the inflow as it
-//! is. A mode that does not arrive, or arrives as one of the wake's own, is given as it was before, and marked.
+//! is. A rigid mode that does not arrive, or arrives as one of the wake's own, is given as it was before, and marked; one of the structure is
+//! looked for from the side of a frozen wake.
 //! From one flight to the next, as into a turn, names go with the modes that are most alike.
 
 use std::sync::Arc;
@@ -22,6 +23,9 @@ const LARGEST_STEP: f64 = 0.25;
 
 /// A mode in which the motion takes part less than this is one of the wake's own.
 const LOST: f64 = 0.02;
+
+/// Shapes that agree less are not of one mode of the structure.
+const ALIKE: f64 = 0.1;
 
 /// Eigenvalues are told apart in proportion to this and their size, 1/s.
 const SLOW: f64 = 0.05;
@@ -102,12 +106,24 @@ impl FlightModes {
     pub fn with_names(matrix: &StateMatrix, names: ModeNames) -> Self {
         let problem = Condensed::new(matrix);
         let mut modes: Vec<FlightMode> = Vec::with_capacity(names.0.len());
+        let mut lost: Vec<&Instant> = Vec::new();
         for start in &names.0 {
-            let mode = arrived(&problem, start, &modes);
-            modes.push(mode);
+            match arrived(&problem, &start.root, LARGEST_STEP, Path::Lag, &modes) {
+                Some(found) => modes.push(start.mode(found, false)),
+                None => lost.push(start),
+            }
         }
+        let (elastic, rigid): (Vec<&Instant>, Vec<&Instant>) =
+            lost.into_iter().partition(|start| start.is_elastic());
+        modes.extend(
+            rigid
+                .into_iter()
+                .map(|start| start.mode((start.root.clone(), start.participations.clone()), true)),
+        );
+        let unknowns = motion_of(matrix);
+        find_elastic((&problem, &unknowns), &elastic, names.0.len(), &mut modes);
         modes.sort_by(|a, b| a.eigenvalue().norm().total_cmp(&b.eigenvalue().norm()));
-        FlightModes { unknowns: motion_of(matrix), modes, names }
+        FlightModes { unknowns, modes, names }
     }
 
     /// The same modes with the names of those of another flight not far from this one that are most alike.
@@ -187,22 +203,79 @@ fn motion_of(matrix: &StateMatrix) -> Vec<Unknown> {
     matrix.unknowns.iter().filter(in_shape).copied().collect()
 }
 
-/// A mode with the inflow as it is, another than those that have arrived before.
-fn arrived(problem: &Condensed, start: &Instant, others: &[FlightMode]) -> FlightMode {
-    let path = |place: f64| Some(Arc::new(problem.with_lag(place * place)));
-    let is_new = |root: &Root| {
-        let same = |mode: &FlightMode| !mode.is_quasi_steady && mode.root.is_at(root.eigenvalue);
-        !others.iter().any(same)
-    };
-    let found = follow(&start.root, LARGEST_STEP, path).filter(is_new).and_then(|root| {
-        let left = problem.left_shape(&root)?;
-        let participations = problem.participations(&root, &left);
-        (participations.iter().sum::<f64>() > LOST).then_some((root, participations))
-    });
-    let is_quasi_steady = found.is_none();
-    let (root, participations) = found.unwrap_or_else(|| (start.root.clone(), start.participations.clone()));
-    let (name, share_aside) = (start.name, start.share_aside);
-    FlightMode { name, root, is_quasi_steady, participations, share_aside }
+/// From which problem a root comes to that with the inflow as it is.
+#[derive(Clone, Copy)]
+enum Path {
+    /// From an inflow that follows at once, ε = 0, over the root of ε.
+    Lag,
+    /// From a frozen wake, κ = 0.
+    Coupling,
+}
+
+/// A root and its participations with the inflow as it is, another than those that have arrived before, and none of the wake's own.
+fn arrived(
+    problem: &Condensed,
+    start: &Root,
+    largest_step: f64,
+    path: Path,
+    others: &[FlightMode],
+) -> Option<(Root, Vec<f64>)> {
+    let root = follow(start, largest_step, |place| {
+        Some(Arc::new(match path {
+            Path::Lag => problem.with_lag(place * place),
+            Path::Coupling => problem.with_coupling(place),
+        }))
+    })?;
+    let same = |mode: &FlightMode| !mode.is_quasi_steady && mode.root.is_at(root.eigenvalue);
+    if others.iter().any(same) {
+        return None;
+    }
+    let left = problem.left_shape(&root)?;
+    let participations = problem.participations(&root, &left);
+    (participations.iter().sum::<f64>() > LOST).then_some((root, participations))
+}
+
+/// Finds modes of the structure from the side of a frozen wake, for an inflow that follows at once is as good as none of its own at
+/// their frequencies: those that did not arrive have their names by the best agreement of shapes, others have numbers beyond so many.
+fn find_elastic(
+    (problem, unknowns): (&Condensed, &[Unknown]),
+    lost: &[&Instant],
+    known: usize,
+    modes: &mut Vec<FlightMode>,
+) {
+    let mut lost = lost.to_vec();
+    let mut number = known;
+    for start in problem.frozen_roots().iter().filter(|root| root.eigenvalue.im > 0.0) {
+        let Some((root, participations)) = arrived(problem, start, 1.0, Path::Coupling, modes) else {
+            continue;
+        };
+        if root.eigenvalue.im == 0.0 {
+            continue;
+        }
+        let agreement = |place: usize| lost[place].root.agreement(&root);
+        let nearest = (0..lost.len()).max_by(|&a, &b| agreement(a).total_cmp(&agreement(b)));
+        match nearest.filter(|&place| agreement(place) > ALIKE) {
+            Some(nearest) => modes.push(lost.remove(nearest).mode((root, participations), false)),
+            None => {
+                number += 1;
+                let name = FlightModeName { kind: FlightModeKind::Elastic(number), number: None };
+                let share_aside = Portrait::new(true, unknowns, &participations).share_aside();
+                modes.push(FlightMode { name, root, is_quasi_steady: false, participations, share_aside });
+            }
+        }
+    }
+}
+
+impl Instant {
+    fn is_elastic(&self) -> bool {
+        matches!(self.name.kind, FlightModeKind::Elastic(_))
+    }
+
+    /// The mode of its name that has this root with these participations.
+    fn mode(&self, (root, participations): (Root, Vec<f64>), is_quasi_steady: bool) -> FlightMode {
+        let Instant { name, share_aside, .. } = *self;
+        FlightMode { name, root, is_quasi_steady, participations, share_aside }
+    }
 }
 
 /// Which of some modes go on as which of others: those that are most alike first.

@@ -9,6 +9,9 @@ use crate::plant::Unknown;
 /// Of a mode that is rigid motion more than half of what moves takes part there.
 const RIGID: f64 = 0.5;
 
+/// A root with less of the roll rate is never the roll.
+const SOME_ROLL: f64 = 0.05;
+
 /// What a mode is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct FlightModeName {
@@ -133,6 +136,7 @@ impl Portrait {
 pub(super) fn names(portraits: &[Portrait]) -> Vec<FlightModeName> {
     let mut kinds: Vec<Option<FlightModeKind>> = portraits.iter().map(Portrait::kind).collect();
     only_pair_is_dutch_roll(portraits, &mut kinds);
+    softest_roll(portraits, &mut kinds);
     let mut elastic = 0;
     let kinds: Vec<FlightModeKind> = kinds
         .into_iter()
@@ -159,6 +163,23 @@ fn only_pair_is_dutch_roll(portraits: &[Portrait], kinds: &mut [Option<FlightMod
         let is_dutch_roll = Some(root) == most;
         kinds[root] =
             Some(if is_dutch_roll { FlightModeKind::DutchRoll } else { FlightModeKind::RollSpiral });
+    }
+}
+
+/// Where no mode is rigid enough to be the roll, as where wings twist as much as they roll, it is the real root aside with the most roll rate.
+fn softest_roll(portraits: &[Portrait], kinds: &mut [Option<FlightModeKind>]) {
+    if kinds.iter().any(|kind| matches!(kind, Some(FlightModeKind::Roll | FlightModeKind::RollSpiral))) {
+        return;
+    }
+    let roll_rate = |root: usize| portraits[root].aside[1];
+    let may_be = |root: &usize| {
+        let Portrait { oscillates, .. } = portraits[*root];
+        let is_aside = portraits[*root].share_aside().is_some_and(|share| share > 0.5);
+        kinds[*root].is_none() && !oscillates && is_aside && roll_rate(*root) > SOME_ROLL
+    };
+    let roll = (0..kinds.len()).filter(may_be).max_by(|&a, &b| roll_rate(a).total_cmp(&roll_rate(b)));
+    if let Some(roll) = roll {
+        kinds[roll] = Some(FlightModeKind::Roll);
     }
 }
 
@@ -214,6 +235,17 @@ mod tests {
         ];
         let expected = ["altitude", "phugoid", "spiral", "short period", "Dutch roll", "roll", "elastic 1"];
         assert_eq!(told(&portraits), expected);
+    }
+
+    #[test]
+    fn the_roll_of_a_soft_wing_is_the_real_root_aside_with_the_most_roll_rate() {
+        let soft = |oscillates, rate| {
+            portrait(oscillates, &[(Unknown::Rate(0), rate), (Unknown::Coordinate(0), 1.0 - rate)])
+        };
+        let portraits = [soft(false, 0.2), soft(false, 0.3), soft(true, 0.4), soft(false, 0.01)];
+        assert_eq!(told(&portraits), ["elastic 1", "roll", "elastic 2", "elastic 3"]);
+        let rigid = [soft(false, 0.3), portrait(false, &[(Unknown::Rate(0), 0.9)])];
+        assert_eq!(told(&rigid), ["elastic 1", "roll"]);
     }
 
     #[test]
