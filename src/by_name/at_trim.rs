@@ -25,10 +25,10 @@ use super::{all_states, lags};
 #[derive(Clone, Debug)]
 pub(super) struct AtTrim {
     model: Arc<ReducedModel>,
-    settings: Settings,
-    plant: Plant,
+    pub(super) settings: Settings,
+    pub(super) plant: Plant,
     kept: UnknownsKept,
-    trim: Trim,
+    pub(super) trim: Trim,
     course: Course,
     slots: Vec<OutputSlot>,
     names: Vec<Name>,

@@ -5,17 +5,20 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::flight::{Settings, Simulation, SimulationError};
-use crate::plant::{Manoeuvre, SteadyFlight, TrimCondition, TrimPoint};
-use crate::stability::{FlightModes, ModeNames};
+use crate::flight::{Settings, SimulationError};
+use crate::plant::{Manoeuvre, SteadyFlight, Trim, TrimCondition, TrimPoint};
+use crate::stability::FlightModes;
 use crate::structure::ReducedModel;
-use crate::symmetry::Plants;
 
-use super::linear_model::{Inflow, LinearModel};
+use super::at_trim::AtTrim;
+use super::linear_model::{Inflow, LinearContents, LinearModel};
 use super::linear_names::Name;
 
 /// Step of the bank angle or of the sideslip in which names are carried from symmetric flight, rad.
 const STEP: f64 = PI / 36.0;
+
+/// Differences, and sums of them, are exact to this part.
+const ROUNDING: f64 = 1e-6;
 
 /// Names of states that are held where an elevator is asked what it does for long: all of the rigid motion but heave and
 /// pitch rate.
@@ -40,28 +43,27 @@ pub fn flight_modes(
     settings: &Settings,
     inflow: Inflow,
 ) -> Result<FlightModes, SimulationError> {
-    let (model, settings) = (model.into(), inflow.of(settings));
-    Simulation::new(Arc::clone(&model), &settings, 0.0)?;
-    let along_course = settings.plant.along_course();
-    let plants = Plants::under(&model, &along_course)?;
-    let linearised = |condition: &TrimCondition| {
-        let trimmed = plants.trim(condition)?;
-        let trim = trimmed.trims.whole();
-        Ok((trim.point, plants.whole().linearise(trim)))
-    };
-    let condition = along_course.trim_condition();
-    let (point, motion) = linearised(&condition).map_err(SimulationError::Trim)?;
-    // A flight on the way that cannot be trimmed is passed over.
-    let on_the_way =
-        way_to(&condition, &point).into_iter().filter_map(|condition| linearised(&condition).ok());
-    let before = on_the_way.fold(None, |before: Option<ModeNames>, (_, motion)| match before {
-        Some(before) => Some(ModeNames::after(&motion, &before)),
-        None => Some(FlightModes::new(&motion).names),
-    });
-    Ok(match before {
-        Some(before) => FlightModes::with_names(&motion, ModeNames::after(&motion, &before)),
-        None => FlightModes::new(&motion),
-    })
+    let contents = LinearContents { inflow, ..LinearContents::default() };
+    Ok(AtTrim::new(model.into(), settings, contents)?.flight_modes())
+}
+
+impl AtTrim {
+    /// The modes of the aircraft itself there. Allocates.
+    fn flight_modes(&self) -> FlightModes {
+        let (plant, condition) = (&self.plant, self.settings.plant.along_course().trim_condition());
+        let followed = |before: Option<FlightModes>, trim: &Trim| {
+            let modes = FlightModes::new(&plant.linearise(trim));
+            match before {
+                Some(before) => modes.named_after(&before),
+                None => modes,
+            }
+        };
+        // A flight on the way that cannot be trimmed is passed over.
+        let on_the_way = way_to(&condition, &self.trim.point).into_iter();
+        let trims = on_the_way.filter_map(|condition| plant.trim(&condition).ok());
+        let before = trims.fold(None, |before, trim| Some(followed(before, &trim)));
+        followed(before, &self.trim)
+    }
 }
 
 /// From symmetric flight to one that is not: the flights between, without the last.
@@ -119,11 +121,15 @@ impl LinearModel {
         let matrix = DMatrix::from_fn(free.len(), free.len(), |i, j| self.a[(free[i], free[j])]);
         let forcing = DVector::from_fn(free.len(), |i, _| -by_control[free[i]]);
         let steady = matrix.lu().solve(&forcing)?;
-        let answer = |output: usize| {
-            let by_states: f64 = free.iter().zip(steady.iter()).map(|(&j, x)| self.c[(output, j)] * x).sum();
-            by_states + at_once(output)
+        let terms = |output: usize| -> Vec<f64> {
+            let by_states = free.iter().zip(steady.iter()).map(|(&j, x)| self.c[(output, j)] * x);
+            by_states.chain([at_once(output)]).collect()
         };
-        let slope = answer(load_factor) / answer(alpha);
-        slope.is_finite().then_some(slope)
+        let (load_factor, alpha) = (terms(load_factor), terms(alpha));
+        let [by_load_factor, by_alpha] = [&load_factor, &alpha].map(|terms| terms.iter().sum::<f64>());
+        // Of what is nothing but the rounding of its terms there is no slope.
+        let scale: f64 = alpha.iter().map(|term| term.abs()).sum();
+        let slope = by_load_factor / by_alpha;
+        (by_alpha.abs() > ROUNDING * scale && slope.is_finite()).then_some(slope)
     }
 }

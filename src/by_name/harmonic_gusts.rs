@@ -7,11 +7,12 @@ use nalgebra::{Complex, DVector};
 
 use crate::air::{GustWave, ImposedGust};
 use crate::flight::{Settings, SimulationError};
+use crate::plant::product;
 use crate::structure::ReducedModel;
 
 use super::at_trim::AtTrim;
 use super::linear_model::{LinearContents, LinearModel};
-use super::resolvent::{Resolvent, product};
+use super::resolvent::Resolvent;
 
 /// An aircraft that is linearised about the trim with which a flight begins, in harmonic gusts.
 ///

@@ -10,7 +10,7 @@ use crate::plant::EigenvaluesNotFound;
 
 use super::frequency_grid::{FrequencyGrid, Node};
 use super::harmonic_gusts::HarmonicGusts;
-use super::resolvent::product;
+use crate::plant::product;
 
 /// Frequencies of turbulence that count, rad/s.
 const FREQUENCIES: RangeInclusive<f64> = 0.05..=300.0;

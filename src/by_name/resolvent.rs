@@ -7,6 +7,8 @@ use std::ops::Range;
 
 use nalgebra::{Complex, DMatrix, DVector};
 
+use crate::plant::{WakeBlocks, product};
+
 /// A linear model's A, sorted.
 #[derive(Clone, Debug)]
 pub(super) struct Resolvent {
@@ -19,15 +21,8 @@ pub(super) struct Resolvent {
     wake_on_motion: DMatrix<f64>,
     /// C.
     motion_on_wake: DMatrix<f64>,
-    /// Of D, with the row where it begins.
-    blocks: Vec<(usize, WakeBlock)>,
-}
-
-/// A diagonal block of D.
-#[derive(Clone, Copy, Debug)]
-enum WakeBlock {
-    Lag(f64),
-    Pair([[f64; 2]; 2]),
+    /// D.
+    blocks: WakeBlocks,
 }
 
 impl Resolvent {
@@ -36,24 +31,11 @@ impl Resolvent {
         let others: Vec<usize> = (0..a.nrows()).filter(|state| !wake.contains(state)).collect();
         let of_wake: Vec<usize> = wake.clone().collect();
         let part = |rows: &[usize], columns: &[usize]| a.select_rows(rows).select_columns(columns);
-        let inner = part(&of_wake, &of_wake);
-        let mut blocks = Vec::new();
-        let mut row = 0;
-        while row < inner.nrows() {
-            let is_pair = row + 1 < inner.nrows() && inner[(row, row + 1)] != 0.0;
-            let block = if is_pair {
-                WakeBlock::Pair([0, 1].map(|i| [0, 1].map(|j| inner[(row + i, row + j)])))
-            } else {
-                WakeBlock::Lag(inner[(row, row)])
-            };
-            blocks.push((row, block));
-            row += if is_pair { 2 } else { 1 };
-        }
         Resolvent {
             motion: part(&others, &others),
             wake_on_motion: part(&others, &of_wake),
             motion_on_wake: part(&of_wake, &others),
-            blocks,
+            blocks: WakeBlocks::of(&part(&of_wake, &of_wake)),
             wake,
             others,
         }
@@ -62,14 +44,12 @@ impl Resolvent {
     /// x of (iω − A) x = f for ω, rad/s; `None` where that has no solution.
     pub fn solve(&self, frequency: f64, forcing: &DVector<Complex<f64>>) -> Option<DVector<Complex<f64>>> {
         let rate = Complex::new(0.0, frequency);
-        let mut forced_wake = forcing.rows(self.wake.start, self.wake.len()).into_owned();
-        self.answer(rate, forced_wake.as_mut_slice());
+        let forced_wake = forcing.rows(self.wake.start, self.wake.len()).into_owned();
+        let forced_wake = self.blocks.answered(rate, forced_wake);
         let forced: DVector<Complex<f64>> = forcing.select_rows(&self.others);
         let motion =
             self.condensed(rate).lu().solve(&(forced + product(&self.wake_on_motion, &forced_wake)))?;
-        let mut wake = product(&self.motion_on_wake, &motion);
-        self.answer(rate, wake.as_mut_slice());
-        wake += forced_wake;
+        let wake = self.blocks.answered(rate, product(&self.motion_on_wake, &motion)) + forced_wake;
         let mut states = DVector::zeros(forcing.len());
         states.rows_mut(self.wake.start, self.wake.len()).copy_from(&wake);
         for (&place, value) in self.others.iter().zip(motion.iter()) {
@@ -80,37 +60,12 @@ impl Resolvent {
 
     /// iω − F − B (iω − D)⁻¹ C.
     fn condensed(&self, rate: Complex<f64>) -> DMatrix<Complex<f64>> {
-        let mut answers = self.motion_on_wake.map(Complex::from);
-        for mut column in answers.column_iter_mut() {
-            self.answer(rate, column.as_mut_slice());
-        }
-        let [re, im] = [answers.map(|x| x.re), answers.map(|x| x.im)].map(|part| &self.wake_on_motion * part);
+        let by_wake = self.blocks.eliminated(rate, &self.wake_on_motion, &self.motion_on_wake);
         DMatrix::from_fn(self.others.len(), self.others.len(), |i, j| {
             let diagonal = if i == j { rate } else { Complex::from(0.0) };
-            diagonal - self.motion[(i, j)] - Complex::new(re[(i, j)], im[(i, j)])
+            diagonal - self.motion[(i, j)] - by_wake[(i, j)]
         })
     }
-
-    /// (iω − D)⁻¹ times a forcing, in its place.
-    fn answer(&self, rate: Complex<f64>, forcing: &mut [Complex<f64>]) {
-        for &(row, block) in &self.blocks {
-            match block {
-                WakeBlock::Lag(decay) => forcing[row] /= rate - decay,
-                WakeBlock::Pair([[a, b], [c, d]]) => {
-                    let (first, second) = (forcing[row], forcing[row + 1]);
-                    let determinant = (rate - a) * (rate - d) - Complex::from(b * c);
-                    forcing[row] = ((rate - d) * first + second * b) / determinant;
-                    forcing[row + 1] = ((rate - a) * second + first * c) / determinant;
-                }
-            }
-        }
-    }
-}
-
-/// A real matrix times a complex vector.
-pub(super) fn product(matrix: &DMatrix<f64>, vector: &DVector<Complex<f64>>) -> DVector<Complex<f64>> {
-    let [re, im] = [vector.map(|x| x.re), vector.map(|x| x.im)].map(|part| matrix * part);
-    re.zip_map(&im, Complex::new)
 }
 
 #[cfg(test)]

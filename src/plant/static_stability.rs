@@ -1,7 +1,7 @@
 //! Static stability in pitch: how lift and moment answer a change of the angle of attack when everything elastic has come to
 //! rest; from them the static margin and the neutral point [theory: linearisation.static-margin, linearisation.residualised].
 
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use nalgebra::{DVector, Matrix3, Vector3};
 
 use crate::aircraft::Support;
 use crate::kinematics::RigidFreedom;
@@ -109,29 +109,16 @@ impl Plant {
     }
 }
 
-/// v̇ and ω̇ after a departure of v, with q̇ = q̈ = 0 and the wake's λ̇ = 0 [theory: linearisation.residualised].
+/// v̇ and ω̇ after a departure of v, with q̇ = q̈ = 0 and an inflow that follows at once [theory: linearisation.residualised].
 fn accelerations(state_matrix: &StateMatrix, departure: Vector3<f64>) -> Option<[Vector3<f64>; 2]> {
-    let StateMatrix { unknowns, matrix } = state_matrix;
+    let StateMatrix { unknowns, matrix } = state_matrix.with_instant_inflow()?;
     let places = |is_one: fn(&Unknown) -> bool| -> Vec<usize> {
         (0..unknowns.len()).filter(|&place| is_one(&unknowns[place])).collect()
     };
     let rigid = places(|unknown| matches!(unknown, Unknown::Velocity(_) | Unknown::Rate(_)));
     let coordinates = places(|unknown| matches!(unknown, Unknown::Coordinate(_)));
     let accelerated = places(|unknown| matches!(unknown, Unknown::CoordinateRate(_)));
-    let wake = places(|unknown| matches!(unknown, Unknown::Inflow { .. }));
-    let (rows, columns) = ([&rigid[..], &accelerated].concat(), [&rigid[..], &coordinates].concat());
-    let forcing = forcing(state_matrix, &wake, &columns)?;
-    let lagging = solved_by_strip(state_matrix, &wake, &forcing.columns(0, rigid.len()).into_owned())?;
-    let by_wake = part(matrix, &rows, &wake);
-    let quick = part(matrix, &rows, &columns) - &by_wake * forcing;
-    // v̇, ω̇ and q are unknown: (1 + A_λ D⁻¹ G) ẋ − B_q q = B_x x.
-    let mut equations = DMatrix::zeros(rows.len(), columns.len());
-    equations.columns_mut(0, rigid.len()).copy_from(&(by_wake * lagging));
-    for place in 0..rigid.len() {
-        equations[(place, place)] += 1.0;
-    }
-    let elastic = quick.columns(rigid.len(), coordinates.len());
-    equations.columns_mut(rigid.len(), coordinates.len()).copy_from(&-elastic);
+    let part = |rows: &[usize], columns: &[usize]| matrix.select_rows(rows).select_columns(columns);
     let departures = DVector::from_iterator(
         rigid.len(),
         rigid.iter().map(|&place| match unknowns[place] {
@@ -139,7 +126,10 @@ fn accelerations(state_matrix: &StateMatrix, departure: Vector3<f64>) -> Option<
             _ => 0.0,
         }),
     );
-    let found = equations.lu().solve(&(quick.columns(0, rigid.len()) * departures))?;
+    // 0 = q̈ = A_q q + A_v dv.
+    let forced = part(&accelerated, &rigid) * &departures;
+    let deflected = part(&accelerated, &coordinates).lu().solve(&-forced)?;
+    let found = part(&rigid, &rigid) * departures + part(&rigid, &coordinates) * deflected;
     let mut rates = [Vector3::zeros(); 2];
     for (place, rate) in rigid.iter().zip(&found) {
         match unknowns[*place] {
@@ -151,36 +141,10 @@ fn accelerations(state_matrix: &StateMatrix, departure: Vector3<f64>) -> Option<
     rates.iter().all(|rate| rate.iter().all(|number| number.is_finite())).then_some(rates)
 }
 
-/// G: what the wake lags behind by is its state and G x, for its rate is D (η + G x).
-fn forcing(state_matrix: &StateMatrix, wake: &[usize], columns: &[usize]) -> Option<DMatrix<f64>> {
-    solved_by_strip(state_matrix, wake, &part(&state_matrix.matrix, wake, columns))
-}
-
-/// D⁻¹ R: the wakes of strips do not feel each other.
-fn solved_by_strip(state_matrix: &StateMatrix, wake: &[usize], right: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    let StateMatrix { unknowns, matrix } = state_matrix;
-    let strip = |place: &usize| match unknowns[*place] {
-        Unknown::Inflow { strip, .. } => Some(strip),
-        _ => None,
-    };
-    let mut solved = DMatrix::zeros(right.nrows(), right.ncols());
-    let mut first = 0;
-    for states in wake.chunk_by(|one, other| strip(one) == strip(other)) {
-        let own = part(matrix, states, states).lu();
-        let rows = own.solve(&right.rows(first, states.len()).into_owned())?;
-        solved.rows_mut(first, states.len()).copy_from(&rows);
-        first += states.len();
-    }
-    Some(solved)
-}
-
-/// Some rows and columns of a matrix.
-fn part(matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> DMatrix<f64> {
-    DMatrix::from_fn(rows.len(), columns.len(), |row, column| matrix[(rows[row], columns[column])])
-}
-
 #[cfg(test)]
 mod tests {
+    use nalgebra::DMatrix;
+
     use super::*;
 
     /// ẋ = A x of a velocity, a coordinate, its rate and a wake of two states on one strip.

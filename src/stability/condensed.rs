@@ -15,7 +15,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
-use crate::plant::{StateMatrix, Unknown};
+use crate::plant::{StateMatrix, WakeBlocks, product};
 
 /// Iterations in which a near root is found, or none.
 const MAX_ITERATIONS: usize = 12;
@@ -47,6 +47,18 @@ impl Root {
         self.shape.dotc(&other.shape).norm_sqr()
     }
 
+    /// The same root, or the upper one of its pair; real where it is that but for rounding.
+    pub(super) fn upper(self) -> Self {
+        let Root { mut eigenvalue, shape } = self;
+        if eigenvalue.im.abs() <= EQUAL * eigenvalue.norm() {
+            eigenvalue.im = 0.0;
+        }
+        if eigenvalue.im < 0.0 {
+            return Root { eigenvalue: eigenvalue.conj(), shape: shape.map(|x| x.conj()) };
+        }
+        Root { eigenvalue, shape }
+    }
+
     /// Whether the eigenvalues are the same but for rounding.
     pub fn is_at(&self, eigenvalue: Complex<f64>) -> bool {
         (self.eigenvalue - eigenvalue).norm() <= EQUAL * (1.0 + eigenvalue.norm())
@@ -59,42 +71,22 @@ pub(super) struct Condensed {
     motion: DMatrix<f64>,
     wake_on_motion: DMatrix<f64>,
     motion_on_wake: DMatrix<f64>,
-    wake: Vec<WakeBlock>,
+    wake: WakeBlocks,
     coupling: f64,
-}
-
-/// A diagonal block of D, and the row where it begins.
-#[derive(Clone, Copy, Debug)]
-enum WakeBlock {
-    Lag { row: usize, rate: f64 },
-    Pair { row: usize, rates: [[f64; 2]; 2] },
 }
 
 impl Condensed {
     /// Of the whole linearised motion.
     pub fn new(state_matrix: &StateMatrix) -> Self {
         let StateMatrix { unknowns, matrix } = state_matrix;
-        let inflow = |unknown: &&Unknown| matches!(unknown, Unknown::Inflow { .. });
-        let wake = unknowns.iter().filter(inflow).count();
-        let motion = unknowns.len() - wake;
-        let inner = matrix.view((motion, motion), (wake, wake));
-        let mut blocks = Vec::new();
-        let mut row = 0;
-        while row < wake {
-            let paired = row + 1 < wake && inner[(row, row + 1)] != 0.0;
-            blocks.push(if paired {
-                let rates = [0, 1].map(|i| [0, 1].map(|j| inner[(row + i, row + j)]));
-                WakeBlock::Pair { row, rates }
-            } else {
-                WakeBlock::Lag { row, rate: inner[(row, row)] }
-            });
-            row += if paired { 2 } else { 1 };
-        }
+        let motion = state_matrix.motion_count();
+        let wake = unknowns.len() - motion;
+        let part = |from: (usize, usize), size: (usize, usize)| matrix.view(from, size).into_owned();
         Condensed {
-            motion: matrix.view((0, 0), (motion, motion)).into_owned(),
-            wake_on_motion: matrix.view((0, motion), (motion, wake)).into_owned(),
-            motion_on_wake: matrix.view((motion, 0), (wake, motion)).into_owned(),
-            wake: blocks,
+            motion: part((0, 0), (motion, motion)),
+            wake_on_motion: part((0, motion), (motion, wake)),
+            motion_on_wake: part((motion, 0), (wake, motion)),
+            wake: WakeBlocks::of(&part((motion, motion), (wake, wake))),
             coupling: 1.0,
         }
     }
@@ -112,43 +104,13 @@ impl Condensed {
     /// The same with an inflow that follows the motion ε > 0 times as slowly [theory: stability.modes].
     pub fn with_lag(&self, lag: f64) -> Self {
         let faster = 1.0 / lag;
-        let wake = self.wake.iter().map(|block| match *block {
-            WakeBlock::Lag { row, rate } => WakeBlock::Lag { row, rate: faster * rate },
-            WakeBlock::Pair { row, rates } => {
-                WakeBlock::Pair { row, rates: rates.map(|row| row.map(|rate| faster * rate)) }
-            }
-        });
+        let inflow = self.wake.divide(&self.motion_on_wake);
         Condensed {
-            motion: &self.motion + &self.wake_on_motion * self.inflow_of_motion() * (faster - 1.0),
-            wake: wake.collect(),
+            motion: &self.motion + &self.wake_on_motion * inflow * (faster - 1.0),
+            wake: self.wake.scaled(faster),
             coupling: faster * faster,
             ..self.clone()
         }
-    }
-
-    /// The same with an inflow that follows the motion at once (ε = 0), and is no part of it any more; none where the inflow
-    /// then leaves no motion.
-    pub fn with_instant_inflow(&self) -> Option<Self> {
-        let steady = self.inflow_of_motion();
-        let again = self.divided_by_wake(&steady);
-        let held = DMatrix::identity(self.motion.nrows(), self.motion.nrows()) + &self.wake_on_motion * again;
-        let motion = held.lu().solve(&(&self.motion - &self.wake_on_motion * steady))?;
-        Some(Condensed { motion, coupling: 0.0, ..self.clone() })
-    }
-
-    /// D⁻¹ C: the inflow is η + D⁻¹ C x.
-    fn inflow_of_motion(&self) -> DMatrix<f64> {
-        self.divided_by_wake(&self.motion_on_wake)
-    }
-
-    /// D⁻¹ times a matrix.
-    fn divided_by_wake(&self, matrix: &DMatrix<f64>) -> DMatrix<f64> {
-        let mut divided = DMatrix::zeros(matrix.nrows(), matrix.ncols());
-        for (column, mut quotient) in matrix.column_iter().zip(divided.column_iter_mut()) {
-            let forcing = |row: usize| Complex::from(-column[row]);
-            self.answer(Complex::from(0.0), forcing, |row, value| quotient[row] = value.re);
-        }
-        divided
     }
 
     /// The roots with the wake frozen (κ = 0), one of each complex pair, slowest first.
@@ -231,93 +193,36 @@ impl Condensed {
     /// sum with those of the inflow η + D⁻¹ C x.
     pub fn participations(&self, root: &Root, left: &DVector<Complex<f64>>) -> Vec<f64> {
         let (at, rest) = (root.eigenvalue, Complex::from(0.0));
-        let transposed = self.with_wake_transposed();
+        let transposed = self.wake.transposed();
         let forcing = product(&self.motion_on_wake, &root.shape);
-        let inflow = self.answers(at, &forcing) - self.answers(rest, &forcing);
+        let inflow = self.wake.answered(at, forcing.clone()) - self.wake.answered(rest, forcing);
         let left_forcing = product(&self.wake_on_motion.transpose(), left) * Complex::from(self.coupling);
-        let left_inflow = transposed.answers(at, &left_forcing);
-        let left_motion =
-            left + product(&self.motion_on_wake.transpose(), &transposed.answers(rest, &left_inflow));
+        let left_inflow = transposed.answered(at, left_forcing);
+        let at_rest = transposed.answered(rest, left_inflow.clone());
+        let left_motion = left + product(&self.motion_on_wake.transpose(), &at_rest);
         let motion = products(&left_motion, &root.shape);
         let all: f64 = motion.iter().chain(&products(&left_inflow, &inflow)).sum();
         motion.into_iter().map(|share| share / all).collect()
     }
 
-    /// With Dᵀ in place of D.
-    fn with_wake_transposed(&self) -> Self {
-        let transposed = |block: &WakeBlock| match *block {
-            WakeBlock::Pair { row, rates: [[a, b], [c, d]] } => {
-                WakeBlock::Pair { row, rates: [[a, c], [b, d]] }
-            }
-            lag @ WakeBlock::Lag { .. } => lag,
-        };
-        Condensed { wake: self.wake.iter().map(transposed).collect(), ..self.clone() }
-    }
-
     /// T(λ).
     fn characteristic(&self, eigenvalue: Complex<f64>) -> DMatrix<Complex<f64>> {
-        let (wake, motion) = self.motion_on_wake.shape();
-        let (mut re, mut im) = (DMatrix::zeros(wake, motion), DMatrix::zeros(wake, motion));
-        for column in 0..motion {
-            let forcing = self.motion_on_wake.column(column);
-            self.answer(
-                eigenvalue,
-                |row| Complex::from(forcing[row]),
-                |row, value| {
-                    re[(row, column)] = value.re;
-                    im[(row, column)] = value.im;
-                },
-            );
-        }
-        let (re, im) = (&self.wake_on_motion * re, &self.wake_on_motion * im);
-        DMatrix::from_fn(motion, motion, |i, j| {
+        let by_wake = self.wake.eliminated(eigenvalue, &self.wake_on_motion, &self.motion_on_wake);
+        DMatrix::from_fn(self.motion.nrows(), self.motion.nrows(), |i, j| {
             let diagonal = if i == j { eigenvalue } else { Complex::from(0.0) };
-            diagonal - self.motion[(i, j)] - Complex::new(re[(i, j)], im[(i, j)]) * self.coupling
+            diagonal - self.motion[(i, j)] - by_wake[(i, j)] * self.coupling
         })
     }
 
     /// T′(λ) x = x + κ B (λ − D)⁻² C x.
     fn slope(&self, eigenvalue: Complex<f64>, shape: &DVector<Complex<f64>>) -> DVector<Complex<f64>> {
-        let once = self.answers(eigenvalue, &product(&self.motion_on_wake, shape));
-        let twice = self.answers(eigenvalue, &once);
+        let once = self.wake.answered(eigenvalue, product(&self.motion_on_wake, shape));
+        let twice = self.wake.answered(eigenvalue, once);
         shape + product(&self.wake_on_motion, &twice) * Complex::from(self.coupling)
-    }
-
-    /// (λ − D)⁻¹ times a forcing.
-    fn answers(&self, eigenvalue: Complex<f64>, forcing: &DVector<Complex<f64>>) -> DVector<Complex<f64>> {
-        let mut answers = forcing.clone();
-        self.answer(eigenvalue, |row| forcing[row], |row, value| answers[row] = value);
-        answers
-    }
-
-    /// (λ − D)⁻¹ times a forcing, row by row.
-    fn answer(
-        &self,
-        eigenvalue: Complex<f64>,
-        forcing: impl Fn(usize) -> Complex<f64>,
-        mut write: impl FnMut(usize, Complex<f64>),
-    ) {
-        for block in &self.wake {
-            match *block {
-                WakeBlock::Lag { row, rate } => write(row, forcing(row) / (eigenvalue - rate)),
-                WakeBlock::Pair { row, rates: [[a, b], [c, d]] } => {
-                    let (first, second) = (forcing(row), forcing(row + 1));
-                    let determinant = (eigenvalue - a) * (eigenvalue - d) - Complex::from(b * c);
-                    write(row, ((eigenvalue - d) * first + second * b) / determinant);
-                    write(row + 1, ((eigenvalue - a) * second + first * c) / determinant);
-                }
-            }
-        }
     }
 }
 
 /// |w_i v_i|.
 fn products(left: &DVector<Complex<f64>>, right: &DVector<Complex<f64>>) -> Vec<f64> {
     left.iter().zip(right.iter()).map(|(w, v)| (w * v).norm()).collect()
-}
-
-/// A real matrix times a complex vector.
-fn product(matrix: &DMatrix<f64>, vector: &DVector<Complex<f64>>) -> DVector<Complex<f64>> {
-    let (re, im) = (matrix * vector.map(|x| x.re), matrix * vector.map(|x| x.im));
-    re.zip_map(&im, Complex::new)
 }

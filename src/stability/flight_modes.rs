@@ -4,8 +4,8 @@
 //!
 //! In the whole motion the inflow takes so large a part in every mode that what leads it does not tell the mode. With an
 //! inflow that follows the motion at once it does: there modes get their names, and from there each is followed to the inflow as it
-//! is. A rigid mode that does not arrive, or arrives as one of the wake's own, is given as it was before, and marked; one of the structure is
-//! looked for from the side of a frozen wake.
+//! is. What comes to other roots from the side of a frozen wake are modes too. A rigid mode that is among neither, for its root is one of the
+//! wake's own, is given as it was before, and marked.
 //! From one flight to the next, as into a turn, names go with the modes that are most alike.
 
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use crate::plant::{StateMatrix, Unknown};
 
 use super::condensed::{Condensed, Root};
 use super::continuation::follow;
-use super::mode_names::{FlightModeKind, FlightModeName, Portrait, names};
+use super::mode_names::{self, FlightModeKind, FlightModeName, Portrait, kinds, names};
 
 /// Largest step from an inflow that follows the motion at once, ε = 0, to that as it is, ε = 1, of the root of ε.
 const LARGEST_STEP: f64 = 0.25;
@@ -24,11 +24,11 @@ const LARGEST_STEP: f64 = 0.25;
 /// A mode in which the motion takes part less than this is one of the wake's own.
 const LOST: f64 = 0.02;
 
-/// Shapes that agree less are not of one mode of the structure.
-const ALIKE: f64 = 0.1;
-
 /// Eigenvalues are told apart in proportion to this and their size, 1/s.
 const SLOW: f64 = 0.05;
+
+/// Modes of two flights that are at least so far apart are not one.
+const UNLIKE: f64 = 1.0;
 
 /// A mode of an aircraft in flight.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,6 +44,8 @@ pub struct FlightMode {
     pub participations: Vec<f64>,
     /// How much of the rigid motion that takes part is aside, from 0 (symmetric) to 1; none where none takes part.
     pub share_aside: Option<f64>,
+    /// The left eigenvector's part of the motion, by which modes of two flights are compared.
+    left: DVector<Complex<f64>>,
 }
 
 impl FlightMode {
@@ -76,60 +78,70 @@ pub struct FlightModes {
     pub unknowns: Vec<Unknown>,
     /// Slowest first.
     pub modes: Vec<FlightMode>,
-    /// By which they are known in another flight.
-    pub names: ModeNames,
 }
 
-/// The names of modes in a trim, with what tells them in the next: the modes of an inflow that follows the motion at once.
-#[derive(Clone, Debug)]
-pub struct ModeNames(Vec<Instant>);
+/// A root that is to be a mode.
+struct Found {
+    /// None yet of an elastic one.
+    kind: Option<FlightModeKind>,
+    portrait: Portrait,
+    seen: Seen,
+    is_quasi_steady: bool,
+}
 
-/// A root with an inflow that follows the motion at once.
-#[derive(Clone, Debug)]
-struct Instant {
+/// A root with its left shape and what takes part in it.
+struct Seen {
     root: Root,
     left: DVector<Complex<f64>>,
     participations: Vec<f64>,
-    share_aside: Option<f64>,
-    name: FlightModeName,
 }
 
 impl FlightModes {
-    /// Of the motion linearised about a trim, named by what takes part: of symmetric motion, or one that is not far from it.
+    /// Of the motion linearised about a trim, named by what takes part: of symmetric motion, or one that is not far from it. A rigid
+    /// mode that grows where the inflow follows at once and is found nowhere else is left out.
     pub fn new(matrix: &StateMatrix) -> Self {
-        let mut modes = FlightModes::with_names(matrix, ModeNames::new(matrix));
-        modes.number_elastic();
-        modes
-    }
-
-    /// Of the motion linearised about a trim, with the names that its modes have already.
-    pub fn with_names(matrix: &StateMatrix, names: ModeNames) -> Self {
-        let problem = Condensed::new(matrix);
-        let mut modes: Vec<FlightMode> = Vec::with_capacity(names.0.len());
-        let mut lost: Vec<&Instant> = Vec::new();
-        for start in &names.0 {
-            match arrived(&problem, &start.root, LARGEST_STEP, Path::Lag, &modes) {
-                Some(found) => modes.push(start.mode(found, false)),
+        let (problem, unknowns) = (Condensed::new(matrix), motion_of(matrix));
+        let (mut found, mut lost): (Vec<Found>, Vec<Found>) = Default::default();
+        for start in with_instant_inflow(matrix) {
+            match arrived(&problem, &start.seen.root, Path::Lag, &found) {
+                Some(seen) => found.push(Found { seen, is_quasi_steady: false, ..start }),
                 None => lost.push(start),
             }
         }
-        let (elastic, rigid): (Vec<&Instant>, Vec<&Instant>) =
-            lost.into_iter().partition(|start| start.is_elastic());
-        modes.extend(
-            rigid
-                .into_iter()
-                .map(|start| start.mode((start.root.clone(), start.participations.clone()), true)),
-        );
-        let unknowns = motion_of(matrix);
-        find_elastic((&problem, &unknowns), &elastic, names.0.len(), &mut modes);
-        modes.sort_by(|a, b| a.eigenvalue().norm().total_cmp(&b.eigenvalue().norm()));
-        FlightModes { unknowns, modes, names }
+        for start in problem.frozen_roots().iter().filter(|root| root.eigenvalue.im > 0.0) {
+            let of_frozen = arrived(&problem, start, Path::Coupling, &found);
+            found.extend(of_frozen.map(|seen| seen.by_itself(&unknowns)));
+        }
+        only_pair_is_dutch_roll(&mut found);
+        let is_missed = |start: &Found| {
+            let kind = start.kind.filter(|_| start.seen.root.eigenvalue.re < 0.0);
+            kind.is_some_and(|kind| found.iter().all(|other| other.kind != Some(kind)))
+        };
+        let missed: Vec<Found> = lost.into_iter().filter(is_missed).collect();
+        found.extend(missed);
+        found.sort_by(|a, b| a.seen.root.eigenvalue.norm().total_cmp(&b.seen.root.eigenvalue.norm()));
+        let names = names(found.iter().map(|mode| mode.kind));
+        let modes = found.into_iter().zip(names).map(|(mode, name)| mode.named(name)).collect();
+        FlightModes { unknowns, modes }
     }
 
-    /// The same modes with the names of those of another flight not far from this one that are most alike.
-    pub fn named_after(mut self, before: &ModeNames) -> Self {
-        let names = before.others(&self.names);
-        self.rename(&names);
+    /// The same modes with the names of those of another flight not far from this one that are most alike. What is like none there
+    /// keeps its own name if no other mode has it, and is an elastic mode with a higher number if not.
+    pub fn named_after(mut self, before: &FlightModes) -> Self {
+        let mut given: Vec<Option<FlightModeName>> = vec![None; self.modes.len()];
+        for (there, here) in alike(&before.modes, &self.modes) {
+            given[here] = Some(before.modes[there].name);
+        }
+        let elastic_before = before.modes.iter().map(|mode| mode.name).filter(|name| name.is_elastic());
+        let mut taken: Vec<FlightModeName> = given.iter().flatten().copied().chain(elastic_before).collect();
+        for (mode, given) in self.modes.iter_mut().zip(given) {
+            mode.name = given.unwrap_or_else(|| {
+                let own = Some(mode.name).filter(|own| !taken.contains(own));
+                let name = own.unwrap_or_else(|| FlightModeName::elastic_beyond(&taken));
+                taken.push(name);
+                name
+            });
+        }
         self
     }
 
@@ -137,64 +149,26 @@ impl FlightModes {
     pub fn named(&self, name: &str) -> Option<&FlightMode> {
         self.modes.iter().find(|mode| mode.name.to_string() == name)
     }
-
-    /// Numbers elastic modes as they come.
-    fn number_elastic(&mut self) {
-        let is_elastic = |mode: &&FlightMode| matches!(mode.name.kind, FlightModeKind::Elastic(_));
-        let numbered = self.modes.iter().filter(is_elastic).zip(1..).map(|(mode, number)| {
-            (mode.name, FlightModeName { kind: FlightModeKind::Elastic(number), number: None })
-        });
-        let names: Vec<_> = numbered.collect();
-        self.rename(&names);
-    }
-
-    fn rename(&mut self, names: &[(FlightModeName, FlightModeName)]) {
-        let new =
-            |old: FlightModeName| names.iter().find(|(name, _)| *name == old).map_or(old, |name| name.1);
-        self.modes.iter_mut().for_each(|mode| mode.name = new(mode.name));
-        self.names.0.iter_mut().for_each(|mode| mode.name = new(mode.name));
-    }
 }
 
-impl ModeNames {
-    /// By what takes part.
-    pub fn new(matrix: &StateMatrix) -> Self {
-        let Some(problem) = Condensed::new(matrix).with_instant_inflow() else {
-            return ModeNames(Vec::new());
-        };
-        let unknowns = motion_of(matrix);
-        let with_left = |root: Root| {
-            let left = problem.left_shape(&root)?;
-            let participations = problem.participations(&root, &left);
-            let portrait = Portrait::new(root.eigenvalue.im > 0.0, &unknowns, &participations);
-            Some(((root, left, participations), portrait))
-        };
-        let (roots, portraits): (Vec<_>, Vec<Portrait>) =
-            problem.frozen_roots().into_iter().filter_map(with_left).unzip();
-        let named = roots.into_iter().zip(names(&portraits)).zip(&portraits);
-        let instant = named.map(|(((root, left, participations), name), portrait)| {
-            let share_aside = portrait.share_aside();
-            Instant { root, left, participations, share_aside, name }
-        });
-        ModeNames(instant.collect())
-    }
+/// The modes where the inflow follows at once, with their kinds by what takes part; none where it leaves no motion.
+fn with_instant_inflow(matrix: &StateMatrix) -> Vec<Found> {
+    let Some(motion) = matrix.with_instant_inflow() else { return Vec::new() };
+    let problem = Condensed::new(&motion);
+    let seen: Vec<Seen> =
+        problem.frozen_roots().into_iter().filter_map(|root| Seen::new(&problem, root)).collect();
+    let portraits: Vec<Portrait> = seen.iter().map(|seen| seen.portrait(&motion.unknowns)).collect();
+    let kinds = kinds(&portraits);
+    let found = seen.into_iter().zip(portraits).zip(kinds);
+    found.map(|((seen, portrait), kind)| Found { kind, portrait, seen, is_quasi_steady: true }).collect()
+}
 
-    /// Those of the modes that are most alike in a flight before, not far from this one; where there are more than there, those
-    /// that are left have names by what takes part.
-    pub fn after(matrix: &StateMatrix, before: &ModeNames) -> Self {
-        let mut names = ModeNames::new(matrix);
-        let renamed = before.others(&names);
-        let new =
-            |old: FlightModeName| renamed.iter().find(|(name, _)| *name == old).map_or(old, |name| name.1);
-        names.0.iter_mut().for_each(|mode| mode.name = new(mode.name));
-        names
-    }
-
-    /// For each name of modes in another flight the one that the mode most alike has here.
-    fn others(&self, there: &ModeNames) -> Vec<(FlightModeName, FlightModeName)> {
-        let matched = alike(&self.0, &there.0);
-        matched.into_iter().map(|(here, other)| (there.0[other].name, self.0[here].name)).collect()
-    }
+/// Of the pairs aside that were found from either side.
+fn only_pair_is_dutch_roll(found: &mut [Found]) {
+    let portraits: Vec<Portrait> = found.iter().map(|mode| mode.portrait).collect();
+    let mut kinds: Vec<_> = found.iter().map(|mode| mode.kind).collect();
+    mode_names::only_pair_is_dutch_roll(&portraits, &mut kinds);
+    found.iter_mut().zip(kinds).for_each(|(mode, kind)| mode.kind = kind);
 }
 
 /// What the shapes of a motion are made of.
@@ -212,76 +186,53 @@ enum Path {
     Coupling,
 }
 
-/// A root and its participations with the inflow as it is, another than those that have arrived before, and none of the wake's own.
-fn arrived(
-    problem: &Condensed,
-    start: &Root,
-    largest_step: f64,
-    path: Path,
-    others: &[FlightMode],
-) -> Option<(Root, Vec<f64>)> {
-    let root = follow(start, largest_step, |place| {
-        Some(Arc::new(match path {
-            Path::Lag => problem.with_lag(place * place),
-            Path::Coupling => problem.with_coupling(place),
-        }))
-    })?;
-    let same = |mode: &FlightMode| !mode.is_quasi_steady && mode.root.is_at(root.eigenvalue);
-    if others.iter().any(same) {
+/// A root with the inflow as it is, another than those that have arrived before, and none of the wake's own.
+fn arrived(problem: &Condensed, start: &Root, path: Path, others: &[Found]) -> Option<Seen> {
+    let root = match path {
+        Path::Lag => follow(start, LARGEST_STEP, |place| Some(Arc::new(problem.with_lag(place * place)))),
+        Path::Coupling => follow(start, 1.0, |coupling| Some(Arc::new(problem.with_coupling(coupling)))),
+    }?;
+    let root = root.upper();
+    if others.iter().any(|other| other.seen.root.is_at(root.eigenvalue)) {
         return None;
     }
-    let left = problem.left_shape(&root)?;
-    let participations = problem.participations(&root, &left);
-    (participations.iter().sum::<f64>() > LOST).then_some((root, participations))
+    Seen::new(problem, root).filter(|seen| seen.participations.iter().sum::<f64>() > LOST)
 }
 
-/// Finds modes of the structure from the side of a frozen wake, for an inflow that follows at once is as good as none of its own at
-/// their frequencies: those that did not arrive have their names by the best agreement of shapes, others have numbers beyond so many.
-fn find_elastic(
-    (problem, unknowns): (&Condensed, &[Unknown]),
-    lost: &[&Instant],
-    known: usize,
-    modes: &mut Vec<FlightMode>,
-) {
-    let mut lost = lost.to_vec();
-    let mut number = known;
-    for start in problem.frozen_roots().iter().filter(|root| root.eigenvalue.im > 0.0) {
-        let Some((root, participations)) = arrived(problem, start, 1.0, Path::Coupling, modes) else {
-            continue;
-        };
-        if root.eigenvalue.im == 0.0 {
-            continue;
-        }
-        let agreement = |place: usize| lost[place].root.agreement(&root);
-        let nearest = (0..lost.len()).max_by(|&a, &b| agreement(a).total_cmp(&agreement(b)));
-        match nearest.filter(|&place| agreement(place) > ALIKE) {
-            Some(nearest) => modes.push(lost.remove(nearest).mode((root, participations), false)),
-            None => {
-                number += 1;
-                let name = FlightModeName { kind: FlightModeKind::Elastic(number), number: None };
-                let share_aside = Portrait::new(true, unknowns, &participations).share_aside();
-                modes.push(FlightMode { name, root, is_quasi_steady: false, participations, share_aside });
-            }
-        }
+impl Seen {
+    fn new(problem: &Condensed, root: Root) -> Option<Self> {
+        let left = problem.left_shape(&root)?;
+        let participations = problem.participations(&root, &left);
+        Some(Seen { root, left, participations })
+    }
+
+    /// By what takes part of the motion.
+    fn portrait(&self, unknowns: &[Unknown]) -> Portrait {
+        let motion: f64 = self.participations.iter().sum();
+        let shares: Vec<f64> = self.participations.iter().map(|share| share / motion).collect();
+        Portrait::new(self.root.eigenvalue.im > 0.0, unknowns, &shares)
+    }
+
+    /// As the mode that it seems to be with the inflow as it is.
+    fn by_itself(self, unknowns: &[Unknown]) -> Found {
+        let portrait = self.portrait(unknowns);
+        Found { kind: portrait.kind(), portrait, seen: self, is_quasi_steady: false }
     }
 }
 
-impl Instant {
-    fn is_elastic(&self) -> bool {
-        matches!(self.name.kind, FlightModeKind::Elastic(_))
-    }
-
-    /// The mode of its name that has this root with these participations.
-    fn mode(&self, (root, participations): (Root, Vec<f64>), is_quasi_steady: bool) -> FlightMode {
-        let Instant { name, share_aside, .. } = *self;
-        FlightMode { name, root, is_quasi_steady, participations, share_aside }
+impl Found {
+    fn named(self, name: FlightModeName) -> FlightMode {
+        let Found { portrait, seen: Seen { root, left, participations }, is_quasi_steady, .. } = self;
+        let share_aside = portrait.share_aside();
+        FlightMode { name, root, is_quasi_steady, participations, share_aside, left }
     }
 }
 
-/// Which of some modes go on as which of others: those that are most alike first.
-fn alike(from: &[Instant], to: &[Instant]) -> Vec<(usize, usize)> {
+/// Which of some modes go on as which of others: those that are most alike first, and none that are not alike.
+fn alike(from: &[FlightMode], to: &[FlightMode]) -> Vec<(usize, usize)> {
     let pairs = (0..from.len()).flat_map(|a| (0..to.len()).map(move |b| (a, b)));
     let mut pairs: Vec<_> = pairs.map(|(a, b)| (distance(&from[a], &to[b]), a, b)).collect();
+    pairs.retain(|(distance, ..)| *distance < UNLIKE);
     pairs.sort_by(|one, other| one.0.total_cmp(&other.0));
     let (mut gone, mut taken) = (vec![false; from.len()], vec![false; to.len()]);
     let mut matched = Vec::new();
@@ -295,7 +246,7 @@ fn alike(from: &[Instant], to: &[Instant]) -> Vec<(usize, usize)> {
 }
 
 /// How far a mode is from another: eigenvalues by their size, shapes by left against right ones, which asks no units.
-fn distance(from: &Instant, to: &Instant) -> f64 {
+fn distance(from: &FlightMode, to: &FlightMode) -> f64 {
     let [here, there] = [from.root.eigenvalue, to.root.eigenvalue];
     let across = from.left.dot(&to.root.shape).norm() * to.left.dot(&from.root.shape).norm();
     let along = from.left.dot(&from.root.shape).norm() * to.left.dot(&to.root.shape).norm();

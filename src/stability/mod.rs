@@ -24,7 +24,7 @@ mod unstable;
 pub use nalgebra::Complex;
 
 pub use condensed::Root;
-pub use flight_modes::{FlightMode, FlightModes, ModeNames};
+pub use flight_modes::{FlightMode, FlightModes};
 pub use losses::{EquilibriumLoss, LossKind};
 pub use mode_names::{FlightModeKind, FlightModeName};
 pub use points::{SkipReason, Skipped};

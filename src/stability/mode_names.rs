@@ -43,6 +43,22 @@ pub enum FlightModeKind {
     Elastic(usize),
 }
 
+impl FlightModeName {
+    pub(super) fn is_elastic(&self) -> bool {
+        matches!(self.kind, FlightModeKind::Elastic(_))
+    }
+
+    /// That of the elastic mode behind all elastic ones among some.
+    pub(super) fn elastic_beyond(known: &[FlightModeName]) -> Self {
+        let number = |name: &FlightModeName| match name.kind {
+            FlightModeKind::Elastic(number) => number,
+            _ => 0,
+        };
+        let kind = FlightModeKind::Elastic(1 + known.iter().map(number).max().unwrap_or(0));
+        FlightModeName { kind, number: None }
+    }
+}
+
 impl fmt::Display for FlightModeName {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let FlightModeName { kind, number } = *self;
@@ -64,6 +80,7 @@ impl fmt::Display for FlightModeName {
 }
 
 /// What the naming asks of a root.
+#[derive(Clone, Copy)]
 pub(super) struct Portrait {
     /// Whether it is a pair.
     pub oscillates: bool,
@@ -113,7 +130,7 @@ impl Portrait {
     }
 
     /// The kind of a mode that is rigid; that of an elastic one is none yet.
-    fn kind(&self) -> Option<FlightModeKind> {
+    pub fn kind(&self) -> Option<FlightModeKind> {
         if !self.is_rigid() {
             return None;
         }
@@ -132,26 +149,29 @@ impl Portrait {
     }
 }
 
-/// Names of all roots, which are given slowest first.
-pub(super) fn names(portraits: &[Portrait]) -> Vec<FlightModeName> {
+/// The kinds of all roots; none yet of elastic ones.
+pub(super) fn kinds(portraits: &[Portrait]) -> Vec<Option<FlightModeKind>> {
     let mut kinds: Vec<Option<FlightModeKind>> = portraits.iter().map(Portrait::kind).collect();
     only_pair_is_dutch_roll(portraits, &mut kinds);
     softest_roll(portraits, &mut kinds);
+    kinds
+}
+
+/// Names of modes of some kinds, which are given slowest first.
+pub(super) fn names(kinds: impl Iterator<Item = Option<FlightModeKind>>) -> Vec<FlightModeName> {
     let mut elastic = 0;
-    let kinds: Vec<FlightModeKind> = kinds
-        .into_iter()
-        .map(|kind| {
-            kind.unwrap_or_else(|| {
-                elastic += 1;
-                FlightModeKind::Elastic(elastic)
-            })
+    let mut or_elastic = |kind: Option<FlightModeKind>| {
+        kind.unwrap_or_else(|| {
+            elastic += 1;
+            FlightModeKind::Elastic(elastic)
         })
-        .collect();
+    };
+    let kinds: Vec<FlightModeKind> = kinds.map(&mut or_elastic).collect();
     numbered(&kinds)
 }
 
 /// The only pair aside is the Dutch roll, whatever leads it; of two it is the one with the more sideslip.
-fn only_pair_is_dutch_roll(portraits: &[Portrait], kinds: &mut [Option<FlightModeKind>]) {
+pub(super) fn only_pair_is_dutch_roll(portraits: &[Portrait], kinds: &mut [Option<FlightModeKind>]) {
     let pair = |kind: &Option<FlightModeKind>| {
         matches!(kind, Some(FlightModeKind::DutchRoll | FlightModeKind::RollSpiral))
     };
@@ -216,7 +236,7 @@ mod tests {
     }
 
     fn told(portraits: &[Portrait]) -> Vec<String> {
-        names(portraits).iter().map(ToString::to_string).collect()
+        names(kinds(portraits).into_iter()).iter().map(ToString::to_string).collect()
     }
 
     #[test]

@@ -3,9 +3,9 @@
 
 use std::f64::consts::PI;
 
-use flexible_aircraft::plant::{ConditionSettings, ManoeuvreChoice, PlantSettings};
+use flexible_aircraft::plant::{ConditionSettings, ManoeuvreChoice, Plant, PlantSettings};
 use flexible_aircraft::stability::FlightModes;
-use flexible_aircraft::{Inflow, flight_modes};
+use flexible_aircraft::{Aircraft, Inflow, flight_modes};
 
 use crate::support::jet;
 
@@ -77,6 +77,32 @@ fn a_mode_that_is_lost_among_the_wakes_is_given_with_an_inflow_that_follows_at_o
     let lost: Vec<String> =
         low.modes.iter().filter(|mode| mode.is_quasi_steady).map(|mode| mode.name.to_string()).collect();
     assert_eq!(lost, ["roll"]);
+}
+
+/// A wing so light that the air's own mass counts: with an inflow that follows at once its heave would grow at 4 1/s, which it does not.
+#[test]
+fn modes_of_a_light_aircraft_are_its_own_and_have_names_of_their_own_at_every_airspeed() {
+    let wing = Aircraft::read("tests/data/flying-wing.toml").unwrap().reduce().unwrap();
+    let mut before: Option<FlightModes> = None;
+    for airspeed in [11.6, 12.1, 12.6, 13.1, 13.6] {
+        let settings = PlantSettings { airspeed, ..PlantSettings::of(&wing) };
+        let plant = Plant::under(&wing, &settings).unwrap();
+        let trim = plant.trim(&settings.trim_condition()).unwrap();
+        let own = FlightModes::new(&plant.linearise(&trim));
+        let modes = match before {
+            Some(before) => own.named_after(&before),
+            None => own,
+        };
+        let mut names: Vec<String> = modes.modes.iter().map(|mode| mode.name.to_string()).collect();
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), modes.modes.len(), "{airspeed} m/s: {names:?}");
+        for mode in &modes.modes {
+            let decays = mode.eigenvalue().re < 1e-3;
+            assert!(decays || !mode.is_quasi_steady, "{airspeed} m/s, {}: {}", mode.name, mode.eigenvalue());
+        }
+        before = Some(modes);
+    }
 }
 
 #[test]

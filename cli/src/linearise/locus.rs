@@ -46,7 +46,7 @@ impl Locus {
             match modes {
                 Ok(modes) => {
                     let modes = match points.last() {
-                        Some((_, before)) => modes.named_after(&before.names),
+                        Some((_, before)) => modes.named_after(before),
                         None => modes,
                     };
                     points.push((airspeed, modes));
