@@ -45,12 +45,12 @@
 //! | [`strips`] | sections in the air | their inflow, loads, apparent mass |
 //! | [`equations`] | `ReducedModel`, state, controls | accelerations at six fidelity levels |
 //! | [`plant`] | the equations | rates and outputs at any state under any inputs, the linear part; trims, linearised motion |
-//! | [`stability`] | `ReducedModel`, settings | flutter and divergence over a range of airspeeds |
+//! | [`stability`] | `ReducedModel`, settings | flutter and divergence over a range of airspeeds, modes in flight by their names |
 //! | [`symmetry`] | `ReducedModel` | its half, which flies for the whole while motion is symmetric; [`symmetry::Plants`], both |
 //! | [`devices`] | commands, settings, time | what acts, and what sampled sensors give |
 //! | [`flight`] | `ReducedModel`, settings | a flight in time |
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
-//! | [`Flight`], [`LinearModel`], [`HarmonicGusts`] | `ReducedModel` | a flight, a linear model, and what gusts do to it, by the names of variables |
+//! | [`Flight`], [`LinearModel`], [`flight_modes`], [`HarmonicGusts`] | `ReducedModel` | a flight, a linear model, its modes, and what gusts do to it, by the names of variables |
 //! | `fmi` | everything above | an FMU without its C: instance, life cycle, saved states, model description (feature `fmi`) |
 //! | `fmi2` | `fmi` | the C ABI of FMI 2.0 (feature `fmi`) |
 //!

@@ -17,8 +17,8 @@ use super::linear_names::Name;
 /// Step of the bank angle or of the sideslip in which names are carried from symmetric flight, rad.
 const STEP: f64 = PI / 36.0;
 
-/// Differences, and sums of them, are exact to this part.
-const ROUNDING: f64 = 1e-6;
+/// Less of an angle of attack than this, rad per rad of a control, is rounding.
+const LEAST_ALPHA: f64 = 1e-6;
 
 /// Names of states that are held where an elevator is asked what it does for long: all of the rigid motion but heave and
 /// pitch rate.
@@ -121,15 +121,12 @@ impl LinearModel {
         let matrix = DMatrix::from_fn(free.len(), free.len(), |i, j| self.a[(free[i], free[j])]);
         let forcing = DVector::from_fn(free.len(), |i, _| -by_control[free[i]]);
         let steady = matrix.lu().solve(&forcing)?;
-        let terms = |output: usize| -> Vec<f64> {
-            let by_states = free.iter().zip(steady.iter()).map(|(&j, x)| self.c[(output, j)] * x);
-            by_states.chain([at_once(output)]).collect()
+        let answer = |output: usize| {
+            let by_states: f64 = free.iter().zip(steady.iter()).map(|(&j, x)| self.c[(output, j)] * x).sum();
+            by_states + at_once(output)
         };
-        let (load_factor, alpha) = (terms(load_factor), terms(alpha));
-        let [by_load_factor, by_alpha] = [&load_factor, &alpha].map(|terms| terms.iter().sum::<f64>());
-        // Of what is nothing but the rounding of its terms there is no slope.
-        let scale: f64 = alpha.iter().map(|term| term.abs()).sum();
-        let slope = by_load_factor / by_alpha;
-        (by_alpha.abs() > ROUNDING * scale && slope.is_finite()).then_some(slope)
+        let by_alpha = answer(alpha);
+        let slope = answer(load_factor) / by_alpha;
+        (by_alpha.abs() > LEAST_ALPHA && slope.is_finite()).then_some(slope)
     }
 }

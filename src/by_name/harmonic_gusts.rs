@@ -7,7 +7,7 @@ use nalgebra::{Complex, DVector};
 
 use crate::air::{GustWave, ImposedGust};
 use crate::flight::{Settings, SimulationError};
-use crate::plant::product;
+use crate::plant::{ConditionSettings, ManoeuvreChoice, SettingError, product};
 use crate::structure::ReducedModel;
 
 use super::at_trim::AtTrim;
@@ -52,8 +52,9 @@ impl HarmonicGusts {
     /// Linearises an aircraft about the trim of some settings, whose gust and turbulence are left out. Allocates.
     ///
     /// # Errors
-    /// When a setting is out of range or no flight could begin with them.
+    /// When a setting is out of range or no flight could begin with them; in turns and pull-ups, whose path leaves the gust's track.
     pub fn new(model: impl Into<Arc<ReducedModel>>, settings: &Settings) -> Result<Self, SimulationError> {
+        check_straight(&settings.plant.condition)?;
         let at_trim = AtTrim::new(model.into(), settings, LinearContents::default())?;
         let linear = at_trim.linear_model();
         let resolvent = Resolvent::new(&linear.a, at_trim.wake());
@@ -103,4 +104,16 @@ impl HarmonicGusts {
     pub(super) fn states(&self, frequency: f64, column: &HarmonicColumn) -> Option<DVector<Complex<f64>>> {
         self.resolvent.solve(frequency, &column.b)
     }
+}
+
+/// That the path is the track along which gusts are frozen.
+fn check_straight(condition: &ConditionSettings) -> Result<(), SettingError> {
+    let found = match condition.manoeuvre {
+        ManoeuvreChoice::Straight => return Ok(()),
+        ManoeuvreChoice::Turn => "turn",
+        ManoeuvreChoice::PullUp => "pull_up",
+    };
+    let allowed = "straight in harmonic gusts and turbulence: the path of others leaves the track along which these are frozen";
+    let [setting, found] = ["condition.manoeuvre", found].map(str::to_owned);
+    Err(SettingError { setting, found, allowed: allowed.to_owned() })
 }

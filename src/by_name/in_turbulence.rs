@@ -6,11 +6,10 @@ use std::ops::RangeInclusive;
 use nalgebra::{Complex, DMatrix};
 
 use crate::air::TurbulenceSettings;
-use crate::plant::EigenvaluesNotFound;
+use crate::plant::{EigenvaluesNotFound, product};
 
 use super::frequency_grid::{FrequencyGrid, Node};
 use super::harmonic_gusts::HarmonicGusts;
-use crate::plant::product;
 
 /// Frequencies of turbulence that count, rad/s.
 const FREQUENCIES: RangeInclusive<f64> = 0.05..=300.0;
@@ -38,7 +37,8 @@ pub struct InTurbulence {
     pub frequencies: Vec<f64>,
     /// One for each output that was asked for.
     pub outputs: Vec<OutputInTurbulence>,
-    /// By which part of it any Ā was moved at most when the steps of the frequencies were last halved.
+    /// By which part of it any Ā was moved at most when the steps of the frequencies were last halved: at most 2e-4, but where a root
+    /// is so lightly damped that 32 768 steps did not do.
     pub moved: f64,
     /// Roots of the aircraft that grow, 1/s, one of each pair: with them no motion is ever stationary.
     pub unstable: Vec<Complex<f64>>,
@@ -61,7 +61,7 @@ type Densities = Vec<f64>;
 impl HarmonicGusts {
     /// Some outputs, by their places among those of the linear model, in turbulence of some spectrum and scale across the track in
     /// a direction (0 upwards, positive to the right, rad), between 0.05 and 300 rad/s. Intensity and the rest of the settings do
-    /// not count. Allocates.
+    /// not count; without a spectrum nothing moves. Allocates.
     ///
     /// # Errors
     /// When the eigenvalues of the linear model do not converge.

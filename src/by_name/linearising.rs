@@ -1,6 +1,6 @@
 //! How a linear model comes to be: an aircraft at a trim, linearised there, and what is asked for beside that.
 //!
-//! [theory: linearisation.inputs, linearisation.outputs, linearisation.lags, linearisation.all-states]
+//! [theory: linearisation.inputs, linearisation.gust-planes]
 
 use std::sync::Arc;
 

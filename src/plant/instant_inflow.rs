@@ -20,6 +20,9 @@ impl StateMatrix {
         let StateMatrix { unknowns, matrix } = self;
         let motion = self.motion_count();
         let wake = unknowns.len() - motion;
+        if motion == 0 {
+            return None;
+        }
         let part = |from: (usize, usize), size: (usize, usize)| matrix.view(from, size).into_owned();
         let wake_on_motion = part((0, motion), (motion, wake));
         let blocks = WakeBlocks::of(&part((motion, motion), (wake, wake)));

@@ -126,10 +126,13 @@ fn accelerations(state_matrix: &StateMatrix, departure: Vector3<f64>) -> Option<
             _ => 0.0,
         }),
     );
-    // 0 = q̈ = A_q q + A_v dv.
-    let forced = part(&accelerated, &rigid) * &departures;
-    let deflected = part(&accelerated, &coordinates).lu().solve(&-forced)?;
-    let found = part(&rigid, &rigid) * departures + part(&rigid, &coordinates) * deflected;
+    let mut found = part(&rigid, &rigid) * &departures;
+    if !coordinates.is_empty() {
+        // 0 = q̈ = A_q q + A_v dv.
+        let forced = part(&accelerated, &rigid) * departures;
+        let deflected = part(&accelerated, &coordinates).lu().solve(&-forced)?;
+        found += part(&rigid, &coordinates) * deflected;
+    }
     let mut rates = [Vector3::zeros(); 2];
     for (place, rate) in rigid.iter().zip(&found) {
         match unknowns[*place] {

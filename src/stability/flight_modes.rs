@@ -156,7 +156,7 @@ fn with_instant_inflow(matrix: &StateMatrix) -> Vec<Found> {
     let Some(motion) = matrix.with_instant_inflow() else { return Vec::new() };
     let problem = Condensed::new(&motion);
     let seen: Vec<Seen> =
-        problem.frozen_roots().into_iter().filter_map(|root| Seen::new(&problem, root)).collect();
+        problem.frozen_roots().into_iter().filter_map(|root| Seen::new(&problem, root.upper())).collect();
     let portraits: Vec<Portrait> = seen.iter().map(|seen| seen.portrait(&motion.unknowns)).collect();
     let kinds = kinds(&portraits);
     let found = seen.into_iter().zip(portraits).zip(kinds);

@@ -35,7 +35,7 @@ pub enum FlightModeKind {
     DutchRoll,
     /// Roll rate.
     Roll,
-    /// Roll angle.
+    /// Roll angle or heading, slowly.
     Spiral,
     /// Roll angle and rate as one pair.
     RollSpiral,
@@ -142,8 +142,7 @@ impl Portrait {
             (false, _) => FlightModeKind::ShortPeriod,
             (true, true) if sideslip > roll_rate + roll => FlightModeKind::DutchRoll,
             (true, true) => FlightModeKind::RollSpiral,
-            (true, false) if sideslip > roll_rate.max(roll) => FlightModeKind::DutchRoll,
-            (true, false) if roll_rate > roll => FlightModeKind::Roll,
+            (true, false) if roll_rate > roll.max(sideslip) => FlightModeKind::Roll,
             (true, false) => FlightModeKind::Spiral,
         })
     }

@@ -62,6 +62,7 @@ def test_modes_are_followed_over_airspeed_and_a_reduced_model_has_those_of_the_w
     assert len(phugoid) == 2 and phugoid[0].imag > phugoid[1].imag > 0.1
     model = flexair.linearise(inflow="balanced:36", inputs="controls", gust_stations=0)
     assert model.A.shape == (36, 36) and model.u_names == ["elevator", "aileron", "aileron_symmetric", "rudder", "thrust_left", "thrust_right"]
+    assert 0.0 < model.error_bound < 1.0 and flexair.linearise(inflow="steady").error_bound is None
     roots = np.linalg.eigvals(model.A)
     for name in ["phugoid", "spiral"]:
         assert np.abs(roots - model.modes[name]).min() < 1e-6 * abs(model.modes[name])

@@ -25,8 +25,8 @@ impl From<Array> for Answer {
     }
 }
 
-/// All keys with their arrays, in the order of the files.
-pub fn of(model: &LinearModel) -> Vec<(&'static str, Array)> {
+/// All keys with their arrays, in the order of the files; of a reduced model with the bound of its error.
+pub fn of(model: &LinearModel, error_bound: Option<f64>) -> Vec<(&'static str, Array)> {
     let LinearModel { a, b, c, d, bd, dd, x0, u0, y0, states, inputs, outputs, gust_planes } = model;
     let matrices = [("A", a), ("B", b), ("C", c), ("D", d), ("Bd", bd), ("Dd", dd)].map(|(key, matrix)| {
         let (rows, columns) = matrix.shape();
@@ -48,7 +48,8 @@ pub fn of(model: &LinearModel) -> Vec<(&'static str, Array)> {
     ];
     let texts = texts.map(|(key, texts)| (key, Array::Texts(texts)));
     let planes = (!gust_planes.is_empty()).then(|| ("gust_planes", Array::Vector(gust_planes.clone())));
-    matrices.into_iter().chain(vectors).chain(texts).chain(planes).collect()
+    let bound = error_bound.map(|bound| ("error_bound", Array::Vector(vec![bound])));
+    matrices.into_iter().chain(vectors).chain(texts).chain(planes).chain(bound).collect()
 }
 
 fn names(of: &[LinearName]) -> Vec<String> {

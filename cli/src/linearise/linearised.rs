@@ -19,7 +19,10 @@ use super::{Error, balanced};
 /// A linear model as it is written.
 pub struct Linearised {
     pub linear: LinearModel,
+    /// Of the aircraft itself, before any reduction.
     pub modes: Modes,
+    /// Of a reduced model: by how much its outputs are wrong at most.
+    pub error_bound: Option<f64>,
     /// For people.
     pub told: String,
 }
@@ -44,14 +47,20 @@ impl Linearised {
             Vec::new()
         });
         let mut told = modes.text(&eigenvalues) + "\n";
+        let mut error_bound = None;
         inputs.choose(&mut linear);
         if let Wake::Balanced(order) = wake {
             let reduced = balanced::reduce(&linear, order)?;
+            told = format!(
+                "the modes of the aircraft, before its {} states are reduced:\n\n{told}",
+                linear.states.len()
+            );
             told += &(reduced.text() + "\n");
+            error_bound = Some(reduced.bound);
             linear = reduced.model;
         }
         told.insert_str(0, &heading(model, settings, &linear));
-        Ok(Linearised { linear, modes, told })
+        Ok(Linearised { linear, modes, error_bound, told })
     }
 }
 

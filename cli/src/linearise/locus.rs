@@ -13,7 +13,7 @@ use crate::chart::{Axis, Chart, Curve, Mark, Window, stacked};
 use crate::numbers::{Plain, short};
 use crate::progress::Progress;
 
-use super::modes::{COLUMNS, numbers};
+use super::modes::{COLUMNS, cells_of};
 
 /// The modes at each airspeed at which there are any.
 pub struct Locus {
@@ -67,8 +67,8 @@ impl Locus {
         let mut text = format!("airspeed,mode,{COLUMNS},quasi_steady\n");
         for (airspeed, modes) in &self.points {
             for mode in &modes.modes {
-                let numbers = numbers(mode.eigenvalue()).map(|number| Plain(number).to_string()).join(",");
-                text += &format!("{},{},{numbers},{}\n", Plain(*airspeed), mode.name, mode.is_quasi_steady);
+                let cells = cells_of(mode.eigenvalue());
+                text += &format!("{},{},{cells},{}\n", Plain(*airspeed), mode.name, mode.is_quasi_steady);
             }
         }
         text

@@ -44,7 +44,7 @@ alone, whose rate acts on the apparent mass. The trim is that with which a fligh
 x_labels, u_labels and y_labels are the names in letters, digits and _, each once among inputs and outputs.
 
 balanced:N splits off what is slower than 0.25 1/s or grows, which stays exact, and leaves of the rest the states that matter most to the response, all counted \
-in N; a bound of the error is printed. Its states, reduced[i], do not jump with the wind: Bd is 0. For the jet 44 states are right to 3e-3 of each output's largest \
+in N; a bound of the error is printed, and stands in the files as error_bound. The modes are those of the aircraft before. Its states, reduced[i], do not jump with the wind: Bd is 0. For the jet 44 states are right to 3e-3 of each output's largest \
 gain from 0.1 to 60 rad/s, with --inputs controls to 1e-4 (36 to 5e-3).
 
 Examples: the jet for Python and MATLAB, in gusts from nose to tail; with 36 states, for a control law; in a turn, with steady aerodynamics
@@ -150,8 +150,8 @@ fn run_model(options: &LineariseOptions) -> Result<(), Error> {
     let paths: Vec<&Path> = outputs.iter().map(PathBuf::as_path).collect();
     refuse_overwriting(&paths, [options.aircraft.as_path()])?;
     let drafts = Drafts::new(paths.iter().copied())?;
-    let Linearised { linear, modes, told } = options.linearise()?;
-    let arrays = arrays::of(&linear);
+    let Linearised { linear, modes, error_bound, told } = options.linearise()?;
+    let arrays = arrays::of(&linear, error_bound);
     let mut contents: Vec<Vec<u8>> = Vec::with_capacity(outputs.len());
     for format in formats {
         match format {
@@ -206,8 +206,8 @@ pub fn answer(options: &LineariseOptions, audience: &Audience) -> Result<Answer,
     if let Some(LocusSpeeds(airspeeds)) = &options.speed {
         return Ok(options.locus(airspeeds, audience)?.answer());
     }
-    let Linearised { linear, modes, .. } = options.linearise()?;
-    let arrays = arrays::of(&linear).into_iter().map(|(key, array)| (key, array.into()));
+    let Linearised { linear, modes, error_bound, .. } = options.linearise()?;
+    let arrays = arrays::of(&linear, error_bound).into_iter().map(|(key, array)| (key, array.into()));
     Ok(Answer::named(arrays.chain([("modes", modes.answer())])))
 }
 

@@ -128,7 +128,8 @@ impl Modes {
             self.found.modes.iter().any(at)
         };
         let is_told = |root: &Complex<f64>| {
-            root.norm() > REST && (damping_ratio(*root) < WELL_DAMPED || root.norm() < FAST)
+            let swings = damping_ratio(*root).is_some_and(|ratio| ratio < WELL_DAMPED);
+            root.norm() > REST && (swings || root.norm() < FAST)
         };
         let mut others: Vec<_> = eigenvalues
             .iter()
@@ -202,7 +203,9 @@ impl Modes {
             ("eigenvalues", Answer::Complex { rows: modes.len(), columns: 1, values: eigenvalues }),
             (
                 "damping_ratios",
-                Answer::Numbers(modes.iter().map(|mode| damping_ratio(mode.eigenvalue())).collect()),
+                Answer::Numbers(
+                    modes.iter().map(|mode| damping_ratio(mode.eigenvalue()).unwrap_or(f64::NAN)).collect(),
+                ),
             ),
             ("quasi_steady", Answer::Truths(modes.iter().map(|mode| mode.is_quasi_steady).collect())),
             ("load_factor_per_alpha", number(load_factor_slope)),
@@ -215,20 +218,20 @@ impl Modes {
     pub fn table(&self) -> String {
         let mut text = format!("mode,family,{COLUMNS},quasi_steady\n");
         for mode in &self.found.modes {
-            let numbers = numbers(mode.eigenvalue()).map(|number| Plain(number).to_string()).join(",");
-            let family = family(mode).unwrap_or_default();
-            text += &format!("{},{family},{numbers},{}\n", mode.name, mode.is_quasi_steady);
+            let (family, cells) = (family(mode).unwrap_or_default(), cells_of(mode.eigenvalue()));
+            text += &format!("{},{family},{cells},{}\n", mode.name, mode.is_quasi_steady);
         }
         text
     }
 }
 
-/// Heads of [`numbers`].
+/// Heads of [`cells_of`].
 pub const COLUMNS: &str = "real_part,imaginary_part,frequency,damping_ratio";
 
-/// Real and imaginary part (1/s), frequency (rad/s) and damping ratio of a root.
-pub fn numbers(root: Complex<f64>) -> [f64; 4] {
-    [root.re, root.im, root.norm(), damping_ratio(root)]
+/// Real and imaginary part (1/s), frequency (rad/s) and damping ratio of a root as comma-separated values; real roots have no ratio.
+pub fn cells_of(root: Complex<f64>) -> String {
+    let ratio = damping_ratio(root).map_or(String::new(), |ratio| Plain(ratio).to_string());
+    format!("{},{},{},{ratio}", Plain(root.re), Plain(root.im), Plain(root.norm()))
 }
 
 /// Symmetric or antisymmetric, where the mode is one of both.
@@ -240,10 +243,9 @@ fn family(mode: &FlightMode) -> Option<&'static str> {
     }
 }
 
-/// Of critical damping; of a root at rest 0.
-fn damping_ratio(root: Complex<f64>) -> f64 {
-    let frequency = root.norm();
-    if frequency > REST { -root.re / frequency } else { 0.0 }
+/// Of critical damping, of a root that swings.
+fn damping_ratio(root: Complex<f64>) -> Option<f64> {
+    (root.im != 0.0).then(|| -root.re / root.norm())
 }
 
 fn none() -> String {
@@ -253,11 +255,12 @@ fn none() -> String {
 /// Eigenvalue, frequency, damping ratio, period, time to half or double.
 fn cells(root: Complex<f64>) -> [String; 5] {
     let Complex { re, im } = root;
-    let [eigenvalue, period, damping] = if im > 0.0 {
-        let eigenvalue = format!("{} ± {}i", fixed(re, 5), fixed(im, 5));
-        [eigenvalue, fixed(TAU / im, 3), fixed(damping_ratio(root), 4)]
-    } else {
-        [fixed(re, 5), none(), none()]
+    let [eigenvalue, period, damping] = match damping_ratio(root) {
+        Some(ratio) => {
+            let eigenvalue = format!("{} ± {}i", fixed(re, 5), fixed(im, 5));
+            [eigenvalue, fixed(TAU / im, 3), fixed(ratio, 4)]
+        }
+        None => [fixed(re, 5), none(), none()],
     };
     let time = LN_2 / re.abs();
     let time = match re {
@@ -279,6 +282,7 @@ mod tests {
         let growing = Complex::new(0.1, 0.0);
         assert_eq!(cells(growing), ["0.10000", "0.1000", "–", "–", "6.931 to double"]);
         assert_eq!(cells(Complex::new(0.0, 0.0))[4], "–");
-        assert_eq!(numbers(pair), [-0.5, 1.2, 1.3, 0.5 / 1.3]);
+        assert_eq!(cells_of(pair), format!("-0.5,1.2,1.3,{}", 0.5 / 1.3));
+        assert_eq!(cells_of(growing), "0.1,0,0.1,");
     }
 }

@@ -191,6 +191,12 @@ fn a_reduced_model_has_its_own_states_a_bound_and_no_rate_of_the_wind_on_them() 
     for part in ["30 of 120 states are left, 10 of which are split off", "outputs are wrong by at most "] {
         assert!(printed.contains(part), "{part}: {printed}");
     }
+    assert!(printed.contains("the modes of the aircraft, before its 120 states are reduced"), "{printed}");
+    let bound = reduced["error_bound"][0].as_f64().unwrap();
+    assert!(
+        bound > 0.0 && printed.contains(&format!("wrong by at most {}", &bound.to_string()[..4])),
+        "{bound}: {printed}"
+    );
     let states = texts(&reduced, "x_names");
     assert_eq!((states.len(), &*states[0], &*states[29]), (30, "reduced[1]", "reduced[30]"));
     let rows = reduced["Bd"].as_array().unwrap().iter();

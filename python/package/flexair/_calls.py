@@ -155,6 +155,8 @@ def linearise(
     answer = _call("linearise", written, [aircraft], progress=False)
     found = answer.pop("modes")
     found["eigenvalues"] = found["eigenvalues"].ravel()
+    if "error_bound" in answer:
+        [answer["error_bound"]] = answer["error_bound"].tolist()
     return LinearModel(modes=Modes(**found), **answer)
 
 

@@ -44,7 +44,10 @@ class Trims:
 
 @dataclass(frozen=True)
 class Modes:
-    """The modes of an aircraft in flight by their names, slowest first, and its flying qualities (NaN where there are none)."""
+    """The modes of an aircraft in flight by their names, slowest first, and its flying qualities (NaN where there are none).
+
+    They are those of the aircraft itself, before any reduction, without actuators and engines that lag.
+    """
 
     #: "phugoid", "short period", "Dutch roll", "roll", "spiral", "altitude", "elastic 1", …
     names: list[str]
@@ -52,6 +55,7 @@ class Modes:
     families: list[str]
     #: 1/s; of a pair the upper one.
     eigenvalues: npt.NDArray[np.complex128]
+    #: Of critical damping; NaN of real roots.
     damping_ratios: Array
     #: Of each mode whether its eigenvalue is that of an inflow that follows at once, for with its own it is lost among the wake's.
     quasi_steady: npt.NDArray[np.bool_]
@@ -109,6 +113,8 @@ class LinearModel:
     modes: Modes
     #: Where the planes of `gust_stations` are, m ahead of O.
     gust_planes: Array | None = None
+    #: Of a reduced model: by how much its outputs are wrong at most, parts of their scales for inputs of theirs.
+    error_bound: float | None = None
 
 
 class Flight(dict[str, Array]):

@@ -36,7 +36,7 @@ pub struct Balanced {
     whole: usize,
     split: usize,
     /// By how much outputs are wrong at most, parts of their scales for inputs of theirs.
-    bound: f64,
+    pub bound: f64,
 }
 
 /// Why a model was not reduced.
