@@ -132,7 +132,7 @@ impl FlightModes {
         for (there, here) in alike(&before.modes, &self.modes) {
             given[here] = Some(before.modes[there].name);
         }
-        let elastic_before = before.modes.iter().map(|mode| mode.name).filter(|name| name.is_elastic());
+        let elastic_before = before.modes.iter().map(|mode| mode.name).filter(FlightModeName::is_elastic);
         let mut taken: Vec<FlightModeName> = given.iter().flatten().copied().chain(elastic_before).collect();
         for (mode, given) in self.modes.iter_mut().zip(given) {
             mode.name = given.unwrap_or_else(|| {
