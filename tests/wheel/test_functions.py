@@ -60,6 +60,8 @@ def test_modes_are_followed_over_airspeed_and_a_reduced_model_has_those_of_the_w
     locus = flexair.root_locus(speed=[120.0, 130.0], modes=2, inflow="steady")
     phugoid = [root for name, root in zip(locus.mode, locus.eigenvalue) if name == "phugoid"]
     assert len(phugoid) == 2 and phugoid[0].imag > phugoid[1].imag > 0.1
+    families = {family for name, family in zip(locus.mode, locus.family) if name == "phugoid"}
+    assert families == {"symmetric"} and len(locus.family) == len(locus.mode)
     model = flexair.linearise(inflow="balanced:36", inputs="controls", gust_stations=0)
     assert model.A.shape == (36, 36) and model.u_names == ["elevator", "aileron", "aileron_symmetric", "rudder", "thrust_left", "thrust_right"]
     assert 0.0 < model.error_bound < 1.0 and flexair.linearise(inflow="steady").error_bound is None

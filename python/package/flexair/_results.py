@@ -79,6 +79,8 @@ class RootLocus:
     airspeed: Array
     #: Names, followed over airspeed.
     mode: list[str]
+    #: "symmetric", "antisymmetric", or nothing where a mode is both.
+    family: list[str]
     #: 1/s; of a pair the upper one.
     eigenvalue: npt.NDArray[np.complex128]
     quasi_steady: npt.NDArray[np.bool_]
