@@ -79,7 +79,10 @@ def test_what_a_file_describes_and_turbulence_are_those_of_the_commands_files(ru
     assert run("gust", "--continuous", "--output-names", "load_factor.z", "--modes", 2).returncode == 0
     rows = (tmp_path / "flexair-out/gust/generic-business-jet-continuous.csv").read_text().splitlines()
     assert turbulence.names == ["load_factor.z"] and 0.02 < turbulence.rms[0, 0] < 0.06
-    assert repr(float(turbulence.rms[0, 0])) in rows[1]
+    assert repr(float(turbulence.rms[0, 0])) in rows[1] and turbulence.warnings == []
+    slow = flexair.turbulence(direction=270, output_names=["load_factor.z"], modes=2, parameters={"airspeed": 70})
+    assert slow.direction.tolist() == [90.0]
+    assert slow.warnings[0].startswith("the trim at 70 m/s and 7620 m stands, but ")
 
 
 def test_a_flight_with_a_shape_and_with_arrays_is_that_of_the_commands_table(run, tmp_path):

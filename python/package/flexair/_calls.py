@@ -270,7 +270,7 @@ def turbulence(
 ) -> Turbulence:
     """What continuous turbulence does to an aircraft, by its linear model: root mean squares, and limits by CS 25.341(b).
 
-    `direction` is degrees, 0 upwards, 90 to the right; spectrum and scale are `parameters` (turbulence.spectrum, turbulence.scale).
+    `direction` is degrees, 0 upwards, 90 to the right, and from 0 to less than 180 in the result: opposite ones are one; spectrum and scale are `parameters` (turbulence.spectrum, turbulence.scale).
     """
     written = options(
         continuous=True,

@@ -170,6 +170,8 @@ class Turbulence:
     #: Limits: the trim less and more U_sigma times the root mean square.
     least: Array
     greatest: Array
+    #: Of what makes the numbers doubtful: a trim beyond a limit, an unstable aircraft, sums that are not exact.
+    warnings: list[str]
 
 
 @dataclass(frozen=True)
