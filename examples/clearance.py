@@ -25,12 +25,9 @@ from random import Random
 import alleviation_law
 import dask_sweep
 from alleviation_law import AlleviationLaw
-from dask_sweep import callbacks, rows, unpacked, write
-from distributed import Client, LocalCluster
-from fmpy import fmi2
+from dask_sweep import STEP, STEPS, history, instance, sweep, unpacked, write
 from fmpy.fmi1 import FMICallException
 
-STEP, STEPS = 0.01, 500  # s: the grid of the aircraft's own integrator, 5 s of it
 ENGAGED = 50  # steps: from here on the law acts
 AIRCRAFT = Path(__file__).parents[1] / "aircraft/generic-business-jet.toml"
 FUEL = [0.1, 0.4, 0.7, 1.0]  # of what is in the aircraft file
@@ -107,18 +104,17 @@ class NoTrim(Exception):
 
 def flight(fmu, point, gradient, law, said):
     """Histories of KEPT in one gust; `law` is None for the open loop, `said` takes what the FMU says."""
-    folder, description = unpacked(fmu)
-    number = {variable.name: variable.valueReference for variable in description.modelVariables}
-    kept, read = ([number[name] for name in names] for names in (KEPT, READ))
     reals = {name: point[name] for name in GRID} | {"gust.gradient": gradient} | ACTUATOR
-    aircraft = fmi2.FMU2Slave(
-        guid=description.guid,
-        unzipDirectory=folder,
-        modelIdentifier=description.coSimulation.modelIdentifier,
-        instanceName=f"point_{point['point']}",
-    )
-    aircraft.instantiate(callbacks=callbacks(said))
-    try:
+    ailerons = 0.0
+    with instance(*unpacked(fmu), point, said) as (aircraft, number):
+        kept, read = ([number[name] for name in names] for names in (KEPT, READ))
+
+        def act(step):
+            nonlocal ailerons
+            if law is not None and step >= ENGAGED:
+                aircraft.setReal([number["aileron_symmetric"]], [ailerons])
+                ailerons = law.ailerons(*aircraft.getReal(read), STEP)
+
         aircraft.setupExperiment(startTime=0.0)
         aircraft.setInteger([number[name] for name in GUST], list(GUST.values()))
         aircraft.setReal([number[name] for name in reals], list(reals.values()))
@@ -129,18 +125,7 @@ def flight(fmu, point, gradient, law, said):
             raise NoTrim from error
         if said:
             raise NoTrim
-        history = [aircraft.getReal(kept)]
-        ailerons = 0.0
-        for step in range(STEPS):
-            if law is not None and step >= ENGAGED:
-                aircraft.setReal([number["aileron_symmetric"]], [ailerons])
-                ailerons = law.ailerons(*aircraft.getReal(read), STEP)
-            aircraft.doStep(currentCommunicationPoint=STEP * step, communicationStepSize=STEP)
-            history.append(aircraft.getReal(kept))
-        aircraft.terminate()
-    finally:
-        aircraft.freeInstance()
-    return dict(zip(KEPT, zip(*history)))
+        return dict(zip(KEPT, history(aircraft, kept, act)))
 
 
 def fly(point, folder):
@@ -152,16 +137,16 @@ def fly(point, folder):
     for gradient, loop in product(GRADIENTS, LOOPS):
         law = AlleviationLaw() if loop == "closed" else None
         try:
-            history = flight(fmu, point, gradient, law, said)
+            flown = flight(fmu, point, gradient, law, said)
         except NoTrim:
             return row | {"status": "no_trim", "message": " ".join(said)}
         except FMICallException as error:
             reason = " ".join(said) or str(error)
             return row | {"status": "left_validity", "message": f"{loop} loop, gradient of {gradient} m: {reason}"}
-        row["bending.trim"] = history[BENDING][0]
-        if max(history[BENDING]) > worst[f"bending.{loop}"]:
-            worst[f"bending.{loop}"], where[f"gradient.{loop}"] = max(history[BENDING]), gradient
-        worst[f"load_factor.{loop}"] = max(worst[f"load_factor.{loop}"], *history[LOAD_FACTOR])
+        row["bending.trim"] = flown[BENDING][0]
+        if max(flown[BENDING]) > worst[f"bending.{loop}"]:
+            worst[f"bending.{loop}"], where[f"gradient.{loop}"] = max(flown[BENDING]), gradient
+        worst[f"load_factor.{loop}"] = max(worst[f"load_factor.{loop}"], *flown[LOAD_FACTOR])
     return row | worst | where
 
 
@@ -270,17 +255,8 @@ def main():
     options = arguments()
     package(options.fmu, options.aircraft, options.flexair)
     points = all_points()[: options.points]
-    cluster = options.scheduler or LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0")
-    with Client(cluster) as client:
-        for module in (alleviation_law, dask_sweep):
-            client.upload_file(module.__file__)
-        table = []
-        for row in rows(client, fly, points, folder=str(options.fmu.resolve())):
-            table.append(row)
-            print(f"{len(table)} of {len(points)}: point {row['point']} {row['status']}", flush=True)
-    if not options.scheduler:
-        cluster.close()
-    table.sort(key=lambda row: row["point"])
+    folder = str(options.fmu.resolve())
+    table = sweep(fly, points, options.scheduler, (alleviation_law, dask_sweep), folder=folder)
     write(table, COLUMNS, options.output)
     worst = ranked(table)[:10]
     for place, row in enumerate(worst, 1):

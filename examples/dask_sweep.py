@@ -15,6 +15,7 @@ import argparse
 import csv
 import sys
 import tempfile
+from contextlib import contextmanager
 from pathlib import Path
 from random import Random
 
@@ -57,41 +58,52 @@ def callbacks(said):
     return fmi2.fmi2CallbackFunctions(logger=log, **memory)
 
 
-def fly(point, fmu):
-    """The row of a point: a number, and values of parameters that are Real."""
-    folder, description = unpacked(fmu)
-    number = {variable.name: variable.valueReference for variable in description.modelVariables}
-    kept = [number[name] for name in KEPT]
-    varied = [name for name in point if name != "point"]
+@contextmanager
+def instance(folder, description, point, said):
+    """An FMU that is unpacked, instantiated for a point, and the references of its variables by name; `said` takes what it says."""
     aircraft = fmi2.FMU2Slave(
         guid=description.guid,
         unzipDirectory=folder,
         modelIdentifier=description.coSimulation.modelIdentifier,
         instanceName=f"point_{point['point']}",
     )
-    said = []
     aircraft.instantiate(callbacks=callbacks(said))
-    row = {**point, "status": "invalid"}
     try:
-        aircraft.setupExperiment(startTime=0.0)
-        aircraft.setInteger([number["gust.shape"]], [2])  # one_minus_cosine
-        aircraft.setReal([number[name] for name in varied], [point[name] for name in varied])
-        row["status"] = "no_trim"
-        aircraft.enterInitializationMode()
-        aircraft.exitInitializationMode()
-        row["status"] = "left_validity"
-        history = [aircraft.getReal(kept)]
-        for step in range(STEPS):
-            aircraft.doStep(currentCommunicationPoint=STEP * step, communicationStepSize=STEP)
-            history.append(aircraft.getReal(kept))
-        aircraft.terminate()
-        row["status"] = "ok"
-        for name, values in zip(KEPT, zip(*history)):
-            row |= {f"{name}.max": max(values), f"{name}.min": min(values)}
-    except FMICallException as error:
-        said = said or [str(error)]
+        yield aircraft, {variable.name: variable.valueReference for variable in description.modelVariables}
     finally:
         aircraft.freeInstance()
+
+
+def history(aircraft, kept, act=lambda step: None):
+    """Flies to the end, and has values of what is kept from the trim on; `act` is called before each step with its number."""
+    values = [aircraft.getReal(kept)]
+    for step in range(STEPS):
+        act(step)
+        aircraft.doStep(currentCommunicationPoint=STEP * step, communicationStepSize=STEP)
+        values.append(aircraft.getReal(kept))
+    aircraft.terminate()
+    return list(zip(*values))
+
+
+def fly(point, fmu):
+    """The row of a point: a number, and values of parameters that are Real."""
+    said, row = [], {**point, "status": "invalid"}
+    varied = [name for name in point if name != "point"]
+    with instance(*unpacked(fmu), point, said) as (aircraft, number):
+        try:
+            aircraft.setupExperiment(startTime=0.0)
+            aircraft.setInteger([number["gust.shape"]], [2])  # one_minus_cosine
+            aircraft.setReal([number[name] for name in varied], [point[name] for name in varied])
+            row["status"] = "no_trim"
+            aircraft.enterInitializationMode()
+            aircraft.exitInitializationMode()
+            row["status"] = "left_validity"
+            histories = history(aircraft, [number[name] for name in KEPT])
+            row["status"] = "ok"
+            for name, values in zip(KEPT, histories):
+                row |= {f"{name}.max": max(values), f"{name}.min": min(values)}
+        except FMICallException as error:
+            said = said or [str(error)]
     return row | {"message": " ".join(said)}
 
 
@@ -105,6 +117,22 @@ def rows(client, fly, points, **fixed):
             yield flight.result()
         except KilledWorker as error:
             yield {**point_of[flight.key], "status": "worker_died", "message": str(error)}
+
+
+def sweep(fly, points, scheduler=None, modules=(), **fixed):
+    """The rows of all points in their order, said one by one: flown on two processes of this machine, or on the workers of a
+    scheduler with an address. These get the modules that they do not have."""
+    cluster = scheduler or LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0")
+    with Client(cluster) as client:
+        for module in modules:
+            client.upload_file(module.__file__)
+        table = []
+        for row in rows(client, fly, points, **fixed):
+            table.append(row)
+            print(f"{len(table)} of {len(points)}: point {row['point']} {row['status']}", flush=True)
+    if not scheduler:
+        cluster.close()
+    return sorted(table, key=lambda row: row["point"])
 
 
 def write(table, names, output):
@@ -133,15 +161,8 @@ def main():
     if not options.fmu.is_file():
         sys.exit(f"{options.fmu} does not exist: run `flexair package`")
     points = [point(number) for number in range(options.points)]
-    cluster = options.scheduler or LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0")
-    with Client(cluster) as client:
-        table = []
-        for row in rows(client, fly, points, fmu=str(options.fmu.resolve())):
-            table.append(row)
-            print(f"{len(table)} of {len(points)}: point {row['point']} {row['status']}", flush=True)
-    if not options.scheduler:
-        cluster.close()
-    write(sorted(table, key=lambda row: row["point"]), COLUMNS, options.output)
+    table = sweep(fly, points, options.scheduler, fmu=str(options.fmu.resolve()))
+    write(table, COLUMNS, options.output)
 
 
 if __name__ == "__main__":

@@ -4,11 +4,23 @@ use std::fs::File;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use flexible_aircraft_packaging::{Draft, FileError, is_stream, open_stream, replaced_by};
 use same_file::Handle;
 
 /// The path that stands for standard input or standard output.
 pub const STANDARD: &str = "-";
+
+/// Reads the option of a picture, which standard output does not take: reports and tables go there.
+pub fn picture() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new()
+        .try_map(|path| if path == Path::new(STANDARD) { Err(PictureOnStandard) } else { Ok(path) })
+}
+
+/// A picture that is to go to standard output.
+#[derive(Debug, thiserror::Error)]
+#[error("allowed is the path of a file: pictures do not go to standard output; a file called `-` is `./-`")]
+struct PictureOnStandard;
 
 /// A path for people.
 pub fn named(path: &Path, standard: &str) -> String {

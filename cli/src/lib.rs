@@ -28,6 +28,7 @@ mod flutter;
 mod gust;
 mod gust_flights;
 pub mod home;
+mod limits;
 mod linearise;
 mod loads;
 mod manoeuvre;

@@ -11,6 +11,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::allowed::{ANY, Allowed};
 use super::error::{Place, Problem, Report, join};
+use super::toml_value::{toml_found, toml_number};
 
 /// A value that was read, with its place for later complaints.
 #[derive(Clone, Debug)]
@@ -33,31 +34,17 @@ impl<'r, 't> Value<'r, 't> {
 
     /// Complains that the value is of the wrong kind; `what` is allowed.
     pub(super) fn wrong<T>(&self, what: &str) -> Option<T> {
-        let found = match self.value {
-            DeValue::String(text) => format!("found the text \"{}\"", text.escape_debug()),
-            DeValue::Integer(number) => format!("found {number}"),
-            DeValue::Float(number) => format!("found {number}"),
-            DeValue::Boolean(flag) => format!("found {flag}"),
-            DeValue::Datetime(date) => format!("found the date {date}"),
-            DeValue::Array(list) => format!("found a list of {}", list.len()),
-            DeValue::Table(_) => "found a table".to_owned(),
-        };
-        self.report.add(Problem::WrongType, &self.place, found, format!("{what} is allowed"));
+        self.report.add(
+            Problem::WrongType,
+            &self.place,
+            toml_found(self.value),
+            format!("{what} is allowed"),
+        );
         None
     }
 
     pub(super) fn located<T>(&self, read: impl FnOnce(&Self) -> Option<T>) -> Option<Located<T>> {
         read(self).map(|value| Located { value, place: self.place.clone() })
-    }
-
-    fn as_number(&self) -> Option<f64> {
-        match self.value {
-            DeValue::Integer(number) => {
-                i64::from_str_radix(number.as_str(), number.radix()).ok().map(|n| n as f64)
-            }
-            DeValue::Float(number) => number.as_str().parse().ok(),
-            _ => None,
-        }
     }
 
     pub(super) fn is_number(&self) -> bool {
@@ -73,7 +60,7 @@ impl<'r, 't> Value<'r, 't> {
     }
 
     pub(super) fn number(&self, allowed: &Allowed) -> Option<f64> {
-        match self.as_number() {
+        match toml_number(self.value) {
             Some(number) => allowed.check(number, &self.place, self.report).then_some(number),
             None => self.wrong("a number"),
         }

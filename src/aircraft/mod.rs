@@ -12,6 +12,7 @@
 //! | `control`, `limits` | | what controls are, what trims should stay within |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
+//! | `toml_value` | a TOML value | what messages call it, its number |
 //! | `components` | a name | the component that has it |
 //! | `cuts` | [`Aircraft`] | where it is cut in thought, what is outboard of a cut |
 //! | `reference` | [`Aircraft`] | the lengths by which coefficients are made dimensionless |
@@ -58,6 +59,7 @@ mod schema;
 mod stations_along;
 mod stretch;
 mod surfaces;
+mod toml_value;
 mod tunnel;
 
 use std::path::Path;
@@ -83,6 +85,7 @@ pub use model::{
 pub use reference::ReferenceLengths;
 pub use stations_along::StationsAlongError;
 pub(crate) use surfaces::CROSSING;
+pub use toml_value::{toml_found, toml_number};
 
 impl Aircraft {
     /// Reads and expands an aircraft file.

@@ -36,6 +36,13 @@ pub(super) fn append(
     }
 }
 
+/// How many states that puts into a model.
+pub(super) fn count(model: &ReducedModel, settings: &Settings) -> usize {
+    let actuators = (0..model.controls.len()).filter(|input| settings.actuators.get(*input).lags());
+    let engines = (0..model.engines.len()).filter(|number| settings.engines.get(*number).lags());
+    2 * actuators.count() + engines.count()
+}
+
 /// δ̈ = ω² (u − δ) − 2ζω δ̇; returns the place of δ̇.
 fn add_actuator(linear: &mut LinearModel, input: usize, name: &str, actuator: &Actuator) -> usize {
     let state = |suffix, unit| Name { name: format!("actuator.{name}.{suffix}"), unit };

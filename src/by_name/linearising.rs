@@ -5,11 +5,13 @@
 use std::sync::Arc;
 
 use crate::flight::{Settings, SimulationError};
+use crate::plant::{SettingError, UnknownsKept};
 use crate::structure::ReducedModel;
+use crate::symmetry::Plants;
 
 use super::at_trim::AtTrim;
-use super::gust_planes;
 use super::linear_model::{Inflow, LinearContents, LinearModel};
+use super::{gust_planes, lags};
 
 impl LinearModel {
     /// Linearises an aircraft about the trim of some settings, whatever the manoeuvre. Allocates.
@@ -53,6 +55,20 @@ impl LinearModel {
         let mut linear = at_trim.linear_model();
         gust_planes::append(&mut linear, &at_trim, contents.gust_planes)?;
         Ok(linear)
+    }
+
+    /// How many states a [`new`](Self::new) one of these settings has, whether or not there is a trim. Allocates.
+    ///
+    /// # Errors
+    /// When a setting is out of range.
+    pub fn state_count(
+        model: &ReducedModel,
+        settings: &Settings,
+        inflow: Inflow,
+    ) -> Result<usize, SettingError> {
+        let settings = inflow.of(settings);
+        let plants = Plants::under(model, &settings.plant.along_course())?;
+        Ok(plants.whole().unknowns(UnknownsKept::Felt).len() + lags::count(model, &settings))
     }
 }
 
@@ -240,6 +256,10 @@ mod tests {
         let row = place(&lagging.outputs, "surface.elevator");
         assert!((lagging.c[(row, 13)] - 1.0).abs() < 1e-12 && lagging.d.row(row).amax() == 0.0);
         assert_eq!([lagging.x0[13], lagging.x0[15]], [lagging.u0[elevator], lagging.u0[right]]);
+        for (inflow, extra) in [(Inflow::Steady, 0), (Inflow::Kept, jet().strips.len())] {
+            let count = LinearModel::state_count(jet(), &settings, inflow).unwrap();
+            assert_eq!(count, lagging.states.len() + extra);
+        }
     }
 
     #[test]

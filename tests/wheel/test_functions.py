@@ -60,6 +60,8 @@ def test_modes_are_followed_over_airspeed_and_a_reduced_model_has_those_of_the_w
     locus = flexair.root_locus(speed=[120.0, 130.0], modes=2, inflow="steady")
     phugoid = [root for name, root in zip(locus.mode, locus.eigenvalue) if name == "phugoid"]
     assert len(phugoid) == 2 and phugoid[0].imag > phugoid[1].imag > 0.1
+    families = {family for name, family in zip(locus.mode, locus.family) if name == "phugoid"}
+    assert families == {"symmetric"} and len(locus.family) == len(locus.mode)
     model = flexair.linearise(inflow="balanced:36", inputs="controls", gust_stations=0)
     assert model.A.shape == (36, 36) and model.u_names == ["elevator", "aileron", "aileron_symmetric", "rudder", "thrust_left", "thrust_right"]
     assert 0.0 < model.error_bound < 1.0 and flexair.linearise(inflow="steady").error_bound is None
@@ -77,7 +79,10 @@ def test_what_a_file_describes_and_turbulence_are_those_of_the_commands_files(ru
     assert run("gust", "--continuous", "--output-names", "load_factor.z", "--modes", 2).returncode == 0
     rows = (tmp_path / "flexair-out/gust/generic-business-jet-continuous.csv").read_text().splitlines()
     assert turbulence.names == ["load_factor.z"] and 0.02 < turbulence.rms[0, 0] < 0.06
-    assert repr(float(turbulence.rms[0, 0])) in rows[1]
+    assert repr(float(turbulence.rms[0, 0])) in rows[1] and turbulence.warnings == []
+    slow = flexair.turbulence(direction=270, output_names=["load_factor.z"], modes=2, parameters={"airspeed": 70})
+    assert slow.direction.tolist() == [90.0]
+    assert slow.warnings[0].startswith("the trim at 70 m/s and 7620 m stands, but ")
 
 
 def test_a_flight_with_a_shape_and_with_arrays_is_that_of_the_commands_table(run, tmp_path):
@@ -143,6 +148,41 @@ def test_what_is_wrong_is_raised_with_the_commands_message(call, kind, message):
     with pytest.raises(kind) as raised:
         call()
     assert type(raised.value) is kind and message in str(raised.value) and "Usage:" not in str(raised.value)
+
+
+@pytest.mark.parametrize(
+    ("call", "kind", "message"),
+    [
+        (lambda: flexair.trim(speed=True), TypeError, "speed: found True, allowed is a number (m/s), several, or a text"),
+        (lambda: flexair.trim(speed=[120, False]), TypeError, "speed: found [120, False], allowed is a number (m/s)"),
+        (lambda: flexair.trim(altitude=np.array([True])), TypeError, "altitude: found array([ True]), allowed is a number (m)"),
+        (lambda: flexair.trim(modes=False), TypeError, "modes: found False, allowed is a whole number"),
+        (lambda: flexair.trim(turn=1), TypeError, "turn: found 1, allowed is True or False"),
+        (lambda: flexair.trim(parameters="airspeed=1"), TypeError, "parameters: found 'airspeed=1', allowed is a mapping"),
+        (lambda: flexair.package(stations_along={"wing_right": True}), TypeError, "stations_along, wing_right: found True"),
+        (lambda: flexair.flutter(from_=True, to=150), TypeError, "from_: found True, allowed is a number (m/s)"),
+        (lambda: flexair.simulate(inputs={"time": [0, 1], "elevator": [True, 0.1]}), TypeError, "inputs, elevator: found"),
+        (lambda: flexair.trim(True), TypeError, "aircraft: found True, allowed is a text or a path"),
+        (lambda: flexair.trim(""), ValueError, "aircraft: found '', allowed is a text or a path, not empty"),
+        (lambda: flexair.trim(speed=[]), ValueError, "speed: found [], allowed is a number (m/s)"),
+        (lambda: flexair.trim(speed=" "), ValueError, "speed: found ' ', allowed is a number (m/s)"),
+        (lambda: flexair.trim(altitude=np.array([])), ValueError, "altitude: found array([], dtype=float64)"),
+        (lambda: flexair.trim(failed_engine=""), ValueError, "failed_engine: found '', allowed is a text"),
+        (lambda: flexair.gust(output_names=[]), ValueError, "output_names: found [], allowed is a text or several"),
+        (lambda: flexair.turbulence(output_names=["loads", ""]), ValueError, "output_names: found ['loads', '']"),
+        (lambda: flexair.simulate(inputs=""), ValueError, "inputs: found ''"),
+        (lambda: flexair.simulate(inputs={"time": [], "elevator": []}), ValueError, "inputs, time: found no numbers"),
+    ],
+)
+def test_truth_values_are_no_numbers_and_nothing_is_no_argument(call, kind, message):
+    with pytest.raises(flexair.UsageError) as raised:
+        call()
+    assert isinstance(raised.value, kind) and message in str(raised.value)
+
+
+def test_switches_and_numbers_of_numpy_are_switches_and_numbers():
+    trims = flexair.trim(speed=(speed for speed in np.array([130, 140])), turn=np.bool_(False), modes=np.int64(2))
+    assert trims.columns["airspeed"].tolist() == [130.0, 140.0]
 
 
 def test_other_threads_run_while_a_call_computes():

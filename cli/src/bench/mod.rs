@@ -22,7 +22,7 @@ use flexible_aircraft::symmetry::Plants;
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{FileError, FmuError};
 
-use crate::files::{Drafts, Overwriting, refuse_overwriting};
+use crate::files::{Drafts, Overwriting, picture, refuse_overwriting};
 use crate::{diagnostics, terminal, workspace};
 use equations::{EquationCosts, pitch_control};
 use report::Report;
@@ -49,7 +49,7 @@ pub struct BenchOptions {
     output: PathBuf,
 
     /// Where to draw the plot (SVG)
-    #[arg(long, value_name = "FILE", default_value = "target/performance/performance.svg")]
+    #[arg(long, value_name = "FILE", default_value = "target/performance/performance.svg", value_parser = picture())]
     plot: PathBuf,
 }
 

@@ -11,7 +11,7 @@ use flexible_aircraft_packaging::FileError;
 use nalgebra::DMatrix;
 
 use crate::answer::Answer;
-use crate::files::{Drafts, Overwriting, STANDARD, refuse_overwriting};
+use crate::files::{Drafts, Overwriting, STANDARD, picture, refuse_overwriting};
 use crate::flown::{self, FlownOptions};
 use crate::{terminal, workspace};
 
@@ -62,7 +62,7 @@ pub struct DescribeOptions {
     json: Option<PathBuf>,
 
     /// Draw the natural modes (SVG)
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = picture())]
     plot: Option<PathBuf>,
 }
 

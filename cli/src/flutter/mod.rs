@@ -10,7 +10,7 @@ use crate::answer::Answer;
 use crate::condition::{Airspeeds, ConditionOptions, Error};
 use crate::files::{Drafts, refuse_overwriting};
 use crate::progress::Audience;
-use crate::{diagnostics, terminal};
+use crate::{diagnostics, limits, terminal};
 
 mod plots;
 mod report;
@@ -58,7 +58,7 @@ pub fn run(options: &FlutterOptions) -> Result<(), Error> {
     let [dampings, frequencies, aperiodic, roots] = outputs.each_ref().map(PathBuf::as_path);
     let drafts = Drafts::new([dampings, frequencies, roots, aperiodic])?;
     let analysis = analyse(options, &Audience::of_command())?;
-    for warning in report::warnings(&analysis) {
+    for warning in limits::warnings(&analysis.sweep.limits_exceeded) {
         diagnostics::warn(&warning);
     }
     terminal::print(&report::text(&analysis))?;

@@ -2,8 +2,7 @@
 
 use std::fmt::Write;
 
-use flexible_aircraft::aircraft::{Bound, Support};
-use flexible_aircraft::plant::{LimitExceeded, LimitedQuantity};
+use flexible_aircraft::aircraft::Support;
 use flexible_aircraft::stability::{Crossing, CrossingKind, EquilibriumLoss, LossKind, Onset, UnstableRange};
 
 use crate::analysis::Analysis;
@@ -30,25 +29,6 @@ pub fn text(analysis: &Analysis) -> String {
     }
     text += &skipped(analysis);
     text
-}
-
-/// A line for each quantity whose trims are beyond a limit, with the farthest of them.
-pub fn warnings(analysis: &Analysis) -> Vec<String> {
-    let exceeded = &analysis.sweep.limits_exceeded;
-    let mut kinds: Vec<(LimitedQuantity, Bound)> = Vec::new();
-    for (_, LimitExceeded { quantity, limit, .. }) in exceeded {
-        if !kinds.iter().any(|kind| (&kind.0, &kind.1) == (quantity, limit)) {
-            kinds.push((quantity.clone(), *limit));
-        }
-    }
-    let warning = |(quantity, limit): &(LimitedQuantity, Bound)| {
-        let alike = exceeded.iter().filter(|(_, other)| (&other.quantity, &other.limit) == (quantity, limit));
-        let count = alike.clone().count();
-        let (airspeed, farthest) = alike.max_by(|a, b| a.1.value.abs().total_cmp(&b.1.value.abs()))?;
-        let more = if count > 1 { format!(" (so at {count} airspeeds)") } else { String::new() };
-        Some(format!("the trim at {} m/s stands, but {farthest}{more}", Plain(*airspeed)))
-    };
-    kinds.iter().filter_map(warning).collect()
 }
 
 fn heading(analysis: &Analysis) -> String {

@@ -8,6 +8,7 @@ use super::report;
 use crate::analysis::Analysis;
 use crate::analysis::motion::{composition, damping, frequency, leading_motion, name, oscillates};
 use crate::answer::Answer;
+use crate::limits;
 use crate::numbers::Plain;
 
 /// Names with their units. `root` counts the curves of the plots; it is empty for an unstable eigenvalue that none of
@@ -77,7 +78,7 @@ pub fn answer(analysis: &Analysis) -> Answer {
         ("crossings", crossings),
         ("skipped", Answer::Numbers(sweep.skipped.iter().map(|skipped| skipped.airspeed).collect())),
         ("skipped_because", Answer::Texts(sweep.skipped.iter().map(|s| s.reason.to_string()).collect())),
-        ("warnings", Answer::Texts(report::warnings(analysis))),
+        ("warnings", Answer::Texts(limits::warnings(&analysis.sweep.limits_exceeded))),
         ("report", Answer::Text(report::text(analysis))),
     ])
 }

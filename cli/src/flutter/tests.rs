@@ -263,7 +263,7 @@ fn the_roots_are_written_with_speed_root_frequency_damping_and_mode() {
 fn warnings_name_the_speeds_whose_trims_nobody_could_fly() {
     let range = "--from 55 --to 127 --points 3 --modes 2";
     let analysis = analyse(&options("generic-business-jet.toml", range)).unwrap();
-    let warnings = report::warnings(&analysis).join("\n");
+    let warnings = limits::warnings(&analysis.sweep.limits_exceeded).join("\n");
     assert!(warnings.contains("the trim at 55 m/s stands, but elevator -"), "{warnings}");
     assert!(warnings.contains("below -0.5236 rad (-30.0°), the usual limit"), "{warnings}");
     assert!(!warnings.contains("127 m/s"), "{warnings}");

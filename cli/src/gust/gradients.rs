@@ -1,5 +1,7 @@
 //! Gradients of gusts as they are written on the command line.
 
+use flexible_aircraft::air::CS25_GRADIENTS;
+
 use crate::axis;
 
 /// More gusts than this are a slip of the pen.
@@ -8,6 +10,16 @@ const MOST_GRADIENTS: usize = 10_000;
 /// Of each gust H, m: from where it begins to where it peaks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradients(pub Vec<f64>);
+
+/// How many of CS-25 are flown where none are asked for.
+const USUAL_COUNT: usize = 37;
+
+impl Gradients {
+    /// Those of CS-25.
+    pub fn usual() -> Self {
+        Gradients(axis::even(*CS25_GRADIENTS.start(), *CS25_GRADIENTS.end(), USUAL_COUNT))
+    }
+}
 
 /// A range, both ends of which count, or a list.
 pub fn gradients(text: &str) -> Result<Gradients, String> {
@@ -32,6 +44,7 @@ mod tests {
         assert_eq!(found("15,30,60"), [15.0, 30.0, 60.0]);
         let usual = found("9.144:106.68:37");
         assert_eq!((usual.len(), usual[0], usual[36]), (37, 9.144, 106.68));
+        assert_eq!(Gradients::usual().0, usual);
         let wrong = [
             "10:30",
             "10:30:5:1",

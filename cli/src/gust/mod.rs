@@ -40,6 +40,10 @@ const OUTPUTS: [&str; 3] = ["gusts.csv", "worst.csv", "gusts.svg"];
 /// Of continuous turbulence: the table twice, the plot.
 const CONTINUOUS_OUTPUTS: [&str; 3] = ["continuous.csv", "continuous.json", "continuous.svg"];
 
+/// How long each gust is flown unless the user says otherwise, and between two looks at the outputs, s.
+const USUAL_DURATION: f64 = 10.0;
+const USUAL_STEP: f64 = 0.005;
+
 /// Options of `flexair gust`.
 #[derive(Args)]
 #[command(
@@ -62,7 +66,7 @@ pub struct GustOptions {
     flown: FlownOptions,
 
     /// Continuous turbulence by CS 25.341(b) in place of single gusts, linear about the trim
-    #[arg(long, conflicts_with_all = ["gradients", "peak", "duration", "step"])]
+    #[arg(long)]
     continuous: bool,
 
     #[command(flatten)]
@@ -73,13 +77,13 @@ pub struct GustOptions {
     #[arg(long, value_name = "NAME,NAME,…", value_delimiter = ',')]
     output_names: Vec<String>,
 
-    /// How long each gust is flown, s, from the trim on
-    #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value_t = 10.0)]
-    duration: f64,
+    /// How long each gust is flown, s, from the trim on [default: 10]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    duration: Option<f64>,
 
-    /// Time between two looks at the outputs, s
-    #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value_t = 0.005)]
-    step: f64,
+    /// Time between two looks at the outputs, s [default: 0.005]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    step: Option<f64>,
 
     /// Folder for the tables and the plot
     #[arg(long, value_name = "DIR", default_value = "target/gust")]
@@ -119,7 +123,9 @@ pub fn run(options: &GustOptions) -> Result<(), Error> {
     refuse_overwriting(&outputs.each_ref().map(PathBuf::as_path), [file])?;
     let drafts = Drafts::new(outputs.iter().map(PathBuf::as_path))?;
     let (written, failures) = if options.continuous {
-        (options.turbulence()?.written(), None)
+        let found = options.turbulence()?;
+        found.warnings.iter().for_each(|warning| diagnostics::warn(warning));
+        (found.written(), None)
     } else {
         let flights = options.fly(&Audience::of_command())?;
         (flights.written(), flights.failures)
@@ -173,6 +179,7 @@ impl Flights {
 impl GustOptions {
     /// What turbulence does.
     fn turbulence(&self) -> Result<continuous::Found, Error> {
+        set::refuse_times(self.duration, self.step)?;
         let model = self.flown.reduce(&self.flown.read(&self.aircraft)?)?;
         let variables = VariableTable::new(&model);
         let settings = self.flown.settings(&variables, &model)?;
@@ -186,13 +193,15 @@ impl GustOptions {
         let model = self.flown.reduce(&self.flown.read(&self.aircraft)?)?;
         let variables = VariableTable::new(&model);
         let settings = self.flown.settings(&variables, &model)?;
-        let cases = self.gusts.cases(&settings, &self.flown.set, self.duration)?;
+        let duration = self.duration.unwrap_or(USUAL_DURATION);
+        let cases = self.gusts.cases(&settings, &self.flown.set, duration)?;
         let watched = watched(&self.output_names, &variables)?;
-        let schedule = Schedule::hands_off(self.duration);
-        let gust_flights = GustFlights::new(&model, &settings, &schedule, self.step).before(audience);
+        let schedule = Schedule::hands_off(duration);
+        let step = self.step.unwrap_or(USUAL_STEP);
+        let gust_flights = GustFlights::new(&model, &settings, &schedule, step).before(audience);
         gust_flights.check(cases.len())?;
         let trim = found::values(&mut trimmed(&model, &settings, 0.0)?, &watched);
-        if let Some(warning) = set::cut_off(&cases, &settings, self.duration) {
+        if let Some(warning) = set::cut_off(&cases, &settings, duration) {
             diagnostics::warn(&warning);
         }
         let began = Instant::now();

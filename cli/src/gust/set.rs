@@ -9,18 +9,17 @@ use super::case::{Case, Sense};
 use super::gradients::{Gradients, gradients};
 use crate::numbers::{Plain, rounded};
 
+mod of_turbulence;
+
+pub use of_turbulence::refuse_times;
+
 /// A set of gusts.
 #[derive(Args)]
 pub struct GustSetOptions {
     /// Gradients H of the gusts, m: the least, the greatest and how many, equally far apart; or a list, as in 15,30,60
-    #[arg(
-        long,
-        value_name = "FROM:TO:N|M,M,…",
-        value_parser = gradients,
-        default_value = "9.144:106.68:37",
-        allow_hyphen_values = true
-    )]
-    gradients: Gradients,
+    /// [default: 9.144:106.68:37]
+    #[arg(long, value_name = "FROM:TO:N|M,M,…", value_parser = gradients, allow_hyphen_values = true)]
+    gradients: Option<Gradients>,
 
     /// What the peak follows from
     #[arg(long, value_enum, default_value_t = Criterion::Cs25Vc)]
@@ -31,7 +30,7 @@ pub struct GustSetOptions {
     peak: Option<f64>,
 
     /// Directions of the gusts across the track, degrees: 0 upwards, 90 to the right. May be repeated or a list; the opposite
-    /// of each is flown too
+    /// of each is flown too, and is the same continuous turbulence
     #[arg(
         long,
         value_name = "DEG",
@@ -84,16 +83,16 @@ pub enum Error {
     )]
     Late { duration: f64, start: f64 },
     #[error(
-        "--set {}: continuous turbulence has an rms of 1 m/s everywhere; allowed of gust.* and turbulence.* are {}",
-        .0,
-        OF_TURBULENCE.join(", ")
+        "{option}: found with --continuous, where {why}: meant is {meant}, or {option} without --continuous"
     )]
-    NotOfTurbulence(String),
+    OfSingleGusts { option: &'static str, why: &'static str, meant: &'static str },
+    #[error(
+        "--set {assignment}: continuous turbulence has an rms of 1 m/s everywhere{meant}; allowed of gust.* and turbulence.* \
+         are {}",
+        of_turbulence::ALLOWED.join(", ")
+    )]
+    NotOfTurbulence { assignment: String, meant: String },
 }
-
-/// The parameters of gusts and turbulence that continuous turbulence has.
-const OF_TURBULENCE: [&str; 4] =
-    ["turbulence.spectrum", "turbulence.scale", "gust.alleviation", "gust.maximum_operating_altitude"];
 
 fn peak(text: &str) -> Result<f64, String> {
     let peak = text.parse().ok().filter(|peak: &f64| peak.is_finite() && *peak > 0.0);
@@ -121,7 +120,7 @@ impl GustSetOptions {
     ) -> Result<Vec<Case>, Error> {
         self.refuse_own(assignments)?;
         let is_within = |gradient: &&f64| CS25_GRADIENTS.contains(*gradient);
-        let Gradients(gradients) = &self.gradients;
+        let Gradients(gradients) = self.gradients.clone().unwrap_or_else(Gradients::usual);
         if let Some(outside) = gradients.iter().find(|gradient| self.peak.is_none() && !is_within(gradient)) {
             return Err(Error::Cs25Gradient(*outside));
         }
@@ -137,33 +136,6 @@ impl GustSetOptions {
             }
         }
         Ok(without_repetitions(cases))
-    }
-
-    /// Continuous turbulence by the criterion, under settings whose assignments were these: its directions, degrees, each once, and
-    /// the gust whose U_σ it has.
-    ///
-    /// # Errors
-    /// When the assignments contradict the options, or say what no such turbulence has.
-    pub fn continuous(
-        &self,
-        settings: &Settings,
-        assignments: &[String],
-    ) -> Result<(Vec<f64>, GustSettings), Error> {
-        self.refuse_own(assignments)?;
-        let is_foreign = |set: &&String| {
-            let name = set.split('=').next().unwrap_or_default();
-            ["gust.", "turbulence."].iter().any(|of| name.starts_with(of)) && !OF_TURBULENCE.contains(&name)
-        };
-        if let Some(set) = assignments.iter().find(is_foreign) {
-            return Err(Error::NotOfTurbulence(set.clone()));
-        }
-        let mut directions: Vec<f64> = Vec::new();
-        for &degrees in &self.direction {
-            if !directions.contains(&degrees) {
-                directions.push(degrees);
-            }
-        }
-        Ok((directions, self.every(&settings.gust)))
     }
 
     /// What each gust has, but for its gradient and direction.

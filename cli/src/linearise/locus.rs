@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use flexible_aircraft::flight::{Settings, SimulationError};
+use flexible_aircraft::flight::{Settings, Simulation, SimulationError};
+use flexible_aircraft::plant::LimitExceeded;
 use flexible_aircraft::stability::{FlightMode, FlightModeKind, FlightModes};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::{Inflow, flight_modes};
@@ -13,7 +14,7 @@ use crate::chart::{Axis, Chart, Curve, Mark, Window, stacked};
 use crate::numbers::{Plain, short};
 use crate::progress::Progress;
 
-use super::modes::{COLUMNS, cells_of};
+use super::modes::{COLUMNS, cells_of, family};
 
 /// The modes at each airspeed at which there are any.
 pub struct Locus {
@@ -22,6 +23,8 @@ pub struct Locus {
     points: Vec<(f64, FlightModes)>,
     /// m/s, and why there are none.
     pub failures: Vec<(f64, SimulationError)>,
+    /// m/s, ascending, and what of the trim is beyond its limit and stands all the same.
+    pub limits_exceeded: Vec<(f64, LimitExceeded)>,
 }
 
 impl Locus {
@@ -36,15 +39,17 @@ impl Locus {
         let at = |&airspeed: &f64| {
             let mut settings = settings.clone();
             settings.plant.airspeed = airspeed;
-            let modes = flight_modes(Arc::clone(model), &settings, inflow);
+            let modes = modes(model, &settings, inflow);
             progress.advance();
             (airspeed, modes)
         };
         let found: Vec<_> = airspeeds.par_iter().map(at).collect();
-        let (mut points, mut failures): (Vec<(f64, FlightModes)>, _) = (Vec::new(), Vec::new());
+        let mut points: Vec<(f64, FlightModes)> = Vec::new();
+        let (mut failures, mut limits_exceeded) = (Vec::new(), Vec::new());
         for (airspeed, modes) in found {
             match modes {
-                Ok(modes) => {
+                Ok((modes, exceeded)) => {
+                    limits_exceeded.extend(exceeded.into_iter().map(|exceeded| (airspeed, exceeded)));
                     let modes = match points.last() {
                         Some((_, before)) => modes.named_after(before),
                         None => modes,
@@ -54,7 +59,7 @@ impl Locus {
                 Err(failure) => failures.push((airspeed, failure)),
             }
         }
-        Locus { title: format!("{}: modes over airspeed", model.name), points, failures }
+        Locus { title: format!("{}: modes over airspeed", model.name), points, failures, limits_exceeded }
     }
 
     /// Whether there is nothing to show.
@@ -64,11 +69,12 @@ impl Locus {
 
     /// A line for each mode at each airspeed, as comma-separated values.
     pub fn table(&self) -> String {
-        let mut text = format!("airspeed,mode,{COLUMNS},quasi_steady\n");
+        let mut text = format!("airspeed,mode,family,{COLUMNS},quasi_steady\n");
         for (airspeed, modes) in &self.points {
             for mode in &modes.modes {
-                let cells = cells_of(mode.eigenvalue());
-                text += &format!("{},{},{cells},{}\n", Plain(*airspeed), mode.name, mode.is_quasi_steady);
+                let (family, cells) = (family(mode).unwrap_or_default(), cells_of(mode.eigenvalue()));
+                let (airspeed, is_quasi_steady) = (Plain(*airspeed), mode.is_quasi_steady);
+                text += &format!("{airspeed},{},{family},{cells},{is_quasi_steady}\n", mode.name);
             }
         }
         text
@@ -86,6 +92,12 @@ impl Locus {
         Answer::named([
             ("airspeed", Answer::Numbers(rows.iter().map(|(airspeed, _)| *airspeed).collect())),
             ("mode", Answer::Texts(rows.iter().map(|(_, mode)| mode.name.to_string()).collect())),
+            (
+                "family",
+                Answer::Texts(
+                    rows.iter().map(|(_, mode)| family(mode).unwrap_or_default().to_owned()).collect(),
+                ),
+            ),
             ("eigenvalue", Answer::Complex { rows: rows.len(), columns: 1, values: eigenvalues }),
             ("quasi_steady", Answer::Truths(rows.iter().map(|(_, mode)| mode.is_quasi_steady).collect())),
         ])
@@ -117,7 +129,7 @@ impl Locus {
             Curve { label: format!("{name}"), points: points.collect() }
         };
         let curves: Vec<Curve> = names.into_iter().map(curve).collect();
-        let points: Vec<(f64, f64)> = curves.iter().flat_map(|curve| curve.points.iter().copied()).collect();
+        let points = in_view(&curves);
         let window = |value: fn(&(f64, f64)) -> f64| Window::around(points.iter().map(value).chain([0.0]));
         let starts = wanted.first()?.iter().map(place).collect();
         let first = self.points.first().map_or(0.0, |(airspeed, _)| *airspeed);
@@ -131,5 +143,44 @@ impl Locus {
             marks,
             frame: None,
         })
+    }
+}
+
+/// The modes under some settings, and what of the trim is beyond its limits.
+fn modes(
+    model: &Arc<ReducedModel>,
+    settings: &Settings,
+    inflow: Inflow,
+) -> Result<(FlightModes, Vec<LimitExceeded>), SimulationError> {
+    let modes = flight_modes(Arc::clone(model), settings, inflow)?;
+    let exceeded = Simulation::new(Arc::clone(model), settings, 0.0)?.limits_exceeded().to_vec();
+    Ok((modes, exceeded))
+}
+
+/// What axes show: the roots that swing, and real ones that grow no faster than these are large. Beside real ones that decay fast all
+/// would stand in one line. All roots where none swings.
+fn in_view(curves: &[Curve]) -> Vec<(f64, f64)> {
+    let all = || curves.iter().flat_map(|curve| curve.points.iter().copied());
+    let swinging = || all().filter(|(_, imaginary)| *imaginary > 0.0);
+    let largest = swinging().map(|(real, imaginary)| real.hypot(imaginary)).fold(0.0, f64::max);
+    let grows = |real: f64| 0.0 < real && real <= largest;
+    if largest == 0.0 {
+        return all().collect();
+    }
+    all().filter(|(real, imaginary)| *imaginary > 0.0 || grows(*real)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_show_what_swings_and_all_roots_only_where_none_does() {
+        let curve = |points: &[(f64, f64)]| Curve { label: "mode".to_owned(), points: points.to_vec() };
+        let (swings, decays) = (curve(&[(-0.5, 2.0), (-0.7, 2.5)]), curve(&[(-40.0, 0.0), (-60.0, 0.0)]));
+        assert_eq!(in_view(&[decays.clone(), swings.clone()]), swings.points);
+        let grows = curve(&[(0.1, 0.0), (3.0, 0.0)]);
+        assert_eq!(in_view(&[swings.clone(), grows]), [(-0.5, 2.0), (-0.7, 2.5), (0.1, 0.0)]);
+        assert_eq!(in_view(std::slice::from_ref(&decays)), decays.points);
     }
 }

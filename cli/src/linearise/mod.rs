@@ -16,7 +16,7 @@ use crate::files::{Drafts, Overwriting, refuse_overwriting};
 use crate::flown::{self, FlownOptions};
 use crate::numbers::short;
 use crate::progress::Audience;
-use crate::{axis, diagnostics, terminal, workspace};
+use crate::{axis, diagnostics, limits, terminal, workspace};
 
 mod arrays;
 mod balanced;
@@ -243,6 +243,9 @@ impl LineariseOptions {
         }
         for (airspeed, failure) in &locus.failures {
             diagnostics::warn(&format!("left out: {} m/s: {failure}", short(*airspeed)));
+        }
+        for warning in limits::warnings(&locus.limits_exceeded) {
+            diagnostics::warn(&warning);
         }
         Ok(locus)
     }

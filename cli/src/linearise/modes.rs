@@ -235,7 +235,7 @@ pub fn cells_of(root: Complex<f64>) -> String {
 }
 
 /// Symmetric or antisymmetric, where the mode is one of both.
-fn family(mode: &FlightMode) -> Option<&'static str> {
+pub fn family(mode: &FlightMode) -> Option<&'static str> {
     match mode.share_aside? {
         share if share < ASIDE => Some("symmetric"),
         share if share > 1.0 - ASIDE => Some("antisymmetric"),

@@ -13,7 +13,7 @@ use flexible_aircraft::variables::{Unit, VariableTable};
 use flexible_aircraft_packaging::FileError;
 
 use crate::answer::Answer;
-use crate::files::{Drafts, Overwriting, STANDARD, Sink, named, refuse_overwriting};
+use crate::files::{Drafts, Overwriting, STANDARD, Sink, named, picture, refuse_overwriting};
 use crate::flown::{self, FlownOptions, seconds};
 use crate::numbers::NumberTable;
 use crate::progress::{Audience, Progress};
@@ -94,7 +94,7 @@ pub struct SimulateOptions {
     output: PathBuf,
 
     /// Where to draw pitch, load factor, upward deflections of the first stations and the inputs (SVG)
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = picture())]
     plot: Option<PathBuf>,
 
     /// Outputs to draw instead: names, or the first parts of them, as in `load_factor`

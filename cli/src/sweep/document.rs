@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::ops::Range;
 
+use flexible_aircraft::aircraft::{toml_found, toml_number};
 use flexible_aircraft::variables::probably_meant;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -61,28 +62,12 @@ impl<'r, 't> Item<'r, 't> {
 
     /// Complains; `allowed` is what may stand here.
     pub fn wrong<T>(&self, allowed: &str) -> Option<T> {
-        let found = match self.value {
-            DeValue::String(text) => format!("found the text \"{}\"", text.escape_debug()),
-            DeValue::Integer(number) => format!("found {number}"),
-            DeValue::Float(number) => format!("found {number}"),
-            DeValue::Boolean(flag) => format!("found {flag}"),
-            DeValue::Datetime(date) => format!("found the date {date}"),
-            DeValue::Array(list) => format!("found a list of {}", list.len()),
-            DeValue::Table(_) => "found a table".to_owned(),
-        };
-        self.mistakes.add(&self.place, found, format!("allowed is {allowed}"));
+        self.mistakes.add(&self.place, toml_found(self.value), format!("allowed is {allowed}"));
         None
     }
 
     fn as_number(&self) -> Option<f64> {
-        let number = match self.value {
-            DeValue::Integer(number) => {
-                i64::from_str_radix(number.as_str(), number.radix()).ok().map(|number| number as f64)
-            }
-            DeValue::Float(number) => number.as_str().parse().ok(),
-            _ => None,
-        };
-        number.filter(|number: &f64| number.is_finite())
+        toml_number(self.value).filter(|number| number.is_finite())
     }
 
     /// A finite number.

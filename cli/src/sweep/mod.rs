@@ -22,6 +22,7 @@ use crate::{terminal, workspace};
 mod columns;
 mod document;
 mod file;
+mod foreseen;
 mod job;
 mod linear;
 mod manifest;
@@ -35,7 +36,7 @@ mod reduction;
 use file::SweepFile;
 use job::Status;
 use manifest::{Folder, Identity, POINTS_PER_PART};
-use part::{BrokenPart, Format, Row, Tally, tally};
+use part::{BrokenPart, Format, Outcomes, Row};
 use plan::Plan;
 
 /// Options of `flexair sweep`.
@@ -127,7 +128,7 @@ pub fn run(options: &SweepOptions, home: &Home) -> Result<(), Error> {
     folder.begin(&identity, plan.points.count())?;
     let swept = pool.install(|| sweep(&plan, &folder))?;
     terminal::print(&swept.report(&options.output))?;
-    if swept.tally[0] == 0 { Err(Error::None) } else { Ok(()) }
+    if swept.outcomes.tally[0] == 0 { Err(Error::None) } else { Ok(()) }
 }
 
 /// As the sweep file names it, a path from where it is or one that comes with the program, or the one that all commands take.
@@ -141,7 +142,7 @@ fn aircraft_file(file: &SweepFile, sweep_file: &Path, home: &Home) -> PathBuf {
 
 /// How a sweep came out.
 struct Swept {
-    tally: Tally,
+    outcomes: Outcomes,
     /// Points of this run, and how long they took, s.
     flown: u64,
     seconds: f64,
@@ -154,23 +155,23 @@ fn sweep(plan: &Plan, folder: &Folder) -> Result<Swept, Error> {
     let parts = count.div_ceil(POINTS_PER_PART);
     let points = |part: u64| part * POINTS_PER_PART..count.min((part + 1) * POINTS_PER_PART);
     let size = |part: u64| points(part).end - points(part).start;
-    let mut swept = Swept { tally: Tally::default(), flown: 0, seconds: 0.0 };
+    let mut swept = Swept { outcomes: Outcomes::default(), flown: 0, seconds: 0.0 };
     let mut missing = Vec::new();
     for part in 0..parts {
         let path = folder.part(part);
-        if path.exists() { swept.add(tally(&path, size(part))?) } else { missing.push(part) }
+        if path.exists() {
+            swept.outcomes.add(Outcomes::read(&path, &points(part))?);
+        } else {
+            missing.push(part);
+        }
     }
     swept.flown = missing.iter().map(|part| size(*part)).sum();
     let progress = Progress::new(swept.flown as usize, "points");
     let began = Instant::now();
     for part in missing {
         let rows = rows(plan, points(part), &progress);
-        let mut tally = Tally::default();
-        for row in &rows {
-            tally[Status::ALL.iter().position(|status| *status == row.status()).unwrap_or(0)] += 1;
-        }
         Draft::write(&format.bytes(&rows)?, &folder.part(part))?.keep()?;
-        swept.add(tally);
+        swept.outcomes.add(Outcomes::of(&rows));
     }
     swept.seconds = began.elapsed().as_secs_f64();
     Ok(swept)
@@ -202,14 +203,11 @@ fn rows(plan: &Plan, points: std::ops::Range<u64>, progress: &Progress) -> Vec<R
 }
 
 impl Swept {
-    fn add(&mut self, tally: Tally) {
-        self.tally.iter_mut().zip(tally).for_each(|(sum, more)| *sum += more);
-    }
-
     /// For people.
     fn report(&self, output: &Path) -> String {
-        let all: u64 = self.tally.iter().sum();
-        let statuses = self.tally.iter().zip(Status::ALL).filter(|(count, _)| **count > 0);
+        let Outcomes { tally, first_failure } = &self.outcomes;
+        let all: u64 = tally.iter().sum();
+        let statuses = tally.iter().zip(Status::ALL).filter(|(count, _)| **count > 0);
         let statuses: Vec<String> =
             statuses.map(|(count, status)| format!("{count} {}", status.name())).collect();
         let parts = all.div_ceil(POINTS_PER_PART);
@@ -221,8 +219,11 @@ impl Swept {
                 flown as f64 / self.seconds.max(1e-9)
             ),
         };
+        let failure = first_failure.as_ref().map_or(String::new(), |(point, message)| {
+            format!("the first that did not come out, point {point}: {message}\n")
+        });
         format!(
-            "{all} points: {}; {flown}\n{}: {parts} part{} and manifest.json\n",
+            "{all} points: {}; {flown}\n{failure}{}: {parts} part{} and manifest.json\n",
             statuses.join(", "),
             output.display(),
             if parts == 1 { "" } else { "s" }

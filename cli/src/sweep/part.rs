@@ -2,6 +2,7 @@
 
 use std::fs::File;
 use std::io::Write;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -43,8 +44,14 @@ pub struct BrokenPart {
     reason: String,
 }
 
-/// How many points came out how, in the order of [`Status::ALL`].
-pub type Tally = [u64; Status::ALL.len()];
+/// How points came out.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Outcomes {
+    /// How many how, in the order of [`Status::ALL`].
+    pub tally: [u64; Status::ALL.len()],
+    /// The first point that did not come out, and why.
+    pub first_failure: Option<(u64, String)>,
+}
 
 impl Row {
     pub fn status(&self) -> Status {
@@ -147,37 +154,67 @@ fn write<T: parquet::data_type::DataType, W: Write + Send>(
     column.close()
 }
 
-/// How the points of a part came out, of which it has to have so many.
-///
-/// # Errors
-/// When it is not a whole part.
-pub fn tally(path: &Path, points: u64) -> Result<Tally, BrokenPart> {
-    let broken = |reason: String| BrokenPart { path: path.to_owned(), reason };
-    let file = File::open(path).map_err(|error| broken(error.to_string()))?;
-    let statuses = statuses(file).map_err(|error| broken(error.to_string()))?;
-    if statuses.len() as u64 != points {
-        return Err(broken(format!("found {} points, expected {points}", statuses.len())));
+impl Outcomes {
+    /// Of rows, in the order of their points.
+    pub fn of(rows: &[Row]) -> Self {
+        let mut outcomes = Outcomes::default();
+        for row in rows {
+            outcomes.count(row.status(), row.point, || row.message().to_owned());
+        }
+        outcomes
     }
-    let mut tally = Tally::default();
-    for status in &statuses {
-        let place = Status::ALL.iter().position(|known| known.name().as_bytes() == status.data());
-        let place = place.ok_or_else(|| broken("found a status that no sweep writes".to_owned()))?;
-        tally[place] += 1;
+
+    /// Of the part of some points.
+    ///
+    /// # Errors
+    /// When it is not a whole part.
+    pub fn read(path: &Path, points: &Range<u64>) -> Result<Self, BrokenPart> {
+        let broken = |reason: String| BrokenPart { path: path.to_owned(), reason };
+        let file = File::open(path).map_err(|error| broken(error.to_string()))?;
+        let texts = texts(file, ["status", "message"]).map_err(|error| broken(error.to_string()))?;
+        let [statuses, messages] = &texts;
+        let expected = points.end - points.start;
+        if [statuses, messages].iter().any(|column| column.len() as u64 != expected) {
+            return Err(broken(format!("found {} points, expected {expected}", statuses.len())));
+        }
+        let mut outcomes = Outcomes::default();
+        for (point, (status, message)) in points.clone().zip(statuses.iter().zip(messages)) {
+            let status = Status::ALL.into_iter().find(|known| known.name().as_bytes() == status.data());
+            let status = status.ok_or_else(|| broken("found a status that no sweep writes".to_owned()))?;
+            outcomes.count(status, point, || String::from_utf8_lossy(message.data()).into_owned());
+        }
+        Ok(outcomes)
     }
-    Ok(tally)
+
+    fn count(&mut self, status: Status, point: u64, message: impl FnOnce() -> String) {
+        self.tally[Status::ALL.iter().position(|known| *known == status).unwrap_or(0)] += 1;
+        if status != Status::Ok && self.first_failure.is_none() {
+            self.first_failure = Some((point, message()));
+        }
+    }
+
+    /// With those of other points.
+    pub fn add(&mut self, others: Outcomes) {
+        self.tally.iter_mut().zip(others.tally).for_each(|(sum, more)| *sum += more);
+        let failures = [self.first_failure.take(), others.first_failure];
+        self.first_failure = failures.into_iter().flatten().min();
+    }
 }
 
-fn statuses(file: File) -> Result<Vec<ByteArray>, ParquetError> {
+/// All texts of some columns.
+fn texts<const N: usize>(file: File, names: [&str; N]) -> Result<[Vec<ByteArray>; N], ParquetError> {
     let reader = SerializedFileReader::new(file)?;
     let schema = reader.metadata().file_metadata().schema_descr();
-    let column = schema.columns().iter().position(|column| column.name() == "status");
-    let column = column.ok_or_else(|| ParquetError::General("found no column `status`".to_owned()))?;
-    let mut found = Vec::new();
-    for group in 0..reader.num_row_groups() {
-        let group = reader.get_row_group(group)?;
-        let rows = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
-        if let ColumnReader::ByteArrayColumnReader(mut reader) = group.get_column_reader(column)? {
-            reader.read_records(rows, None, None, &mut found)?;
+    let mut found = names.map(|_| Vec::new());
+    for (name, found) in names.iter().zip(&mut found) {
+        let column = schema.columns().iter().position(|column| column.name() == *name);
+        let column = column.ok_or_else(|| ParquetError::General(format!("found no column `{name}`")))?;
+        for group in 0..reader.num_row_groups() {
+            let group = reader.get_row_group(group)?;
+            let rows = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+            if let ColumnReader::ByteArrayColumnReader(mut reader) = group.get_column_reader(column)? {
+                reader.read_records(rows, None, None, found)?;
+            }
         }
     }
     Ok(found)

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use flexible_aircraft::LinearModel;
 use flexible_aircraft::aircraft::{Aircraft, Factor};
 use flexible_aircraft::flight::Settings;
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
@@ -11,6 +12,7 @@ use flexible_aircraft_packaging::assignment;
 use super::columns::{self, Column};
 use super::document::Mistakes;
 use super::file::{Fixed, Law, MOST_POINTS, SweepFile, Varied};
+use super::foreseen;
 use super::job::{Failure, Job, Success};
 use super::models::{self, Key, Models};
 use super::names::{Named, Names, unit};
@@ -95,6 +97,14 @@ impl Plan {
                 file,
                 &mistakes,
             );
+        }
+        foreseen::check_gust(file, &plan.models.plain, &mistakes);
+        if let Job::Linearise(inflow, _) = plan.job {
+            let states = |numbers: &[f64]| {
+                let settings = plan.settings(numbers).ok()?;
+                LinearModel::state_count(&plan.models.plain, &settings, inflow).ok()
+            };
+            foreseen::check_roots(file, &plan.points, states, &mistakes);
         }
         Ok(mistakes.conclude(Some(plan), file_name, text)?)
     }

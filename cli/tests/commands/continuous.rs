@@ -83,15 +83,28 @@ fn what_no_continuous_turbulence_has_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let jet = workspace("aircraft/generic-business-jet.toml");
     for (options, reason) in [
-        ("--gradients 30", "the argument '--continuous' cannot be used with '--gradients"),
-        ("--peak 3", "cannot be used with"),
-        ("--duration 3", "cannot be used with"),
+        (
+            "--gradients 30",
+            "--gradients: found with --continuous, where no gust has a gradient: meant is `--set turbulence.scale=…` (m), or",
+        ),
+        ("--peak 3", "--peak: found with --continuous, where no gust has a peak: meant is --criterion,"),
+        (
+            "--duration 3",
+            "--duration: found with --continuous, where nothing is flown: meant is `flexair simulate",
+        ),
+        ("--step 0.01", "--step: found with --continuous, where nothing is flown"),
         (
             "--set turbulence.intensity=2",
             "--set turbulence.intensity=2: continuous turbulence has an rms of 1 m/s",
         ),
         ("--set gust.start=2", "--set gust.start=2: continuous turbulence"),
-        ("--set gust.criterion=peak", "by --criterion or --peak"),
+        (
+            "--set gust.inclination=1",
+            "everywhere; allowed of gust.* and turbulence.* are turbulence.spectrum,",
+        ),
+        ("--set gust.criterion=peak", "everywhere: meant is --criterion, from which U_σ follows; allowed"),
+        ("--set gust.gradient=30", "everywhere: meant is `--set turbulence.scale=…` (m); allowed"),
+        ("--weights 3,2,1 --set gust.alleviation=1", "the gusts of a set have their own, by --weights"),
         (
             "--output-names sensor.rate.y",
             "--output-names sensor.rate.y: found an output that no linear model has",
@@ -138,4 +151,47 @@ fn an_aircraft_that_flutters_is_warned_of() {
         found.status.success() && errors.contains("warning: the aircraft is unstable, with a root at "),
         "{errors}"
     );
+    assert_eq!(warnings(folder.path(), "goland-wing"), told(&errors));
+}
+
+/// What the JSON warns of.
+fn warnings(folder: &std::path::Path, aircraft: &str) -> Vec<String> {
+    let json = std::fs::read_to_string(folder.join(format!("out/{aircraft}-continuous.json"))).unwrap();
+    let json: Value = serde_json::from_str(&json).unwrap();
+    json["warnings"].as_array().unwrap().iter().map(|text| text.as_str().unwrap().to_owned()).collect()
+}
+
+/// What standard error warns of.
+fn told(errors: &str) -> Vec<String> {
+    errors.lines().filter_map(|line| line.strip_prefix("warning: ")).map(str::to_owned).collect()
+}
+
+#[test]
+fn a_trim_beyond_the_limits_is_warned_of_in_the_file_too_and_other_trims_are_not() {
+    let folder = tempfile::tempdir().unwrap();
+    for (options, count) in [("", 0), (" --set airspeed=70", 1)] {
+        let line = format!("{SMALL} --output-names load_factor.z --output out{options}");
+        let found = run(folder.path(), &line);
+        assert!(found.status.success(), "{}", text(&found.stderr));
+        let (written, told) = (warnings(folder.path(), "generic-business-jet"), told(&text(&found.stderr)));
+        assert_eq!(written, told);
+        let is_beyond = |text: &&String| text.starts_with("the trim at 70 m/s and 7620 m stands, but ");
+        assert_eq!(written.iter().filter(is_beyond).count(), count, "{written:?}");
+    }
+}
+
+#[test]
+fn turbulence_has_no_sense_so_that_opposite_directions_are_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = |directions: &str| {
+        let line = format!("{SMALL} --direction {directions} --output-names load_factor --output out");
+        let found = run(folder.path(), &line);
+        assert!(found.status.success(), "{}", text(&found.stderr));
+        std::fs::read_to_string(folder.path().join("out/generic-business-jet-continuous.csv")).unwrap()
+    };
+    let right = table("90");
+    assert_eq!(right.lines().count(), 1 + 4);
+    for same in ["270", "-90", "90,-90,270"] {
+        assert_eq!(table(same), right, "{same}");
+    }
 }

@@ -69,6 +69,28 @@ fn standard_input_that_is_the_output_is_refused_too() {
     assert_eq!(std::fs::read_to_string(&inputs).unwrap(), "time\n0\n");
 }
 
+#[test]
+fn a_picture_does_not_go_to_standard_output() {
+    let folder = tempfile::tempdir().unwrap();
+    for line in [
+        "simulate --modes 2 --duration 0.1 --output flight.csv --plot -",
+        "describe --modes 2 --plot -",
+        "bench --plot -",
+    ] {
+        let refused = run(folder.path(), line);
+        let errors = text(&refused.stderr);
+        assert_eq!((refused.status.code(), text(&refused.stdout).as_str()), (Some(2), ""), "{line}");
+        assert!(
+            errors.contains("invalid value '-' for '--plot <FILE>': allowed is the path of a file: pictures"),
+            "{line}: {errors}"
+        );
+        assert_eq!(names(folder.path()), [""; 0], "{line}");
+    }
+    let named = run(folder.path(), "simulate --modes 2 --duration 0.1 --output flight.csv --plot ./-");
+    assert!(named.status.success(), "{}", text(&named.stderr));
+    assert_eq!(names(folder.path()), ["-", "flight.csv"]);
+}
+
 /// Wind from behind ends the flight at the second row.
 #[test]
 fn a_flight_that_fails_keeps_what_was_flown_in_a_file_that_says_so() {

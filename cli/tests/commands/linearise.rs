@@ -272,10 +272,13 @@ fn modes_are_followed_over_airspeed() {
     let table = std::fs::read_to_string(folder.path().join("out").join(file("locus"))).unwrap();
     let frequencies: Vec<f64> = table
         .lines()
-        .filter(|line| line.contains(",short period,"))
-        .map(|line| line.split(',').nth(4).unwrap().parse().unwrap())
+        .filter(|line| line.contains(",short period,symmetric,"))
+        .map(|line| line.split(',').nth(5).unwrap().parse().unwrap())
         .collect();
     assert!(frequencies.len() == 3 && frequencies.is_sorted(), "{table}");
+    assert!(table.starts_with("airspeed,mode,family,real_part,"), "{table}");
+    assert!(table.contains("120,Dutch roll,antisymmetric,"), "{table}");
+    assert_eq!(text(&found.stderr), "");
     let drawing = std::fs::read_to_string(folder.path().join("out/generic-business-jet-locus.svg")).unwrap();
     assert!(drawing.contains("Dutch roll") && drawing.contains("elastic 1"));
     for (options, reason) in [
@@ -290,4 +293,22 @@ fn modes_are_followed_over_airspeed() {
         assert!(!failed.status.success() && errors.contains(reason), "{options}: {errors}");
         assert!(!folder.path().join("wrong").exists(), "{options}");
     }
+}
+
+#[test]
+fn trims_of_a_locus_beyond_their_limits_are_warned_of_as_those_of_a_model() {
+    let folder = tempfile::tempdir().unwrap();
+    let linearise = |options: &str| {
+        let line =
+            format!("linearise --modes 2 --set inflow_states=1 --inflow steady {options} --output out");
+        let found = run(folder.path(), &line);
+        assert!(found.status.success(), "{}", text(&found.stderr));
+        text(&found.stderr)
+    };
+    let one = linearise("--set airspeed=70");
+    let one = one.split_once(" stands, but ").unwrap().1.trim().split("; ").next().unwrap();
+    let followed = linearise("--speed 70,75,130");
+    let warning = followed.lines().find(|line| line.contains(one)).unwrap();
+    assert!(warning.starts_with("warning: the trim at 70 m/s stands, but "), "{followed}");
+    assert!(warning.ends_with(" (so at 2 airspeeds, 70 to 75 m/s)"), "{followed}");
 }

@@ -139,6 +139,12 @@ output = "load_factor.z"
         "{}",
         text(&swept.stdout)
     );
+    let first = "\nthe first that did not come out, point 0: ";
+    let told = |said: &str| said.split_once(first).unwrap().1.lines().next().unwrap().to_owned();
+    let message = told(&text(&swept.stdout));
+    assert!(message.contains("`actuator.elevator.minimum` is -0.25 rad"), "{message}");
+    let again = text(&run(folder.path(), "sweep a.toml --output out").stdout);
+    assert!(again.contains("all of them were there") && told(&again) == message, "{again}");
     let rows = rows(&folder.path().join("out/part-00000.parquet"));
     let status = |row: usize| rows[row]["status"].to_string();
     assert_eq!([0, 1, 2].map(status), ["\"no_trim\"", "\"ok\"", "\"invalid\""]);
@@ -251,6 +257,9 @@ fn what_is_wrong_with_a_sweep_file_is_shown_with_its_lines_before_the_work() {
     let vary = |name: &str, rest: &str| format!("{trim}[[vary]]\nname = \"{name}\"\n{rest}\n");
     let linear = format!("modes = 2\n{}[[keep]]\nmatrix = \"B\"\n", run_of("linearise"));
     let fly = |run: &str| format!("modes = 2\n{}{run}\n{keep}reduce = \"max\"\n", run_of("simulate"));
+    let gust = |top: &str, run: &str, rest: &str| {
+        format!("modes = 2\n{top}\n{}{run}\n{keep}reduce = \"max\"\n{rest}", run_of("gust"))
+    };
     for (rest, expected) in [
         (
             vary("airsped", "values = [1]"),
@@ -306,6 +315,34 @@ fn what_is_wrong_with_a_sweep_file_is_shown_with_its_lines_before_the_work() {
         (
             format!("{linear}row = \"rate.q\"\ncolumn = \"elevator\"\n"),
             &["keep[1]: found `rate.q` as a row of B", "did you mean `rate.x`?"],
+        ),
+        (
+            // At none of the points, whatever the number of states; the first of them has no trim.
+            format!(
+                "modes = 2\nset.model = \"rigid\"\n{}[[keep]]\nroot = 20\n[[vary]]\nname = \"airspeed\"\nvalues = [1, 127]\n\
+                 [[vary]]\nname = \"inflow_states\"\nvalues = [0]\n",
+                run_of("linearise")
+            ),
+            &["keep[1].root: found the root 20", "allowed is 1 to 9, the states of the linear model"],
+        ),
+        (
+            gust("", "duration = 2", "[set]\ngust.start = 2\n"),
+            &[
+                "set.gust.start: found a gust that begins at 2 s",
+                "allowed is before the end of the flight, at 2 s",
+            ],
+        ),
+        (
+            gust("", "duration = 1", ""),
+            &["run: found a flight of 1 s, but the gust begins at 1 s (`gust.start`)", "allowed is a longer"],
+        ),
+        (
+            gust("", "duration = 2", "[[vary]]\nname = \"gust.start\"\nvalues = [1, 3]\n"),
+            &["vary[1].name: found a gust that begins at 3 s"],
+        ),
+        (
+            gust("samples = 2", "duration = 2", "[[vary]]\nname = \"gust.start\"\nuniform = [1, 2.5]\n"),
+            &["vary[1].name: found a gust that begins at 2.5 s"],
         ),
     ] {
         let folder = sweep("aircraft/generic-business-jet.toml", &rest);

@@ -7,7 +7,8 @@
     flexair.package("my-aircraft.toml", output="my-aircraft.fmu")
 
 An aircraft is the path of a file or a name of `flexair.aircraft()`. Functions do what the commands of the same names do, and
-raise `flexair.Error` with the message of the command. Other threads run meanwhile; Ctrl-C ends a call.
+raise `flexair.Error` with the message of the command; a truth value for a number, or nothing where something is needed, is a `TypeError`
+or `ValueError` too. Other threads run meanwhile; Ctrl-C ends a call.
 """
 
 from ._calls import aircraft, describe, flutter, gust, linearise, package, root_locus, simulate, trim, turbulence

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal, Union
@@ -11,7 +10,7 @@ from typing import Any, Literal, Union
 import numpy.typing as npt
 
 from . import _native
-from ._arguments import File, Number, Numbers, Parameters, options, table
+from ._arguments import File, Number, Numbers, Parameters, options, path, table
 from ._data import DATA
 from ._results import (
     Crossing,
@@ -31,11 +30,11 @@ JET = "generic-business-jet"
 
 
 def _call(
-    command: str, written: list[str], positional: Sequence[File], progress: bool, rows: bytes | None = None
+    command: str, written: list[str], positional: Mapping[str, File], progress: bool, rows: bytes | None = None
 ) -> dict[str, Any]:
     arguments = [command, *written]
     if positional:
-        arguments += ["--", *(os.fspath(path) for path in positional)]
+        arguments += ["--", *(path(argument, given) for argument, given in positional.items())]
     return _native.call(arguments, rows, DATA, progress)
 
 
@@ -71,7 +70,7 @@ def package(
         binary=binary,
         no_check=not check,
     )
-    answer = _call("package", written, [], progress)
+    answer = _call("package", written, {}, progress)
     return Packaged(Path(answer["path"]), int(answer["size"]), answer["flight"])
 
 
@@ -112,7 +111,7 @@ def trim(
         load_modes=load_modes,
         set=parameters,
     )
-    return Trims(**_call("trim", written, [aircraft], progress))
+    return Trims(**_call("trim", written, {"aircraft": aircraft}, progress))
 
 
 def describe(
@@ -124,7 +123,7 @@ def describe(
 ) -> dict[str, Any]:
     """What an aircraft file describes: mass, balance, static margin, natural modes, and what is unusual, as the command writes it in JSON."""
     written = options(modes=modes, load_modes=load_modes, set=parameters)
-    return dict(json.loads(_call("describe", written, [aircraft], progress=False)["json"]))
+    return dict(json.loads(_call("describe", written, {"aircraft": aircraft}, progress=False)["json"]))
 
 
 def linearise(
@@ -152,7 +151,7 @@ def linearise(
         load_modes=load_modes,
         set=parameters,
     )
-    answer = _call("linearise", written, [aircraft], progress=False)
+    answer = _call("linearise", written, {"aircraft": aircraft}, progress=False)
     found = answer.pop("modes")
     found["eigenvalues"] = found["eigenvalues"].ravel()
     if "error_bound" in answer:
@@ -172,7 +171,7 @@ def root_locus(
 ) -> RootLocus:
     """The modes of an aircraft by their names, followed over airspeeds (m/s)."""
     written = options(speed=speed, inflow=inflow, modes=modes, load_modes=load_modes, set=parameters)
-    answer = _call("linearise", written, [aircraft], progress)
+    answer = _call("linearise", written, {"aircraft": aircraft}, progress)
     answer["eigenvalue"] = answer["eigenvalue"].ravel()
     return RootLocus(**answer)
 
@@ -194,16 +193,16 @@ def simulate(
     are built in, such as {"elevator": "2311:-0.05@1:0.7"}; or the file of a table. Without a table it flies for `duration` (10 s),
     and every `step` (0.01 s) is a row.
     """
-    positional: list[File] = []
+    positional: dict[str, File] = {}
     shapes: dict[str, str] = {}
     rows = None
     if isinstance(inputs, Mapping):
         shapes = {name: given for name, given in inputs.items() if isinstance(given, str)}
         arrays = {name: given for name, given in inputs.items() if not isinstance(given, str)}
         if arrays:
-            rows, positional = table(arrays), ["inputs"]
+            rows, positional = table(arrays), {"inputs": "inputs"}
     elif inputs is not None:
-        positional = [inputs]
+        positional = {"inputs": inputs}
     written = options(
         aircraft=aircraft,
         input=shapes,
@@ -254,7 +253,7 @@ def gust(
         load_modes=load_modes,
         set=parameters,
     )
-    return Gusts(**_call("gust", written, [aircraft], progress))
+    return Gusts(**_call("gust", written, {"aircraft": aircraft}, progress))
 
 
 def turbulence(
@@ -270,7 +269,7 @@ def turbulence(
 ) -> Turbulence:
     """What continuous turbulence does to an aircraft, by its linear model: root mean squares, and limits by CS 25.341(b).
 
-    `direction` is degrees, 0 upwards, 90 to the right; spectrum and scale are `parameters` (turbulence.spectrum, turbulence.scale).
+    `direction` is degrees, 0 upwards, 90 to the right, and from 0 to less than 180 in the result: opposite ones are one; spectrum and scale are `parameters` (turbulence.spectrum, turbulence.scale).
     """
     written = options(
         continuous=True,
@@ -282,7 +281,7 @@ def turbulence(
         load_modes=load_modes,
         set=parameters,
     )
-    return Turbulence(**_call("gust", written, [aircraft], progress=False))
+    return Turbulence(**_call("gust", written, {"aircraft": aircraft}, progress=False))
 
 
 def flutter(
@@ -315,7 +314,7 @@ def flutter(
         modes=modes,
         load_modes=load_modes,
     )
-    answer = _call("flutter", written, [aircraft], progress)
+    answer = _call("flutter", written, {"aircraft": aircraft}, progress)
     found = answer.pop("crossings")
     names = list(found)
     values = zip(*(column if isinstance(column, list) else column.tolist() for column in found.values()))

@@ -79,6 +79,8 @@ class RootLocus:
     airspeed: Array
     #: Names, followed over airspeed.
     mode: list[str]
+    #: "symmetric", "antisymmetric", or nothing where a mode is both.
+    family: list[str]
     #: 1/s; of a pair the upper one.
     eigenvalue: npt.NDArray[np.complex128]
     quasi_steady: npt.NDArray[np.bool_]
@@ -168,6 +170,8 @@ class Turbulence:
     #: Limits: the trim less and more U_sigma times the root mean square.
     least: Array
     greatest: Array
+    #: Of what makes the numbers doubtful: a trim beyond a limit, an unstable aircraft, sums that are not exact.
+    warnings: list[str]
 
 
 @dataclass(frozen=True)

@@ -5,15 +5,13 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use flexible_aircraft::air::{GustSettings, Spectrum, TurbulenceSettings};
-use flexible_aircraft::flight::{Settings, SimulationError};
-use flexible_aircraft::plant::EigenvaluesNotFound;
+use flexible_aircraft::flight::{Settings, Simulation, SimulationError};
+use flexible_aircraft::plant::{EigenvaluesNotFound, LimitExceeded};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::{HarmonicGusts, InTurbulence};
 
 use super::Written;
 use crate::answer::Answer;
-use crate::diagnostics;
-use crate::flown::trimmed;
 use crate::numbers::{Plain, fixed, short};
 use crate::watched::Watched;
 
@@ -48,6 +46,8 @@ pub struct Found {
     /// U_σ, m/s of true airspeed.
     velocity: f64,
     directions: Vec<Direction>,
+    /// Of what makes the numbers doubtful.
+    pub warnings: Vec<String>,
     /// That it took.
     seconds: f64,
 }
@@ -89,7 +89,7 @@ impl Found {
             turbulence: TurbulenceSettings::default(),
             ..settings.clone()
         };
-        trimmed(&model, &calm, 0.0)?;
+        let beyond = beyond_limits(&model, &calm)?;
         let began = Instant::now();
         let gusts = HarmonicGusts::new(Arc::clone(&model), &calm)?;
         let linear = gusts.linear_model();
@@ -102,19 +102,18 @@ impl Found {
             let outputs = gusts.in_turbulence(degrees.to_radians(), &turbulence, &places)?;
             Ok(Direction { degrees, outputs })
         };
-        let directions = directions.iter().map(in_direction).collect::<Result<_, Error>>()?;
-        let found = Found {
+        let directions = directions.iter().map(in_direction).collect::<Result<Vec<Direction>, Error>>()?;
+        Ok(Found {
             watched,
             trim: places.iter().map(|&place| linear.y0[place]).collect(),
             turbulence,
             velocity: settings.gust.turbulence_velocity(settings.plant.altitude),
+            warnings: beyond.into_iter().chain(inexact(&directions)).chain(unstable(&directions)).collect(),
             directions,
             seconds: began.elapsed().as_secs_f64(),
             model,
             settings,
-        };
-        found.warn();
-        Ok(found)
+        })
     }
 
     /// What is printed, and the files.
@@ -153,6 +152,7 @@ impl Found {
             ("velocity", Answer::Number(self.velocity)),
             ("least", of_outputs(|row| row.limits[0])),
             ("greatest", of_outputs(|row| row.limits[1])),
+            ("warnings", Answer::Texts(self.warnings.clone())),
         ])
     }
 
@@ -166,28 +166,6 @@ impl Found {
         })
     }
 
-    /// By which part of it any Ā was moved at most when the steps of the frequencies were last halved.
-    fn moved(&self) -> f64 {
-        self.directions.iter().map(|direction| direction.outputs.moved).fold(0.0, f64::max)
-    }
-
-    /// Of what makes the numbers doubtful.
-    fn warn(&self) {
-        if self.moved() > INEXACT {
-            diagnostics::warn(&format!(
-                "the last halving of the steps of the frequencies moved a rms by {} of it: a root is hardly damped",
-                short(self.moved())
-            ));
-        }
-        let unstable = self.directions.first().and_then(|direction| direction.outputs.unstable.first());
-        if let Some(root) = unstable {
-            let root = format!("{} ± {}i", fixed(root.re, 5), fixed(root.im, 5));
-            diagnostics::warn(&format!(
-                "the aircraft is unstable, with a root at {root} 1/s: in turbulence no motion lasts, and A-bar is a number without meaning"
-            ));
-        }
-    }
-
     /// The spectrum for people.
     fn spectrum(&self) -> String {
         let name = match self.turbulence.spectrum {
@@ -196,5 +174,50 @@ impl Found {
             Spectrum::VonKarman => "von Kármán's",
         };
         format!("{name} spectrum, scale {} m", Plain(self.turbulence.length()))
+    }
+}
+
+/// A warning where the trim is beyond what the aircraft is flown within.
+fn beyond_limits(model: &Arc<ReducedModel>, settings: &Settings) -> Result<Option<String>, SimulationError> {
+    let trimmed = Simulation::new(Arc::clone(model), settings, 0.0)?;
+    Ok(LimitExceeded::warning(trimmed.limits_exceeded(), model, &settings.plant))
+}
+
+/// A warning where the steps of the frequencies are too long.
+fn inexact(directions: &[Direction]) -> Option<String> {
+    let moved = directions.iter().map(|direction| direction.outputs.moved).fold(0.0, f64::max);
+    (moved > INEXACT).then(|| {
+        format!(
+            "the last halving of the steps of the frequencies moved a rms by {} of it: a root is hardly damped",
+            short(moved)
+        )
+    })
+}
+
+/// A warning where the aircraft is unstable, in whichever direction.
+fn unstable(directions: &[Direction]) -> Option<String> {
+    let root = directions.first()?.outputs.unstable.first()?;
+    Some(format!(
+        "the aircraft is unstable, with a root at {} ± {}i 1/s: in turbulence no motion lasts, and A-bar is a number without meaning",
+        fixed(root.re, 5),
+        fixed(root.im, 5)
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_that_halving_still_moves_are_warned_of_in_any_direction() {
+        let direction = |moved: f64| {
+            let outputs =
+                InTurbulence { frequencies: Vec::new(), outputs: Vec::new(), moved, unstable: Vec::new() };
+            Direction { degrees: 0.0, outputs }
+        };
+        assert_eq!(inexact(&[direction(2e-4), direction(1e-3)]), None);
+        let warning = inexact(&[direction(1e-4), direction(0.02)]).unwrap();
+        assert!(warning.contains("moved a rms by 0.02 of it"), "{warning}");
+        assert_eq!(unstable(&[direction(0.0)]), None);
     }
 }

@@ -36,12 +36,22 @@ pub fn json(model: &ReducedModel, found: &Found) -> String {
         };
         found.rows(direction).map(row).collect()
     };
-    let direction = |direction: &Direction| json!({ "direction_deg": direction.degrees, "moved": direction.outputs.moved, "outputs": rows(direction) });
+    let direction = |direction: &Direction| {
+        let frequencies = &direction.outputs.frequencies;
+        json!({
+            "direction_deg": direction.degrees,
+            "frequencies": frequencies.len(),
+            "frequency_range_rad_s": [frequencies.first(), frequencies.last()],
+            "moved": direction.outputs.moved,
+            "outputs": rows(direction),
+        })
+    };
     let all = json!({
         "aircraft": model.name,
         "spectrum": found.spectrum(),
         "scale_m": found.turbulence.length(),
         "u_sigma_m_s": found.velocity,
+        "warnings": found.warnings,
         "directions": found.directions.iter().map(direction).collect::<Vec<_>>(),
     });
     format!("{all:#}\n")

@@ -67,11 +67,20 @@ fn a_part_is_read_back_as_it_was_with_nothing_where_there_was_nothing() {
 fn a_part_is_counted_by_how_points_came_out_and_one_that_is_not_whole_is_refused() {
     let bytes = format().bytes(&rows()).unwrap();
     let (_folder, path) = written(&bytes);
-    assert_eq!(tally(&path, 3).unwrap(), [2, 1, 0, 0]);
-    assert!(tally(&path, 4).unwrap_err().to_string().contains("found 3 points, expected 4; delete it"));
+    let found = Outcomes::read(&path, &(3..6)).unwrap();
+    assert_eq!(
+        (found.tally, found.first_failure.clone()),
+        ([2, 1, 0, 0], Some((4, "no trim, ä".to_owned())))
+    );
+    assert_eq!(found, Outcomes::of(&rows()));
+    let mut all = Outcomes { tally: [0, 0, 0, 1], first_failure: Some((1000, "invalid".to_owned())) };
+    all.add(found.clone());
+    assert_eq!((all.tally, all.first_failure), ([2, 1, 0, 1], found.first_failure));
+    let other = Outcomes::read(&path, &(0..4)).unwrap_err().to_string();
+    assert!(other.contains("found 3 points, expected 4; delete it"), "{other}");
     for broken in [&bytes[..bytes.len() - 10], b"", b"PAR1"] {
         let (_folder, path) = written(broken);
-        let refused = tally(&path, 3).unwrap_err().to_string();
+        let refused = Outcomes::read(&path, &(3..6)).unwrap_err().to_string();
         assert!(refused.contains("part-00000.parquet: ") && refused.contains("delete it"), "{refused}");
     }
 }
