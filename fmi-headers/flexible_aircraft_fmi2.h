@@ -46,7 +46,7 @@ typedef struct {
     fmi2ComponentEnvironment componentEnvironment;
 } fmi2CallbackFunctions;
 
-/* Of model exchange; never filled in. */
+/* Of model exchange: no event is ever ahead. */
 typedef struct {
     fmi2Boolean newDiscreteStatesNeeded;
     fmi2Boolean terminateSimulation;
@@ -79,7 +79,7 @@ fmi2Status fmi2DoStep(fmi2Component instance, fmi2Real current_communication_poi
 fmi2Status fmi2Terminate(fmi2Component instance);
 fmi2Status fmi2Reset(fmi2Component instance);
 
-/* Values; there are no Booleans and no Strings. */
+/* Values; there are no Strings. */
 fmi2Status fmi2GetReal(fmi2Component instance, const fmi2ValueReference references[], size_t count, fmi2Real values[]);
 fmi2Status fmi2GetInteger(fmi2Component instance, const fmi2ValueReference references[], size_t count,
                           fmi2Integer values[]);
@@ -96,7 +96,7 @@ fmi2Status fmi2SetBoolean(fmi2Component instance, const fmi2ValueReference refer
 fmi2Status fmi2SetString(fmi2Component instance, const fmi2ValueReference references[], size_t count,
                          const fmi2String values[]);
 
-/* Derivatives; those of outputs and directional ones are refused. */
+/* Derivatives; those of outputs by time are refused. */
 fmi2Status fmi2SetRealInputDerivatives(fmi2Component instance, const fmi2ValueReference references[], size_t count,
                                        const fmi2Integer orders[], const fmi2Real values[]);
 fmi2Status fmi2GetRealOutputDerivatives(fmi2Component instance, const fmi2ValueReference references[], size_t count,
@@ -121,7 +121,7 @@ fmi2Status fmi2GetIntegerStatus(fmi2Component instance, const fmi2StatusKind kin
 fmi2Status fmi2GetBooleanStatus(fmi2Component instance, const fmi2StatusKind kind, fmi2Boolean *value);
 fmi2Status fmi2GetStringStatus(fmi2Component instance, const fmi2StatusKind kind, fmi2String *value);
 
-/* Model exchange: there to be found, always refused. */
+/* Model exchange; refused by an FMU for co-simulation. */
 fmi2Status fmi2EnterEventMode(fmi2Component instance);
 fmi2Status fmi2NewDiscreteStates(fmi2Component instance, fmi2EventInfo *event_info);
 fmi2Status fmi2EnterContinuousTimeMode(fmi2Component instance);

@@ -26,5 +26,5 @@ if [ $# -gt 0 ]; then shift; fi # the `--`
 choose_platforms "${wanted[@]}"
 prepare_zig
 build_libraries
-cargo run --locked --release --quiet -- package --output "$work/FlexibleAircraft.fmu" \
+cargo run --locked --release --quiet -- package --output "$work" \
     "${libraries[@]/#/--binary=}" "$@"

@@ -1,4 +1,4 @@
-//! Nonlinear flight dynamics of a flexible aircraft, exported as an FMI 2.0 co-simulation unit.
+//! Nonlinear flight dynamics of a flexible aircraft, exported as a unit of FMI 2.0 and 3.0, for co-simulation and model exchange.
 //!
 //! The science is B. C. B. Tse, *Effects of Inertial and Geometric Nonlinearities in the Simulation of
 //! Flexible Aircraft Dynamics*, MASc thesis, University of Toronto, 2013; its equations, as corrected and
@@ -52,7 +52,7 @@
 //! | [`variables`] | `ReducedModel` | the table of FMI variables |
 //! | [`Flight`], [`LinearModel`], [`flight_modes`], [`HarmonicGusts`] | `ReducedModel` | a flight, a linear model, its modes, and what gusts do to it, by the names of variables |
 //! | `fmi` | everything above | an FMU without its C: instance, life cycle, saved states, model description (feature `fmi`) |
-//! | `fmi2` | `fmi` | the C ABI of FMI 2.0 (feature `fmi`) |
+//! | `fmi2`, `fmi3` | `fmi` | the C ABI of FMI 2.0 and 3.0 (feature `fmi`) |
 //!
 //! [`math`], [`air`], [`kinematics`], [`strips`], [`equations`] and [`symmetry`] are the inside: open to those who compare or time
 //! parts of the method; a flight, a trim or a linear model needs none of their functions.
@@ -71,6 +71,8 @@ pub mod flight;
 pub mod fmi;
 #[cfg(feature = "fmi")]
 pub mod fmi2;
+#[cfg(feature = "fmi")]
+pub mod fmi3;
 pub mod kinematics;
 pub mod math;
 pub mod plant;

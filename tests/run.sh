@@ -18,7 +18,8 @@ cargo test --workspace --doc --profile checked
 # With the packages that the tests above had, so that nothing is compiled anew.
 cargo build --workspace --examples --profile checked
 
-cargo run --release --quiet -- package --no-check --output "$target/fmu/FlexibleAircraft.fmu"
+# One archive for each version of FMI and each kind.
+cargo run --release --quiet -- package --no-check --fmi 2 --fmi 3 --kind co-simulation --kind model-exchange --output "$target/fmu"
 
 # An environment with the packages of a file; it is made anew when the pinned versions change.
 python_of() {

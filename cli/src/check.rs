@@ -4,27 +4,35 @@
 //! A free aircraft flies the elevator 2-3-1-1 [theory: thesis-runs.inputs] by whichever control it has for pitch. One that is
 //! clamped in a wind tunnel may have no control and bends all the same when the wind does: a vertical gust goes up and down
 //! past it.
+//!
+//! For model exchange it is only the beginning of that, which this program integrates.
+
+mod motion;
+#[cfg(test)]
+mod tests;
+mod trim;
 
 use std::fmt;
 use std::ops::RangeInclusive;
 use std::time::{Duration, Instant};
 
 use flexible_aircraft::aircraft::{Aircraft, Control, Support, TrimRole};
+use flexible_aircraft::fmi::Kind;
 use flexible_aircraft_packaging::FmuError;
-use flexible_aircraft_packaging::c_abi::{Fmu, Instance};
+use flexible_aircraft_packaging::c_abi::Fmu;
 
 use crate::diagnostics;
 use crate::manoeuvre::Manoeuvre;
+use motion::{Motion, Moved, STEP};
+use trim::{Trim, with_role};
 
 /// Time constant of the actuator, s.
 const LAG: f64 = 0.05;
-/// Communication step, s, and their number.
-const STEP: f64 = 0.01;
-const STEPS: u32 = 1500;
 
 /// What the flight showed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CheckFlight {
+    kind: Kind,
     support: Support,
     /// What moved the aircraft.
     input: String,
@@ -35,35 +43,6 @@ pub struct CheckFlight {
     load_factor: RangeInclusive<f64>,
     /// Spent in setting inputs, stepping and getting outputs.
     computing: Duration,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-struct Trim {
-    angles: Vec<TrimAngle>,
-    along: Along,
-}
-
-/// An angle of a trim.
-#[derive(Clone, Debug, PartialEq)]
-struct TrimAngle {
-    /// For people.
-    name: String,
-    /// rad.
-    angle: f64,
-    /// Whether it is told though it is 0.
-    is_in_plane: bool,
-}
-
-/// Smaller angles, rad, would be told as 0.
-const NO_ANGLE: f64 = 5e-6;
-
-/// What balances an aircraft along its path.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Along {
-    /// N per engine.
-    Thrust(f64),
-    /// The path of a glider, rad above the horizon.
-    ClimbAngle(f64),
 }
 
 /// The largest deflection of any station, up or down.
@@ -79,8 +58,10 @@ struct PeakDeflection {
 }
 
 impl CheckFlight {
-    /// s.
-    pub const DURATION: f64 = STEP * STEPS as f64;
+    /// How long one is, s.
+    pub fn duration(kind: Kind) -> f64 {
+        STEP * f64::from(steps(kind))
+    }
 
     /// Flies a new instance of the FMU of an aircraft with the default parameters.
     ///
@@ -88,8 +69,9 @@ impl CheckFlight {
     /// When the FMU refuses a call.
     pub fn fly(fmu: &Fmu, aircraft: &Aircraft) -> Result<Self, FmuError> {
         let (support, controls) = (aircraft.support, &aircraft.controls);
-        let (moved, manoeuvre) = excitation(support, controls);
-        let input = [fmu.variable(moved)?];
+        let kind = fmu.interface().kind;
+        let (name, manoeuvre) = excitation(kind, support, controls);
+        let moved = Moved { input: fmu.variable(name)?, manoeuvre };
         let stations: Vec<&str> = fmu.variable_names().filter_map(station).collect();
         let mut watched = fmu.variables(&["attitude.pitch", "load_factor.z"])?;
         for station in &stations {
@@ -99,27 +81,27 @@ impl CheckFlight {
         let mut aircraft = fmu.instantiate("check")?;
         aircraft.initialise(0.0, None)?;
         for line in aircraft.take_log().lines() {
-            if let Some(warning) = line.strip_prefix("[logStatusWarning] fmi2ExitInitializationMode: ") {
+            if let Some(warning) = warning_of_trim(line) {
                 diagnostics::warn(warning);
             }
         }
         let trim = Trim::read(fmu, &mut aircraft, controls)?;
-        let mut history = vec![vec![0.0; watched.len()]; STEPS as usize + 1];
+        let mut history = vec![vec![0.0; watched.len()]; steps(kind) as usize + 1];
         aircraft.get_real(&watched, &mut history[0])?;
 
         let beginning = Instant::now();
-        for (step, outputs) in (0..STEPS).zip(&mut history[1..]) {
-            let time = f64::from(step) * STEP;
-            aircraft.set_real(&input, &[manoeuvre.value(time)])?;
-            aircraft.do_step(time, STEP)?;
+        let mut motion = Motion::of(kind, &mut aircraft)?;
+        for (step, outputs) in (0..steps(kind)).zip(&mut history[1..]) {
+            motion.advance(&mut aircraft, &moved, f64::from(step) * STEP)?;
             aircraft.get_real(&watched, outputs)?;
         }
         let computing = beginning.elapsed();
         aircraft.terminate()?;
 
         Ok(CheckFlight {
+            kind,
             support,
-            input: moved.to_owned(),
+            input: name.to_owned(),
             trim,
             deflection: peak_deflection(&stations, &history),
             pitch: range(history.iter().map(|outputs| outputs[0])),
@@ -129,62 +111,32 @@ impl CheckFlight {
     }
 }
 
-impl Trim {
-    fn read(fmu: &Fmu, aircraft: &mut Instance<'_>, controls: &[Control]) -> Result<Self, FmuError> {
-        let has = |wanted: &str| fmu.variable_names().any(|name| name == wanted);
-        let value = |name: &str| {
-            let mut value = [0.0];
-            aircraft.get_real(&[fmu.variable(name)?], &mut value).map(|()| value[0])
-        };
-        let with_role = |role| with_role(controls, role).map(|name| (name, name, role == TrimRole::Pitch));
-        let outputs = [
-            Some(("pitch", "pitch", true)),
-            with_role(TrimRole::Pitch),
-            Some(("roll", "bank angle", false)),
-            Some(("beta", "sideslip", false)),
-            with_role(TrimRole::Roll),
-            with_role(TrimRole::Yaw),
-        ];
-        let angles = outputs.into_iter().flatten().map(|(output, name, is_in_plane)| {
-            let angle = value(&format!("trim.{output}"))?;
-            Ok(TrimAngle { name: name.to_owned(), angle, is_in_plane })
-        });
-        let angles = angles.collect::<Result<_, FmuError>>()?;
-        let along = if has("trim.climb_angle") {
-            Along::ClimbAngle(value("trim.climb_angle")?)
-        } else {
-            Along::Thrust(value("trim.thrust")?)
-        };
-        Ok(Trim { angles, along })
+/// How often the outputs are looked at.
+fn steps(kind: Kind) -> u32 {
+    match kind {
+        Kind::CoSimulation => 1500,
+        Kind::ModelExchange => 100,
     }
 }
 
-impl fmt::Display for Trim {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let angle = |f: &mut fmt::Formatter<'_>, name: &str, angle: f64| {
-            writeln!(f, "  {name:<15} {:8.3}° ({angle:.5} rad)", angle.to_degrees())
-        };
-        for told in self.angles.iter().filter(|told| told.is_in_plane || told.angle.abs() >= NO_ANGLE) {
-            angle(f, &told.name, told.angle)?;
-        }
-        match self.along {
-            Along::Thrust(thrust) => writeln!(f, "  thrust          {thrust:8.0} N per engine"),
-            Along::ClimbAngle(climb) => angle(f, "climb angle", climb),
-        }
-    }
+/// What a line of the log warns of the trim.
+fn warning_of_trim(line: &str) -> Option<&str> {
+    let said = line.strip_prefix("[logStatusWarning] ")?;
+    ["fmi2", "fmi3"].iter().find_map(|version| {
+        said.strip_prefix(version).and_then(|said| said.strip_prefix("ExitInitializationMode: "))
+    })
 }
 
-/// The control with a role, by its name.
-fn with_role(controls: &[Control], role: TrimRole) -> Option<&str> {
-    controls.iter().find(|control| control.role == Some(role)).map(|control| control.name.as_str())
-}
-
-/// The input that moves the aircraft, and how.
-fn excitation(support: Support, controls: &[Control]) -> (&str, Manoeuvre) {
+/// The input that moves the aircraft, and how; soon in a short flight.
+fn excitation(kind: Kind, support: Support, controls: &[Control]) -> (&str, Manoeuvre) {
+    let start = match kind {
+        Kind::CoSimulation => 1.0,
+        Kind::ModelExchange => 0.1,
+    };
     match (support, with_role(controls, TrimRole::Pitch)) {
         // Of an elevator that is positive nose-down, nose-up first.
-        (Support::Free, Some(control)) => (control, Manoeuvre::two_three_one_one(-0.05, 0.7, 1.0, LAG)),
-        _ => ("wind_down", Manoeuvre::doublet(-1.0, 2.0, 1.0, LAG)),
+        (Support::Free, Some(control)) => (control, Manoeuvre::two_three_one_one(-0.05, 0.7, start, LAG)),
+        _ => ("wind_down", Manoeuvre::doublet(-1.0, 2.0, start, LAG)),
     }
 }
 
@@ -224,16 +176,20 @@ fn range(values: impl Iterator<Item = f64>) -> RangeInclusive<f64> {
 
 impl fmt::Display for CheckFlight {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let duration = Self::DURATION;
+        let duration = Self::duration(self.kind);
+        let part = match self.kind {
+            Kind::CoSimulation => "",
+            Kind::ModelExchange => "the first ",
+        };
         match self.support {
             Support::Free => {
                 write!(f, "Trimmed:\n{}", self.trim)?;
-                writeln!(f, "2-3-1-1 of 0.05 rad of {}, {duration} s:", self.input)?;
+                writeln!(f, "2-3-1-1 of 0.05 rad of {}, {part}{duration} s:", self.input)?;
             }
             Support::Clamped => {
                 writeln!(
                     f,
-                    "Clamped in a wind tunnel, vertical gust of 1 m/s, 2 s up, 2 s down, {duration} s:"
+                    "Clamped in a wind tunnel, vertical gust of 1 m/s, 2 s up, 2 s down, {part}{duration} s:"
                 )?;
             }
         }
@@ -252,130 +208,14 @@ impl fmt::Display for CheckFlight {
             )?;
         }
         let seconds = self.computing.as_secs_f64();
-        write!(f, "  computed in     {seconds:8.3} s: {:.0} times faster than real time", duration / seconds)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::path::Path;
-
-    use flexible_aircraft_packaging::{Licences, Package, Platform};
-
-    use super::*;
-
-    /// The check flight of the generic business jet, free or clamped, with the library that cargo built
-    /// beside this test.
-    fn jet(support: Support) -> CheckFlight {
-        let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let folder = tempfile::tempdir().unwrap();
-        let [aircraft, fmu] = ["aircraft.toml", "aircraft.fmu"].map(|name| folder.path().join(name));
-        let text = std::fs::read_to_string(workspace.join("aircraft/generic-business-jet.toml")).unwrap();
-        let text = match support {
-            Support::Free => text,
-            Support::Clamped => text.replace("support = \"free\"", "support = \"clamped\""),
-        };
-        std::fs::write(&aircraft, text).unwrap();
-        let read = Aircraft::read(&aircraft).unwrap();
-        let name =
-            format!("{}flexible_aircraft{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
-        let library = std::env::current_exe().unwrap().with_file_name(name);
-        let binaries = vec![(Platform::host().unwrap(), library)];
-        Package {
-            aircraft,
-            mode_count: 12.into(),
-            load_modes: false,
-            starts: Vec::new(),
-            stations_along: Vec::new(),
-            binaries,
-            licences: Licences::Workspace(workspace),
+        match self.kind {
+            Kind::CoSimulation => {
+                let times = duration / seconds;
+                write!(f, "  computed in     {seconds:8.3} s: {times:.0} times faster than real time")
+            }
+            Kind::ModelExchange => {
+                write!(f, "  integrated in   {seconds:8.3} s, by Runge-Kutta steps of 1 ms")
+            }
         }
-        .write(&fmu)
-        .unwrap();
-        CheckFlight::fly(&Fmu::open(&fmu).unwrap(), &read).unwrap()
-    }
-
-    #[test]
-    fn a_free_aircraft_is_trimmed_and_answers_the_elevator() {
-        let flight = jet(Support::Free);
-        assert!(flight.load_factor.contains(&0.9) && flight.load_factor.contains(&1.05), "{flight:?}");
-        assert!(
-            flight.pitch.contains(&flight.trim.angles[0].angle)
-                && matches!(flight.trim.along, Along::Thrust(thrust) if thrust > 1e4)
-        );
-        let peak = flight.deflection.unwrap();
-        assert!(peak.station.starts_with("wing_tip") && peak.up > peak.trimmed + 0.01, "{peak:?}");
-    }
-
-    #[test]
-    fn a_trim_tells_what_is_out_of_symmetry_where_it_is() {
-        let told = |lateral: f64| {
-            let angles = [
-                ("pitch", 0.1, true),
-                ("elevator", -0.02, true),
-                ("bank angle", lateral, false),
-                ("sideslip", -lateral, false),
-                ("aileron", 2.0 * lateral, false),
-                ("rudder", -2.0 * lateral, false),
-            ];
-            let angles = angles.map(|(name, angle, is_in_plane)| TrimAngle {
-                name: name.to_owned(),
-                angle,
-                is_in_plane,
-            });
-            let angles = angles.to_vec();
-            Trim { angles, along: Along::ClimbAngle(-0.05) }.to_string()
-        };
-        assert_eq!(
-            told(0.01),
-            "  pitch              5.730° (0.10000 rad)\n  elevator          -1.146° (-0.02000 rad)\n  \
-             bank angle         0.573° (0.01000 rad)\n  sideslip          -0.573° (-0.01000 rad)\n  \
-             aileron            1.146° (0.02000 rad)\n  rudder            -1.146° (-0.02000 rad)\n  \
-             climb angle       -2.865° (-0.05000 rad)\n"
-        );
-        assert_eq!(told(0.0).lines().count(), 3);
-    }
-
-    #[test]
-    fn a_clamped_aircraft_holds_still_and_bends_in_the_gust() {
-        let flight = jet(Support::Clamped);
-        assert_eq!(flight.pitch.start(), flight.pitch.end());
-        let peak = flight.deflection.unwrap();
-        assert!((peak.up - peak.trimmed).abs() > 0.01 && peak.time > 1.0, "{peak:?}");
-    }
-
-    #[test]
-    fn the_largest_deflection_is_found_with_its_station_and_time() {
-        let history = [vec![0.1, 1.0, 0.5, 0.2], vec![0.1, 1.0, 0.7, -0.9], vec![0.1, 1.0, 0.6, 0.1]];
-        let peak = peak_deflection(&["wing_tip", "htail_tip"], &history).unwrap();
-        assert_eq!(peak, PeakDeflection { station: "htail_tip".into(), up: -0.9, trimmed: 0.2, time: 0.01 });
-    }
-
-    #[test]
-    fn without_modes_no_deflection_is_told() {
-        assert_eq!(peak_deflection(&["wing_tip"], &[vec![0.1, 1.0, 0.0], vec![0.1, 1.0, 0.0]]), None);
-    }
-
-    #[test]
-    fn a_downward_peak_is_called_so() {
-        let peak = PeakDeflection { station: "wing_tip".into(), up: -0.182, trimmed: 0.05, time: 3.5 };
-        let flight = CheckFlight {
-            support: Support::Clamped,
-            input: "wind_down".to_owned(),
-            trim: Trim { angles: Vec::new(), along: Along::Thrust(0.0) },
-            deflection: Some(peak),
-            pitch: 0.0..=0.0,
-            load_factor: 0.0..=0.0,
-            computing: Duration::from_secs(1),
-        };
-        let text = flight.to_string();
-        assert!(text.contains(" 0.182 m down at 3.50 s, wing_tip (0.050 m up at first)"), "{text}");
-    }
-
-    #[test]
-    fn only_upward_deflections_name_a_station() {
-        assert_eq!(station("deflection.wing_tip_right.up"), Some("wing_tip_right"));
-        assert_eq!(station("deflection.wing_tip_right.x"), None);
-        assert_eq!(station("position.north"), None);
     }
 }

@@ -103,6 +103,27 @@ impl Drafts {
         Ok(drafts)
     }
 
+    /// None yet.
+    pub fn none() -> Self {
+        Drafts(Vec::new())
+    }
+
+    /// One more, which is written already.
+    pub fn add(&mut self, draft: Draft) {
+        self.0.push(draft);
+    }
+
+    /// Puts all that are written into their places.
+    ///
+    /// # Errors
+    /// When one cannot be moved; what was there then stays.
+    pub fn keep_written(mut self) -> Result<(), FileError> {
+        while let Some(draft) = self.0.pop() {
+            draft.keep()?;
+        }
+        Ok(())
+    }
+
     /// Puts each content, in the order of the outputs, into its place, once all are written. Where there is none for the
     /// last outputs, what an earlier run has left there goes.
     ///
@@ -119,10 +140,7 @@ impl Drafts {
         for draft in self.0.drain(written..) {
             draft.clear()?;
         }
-        while let Some(draft) = self.0.pop() {
-            draft.keep()?;
-        }
-        Ok(())
+        self.keep_written()
     }
 }
 

@@ -28,6 +28,7 @@ mod flutter;
 mod gust;
 mod gust_flights;
 pub mod home;
+mod interfaces;
 mod limits;
 mod linearise;
 mod loads;
@@ -50,7 +51,7 @@ mod workspace;
 use diagnostics::Report as _;
 use home::Home;
 
-/// Nonlinear flight dynamics of flexible aircraft, packaged for simulation tools (FMI 2.0 co-simulation)
+/// Nonlinear flight dynamics of flexible aircraft, packaged for simulation tools (FMI 2.0 and 3.0)
 #[derive(Parser)]
 #[command(name = "flexair", version)]
 struct CommandLine {
@@ -60,7 +61,7 @@ struct CommandLine {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Write an aircraft as an FMU, and prove by a short flight that it works
+    /// Write an aircraft as an FMU or several, and prove by a short flight that it works
     Package(PackageOptions),
     /// Join FMUs of the same aircraft that were packaged for different platforms
     Merge(merge::MergeOptions),
@@ -115,9 +116,13 @@ struct PackageOptions {
     #[arg(long, value_name = "FILE", default_value_os_t = workspace::aircraft())]
     aircraft: PathBuf,
 
-    /// The FMU to write
-    #[arg(long, value_name = "FILE", default_value_os_t = workspace::fmu())]
-    output: PathBuf,
+    #[command(flatten)]
+    interfaces: interfaces::Interfaces,
+
+    /// The FMU to write, or a folder for several [default: FlexibleAircraft.fmu in the working directory, in a checkout in
+    /// target/fmu; with .fmi3 and .me in its name where it is of FMI 3.0 and for model exchange]
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
 
     /// How many natural modes to put into the FMU, lowest frequencies first; load modes are not counted. Of these fly as
     /// many as its parameter `mode_count` says, 12 unless it is set [default: 26, or all where there are fewer]

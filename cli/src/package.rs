@@ -4,17 +4,19 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use flexible_aircraft::aircraft::AircraftFileError;
+use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
+use flexible_aircraft::fmi::Interface;
 use flexible_aircraft::structure::{ModeCount, ReducedModel};
 use flexible_aircraft_packaging::c_abi::Fmu;
-use flexible_aircraft_packaging::{FileError, FmuError, Package, PackageError, Platform};
+use flexible_aircraft_packaging::{Draft, FileError, FmuError, Package, PackageError, Platform};
 
 use crate::answer::Answer;
 use crate::check::CheckFlight;
-use crate::files::{Overwriting, refuse_overwriting};
+use crate::files::{Drafts, Overwriting, refuse_overwriting};
 use crate::home::Home;
+use crate::interfaces::{OneFile, places};
 use crate::progress::Audience;
-use crate::{PackageOptions, diagnostics, terminal};
+use crate::{PackageOptions, diagnostics, terminal, workspace};
 
 /// Why `flexair package` did not succeed.
 #[derive(Debug, thiserror::Error)]
@@ -26,19 +28,22 @@ pub enum Error {
     #[error(transparent)]
     Overwriting(#[from] Overwriting),
     #[error(transparent)]
+    Output(#[from] OneFile),
+    #[error(transparent)]
     File(#[from] FileError),
-    #[error("FMI 2.0 has no name for this platform: give the library of another one with --binary")]
+    #[error("FMI has no name for this platform: give the library of another one with --binary")]
     NoPlatform,
     #[error("no shared libraries came with this program: looked for them in {}; give one with --binary", .0.display())]
     NoLibraries(PathBuf),
     #[error("cannot build the shared library: {0}")]
     Build(String),
-    #[error("the FMU does not fly and was not kept: {0}")]
-    Check(#[from] FmuError),
+    #[error("the FMU ({interface}) does not fly and was not kept: {source}")]
+    Check { interface: Interface, source: FmuError },
 }
 
-/// What was packaged.
+/// An archive that was written.
 struct Packaged {
+    interface: Interface,
     output: PathBuf,
     /// Bytes.
     size: u64,
@@ -48,34 +53,41 @@ struct Packaged {
 
 /// Builds, packages, and flies what came out.
 pub fn run(options: PackageOptions, home: &Home) -> Result<(), Error> {
-    let Packaged { output, size, flight } = package(options, home, &Audience::of_command())?;
-    terminal::print(&format!("{}: {:.1} MB\n", output.display(), size as f64 / 1e6))?;
-    if let Some(flight) = flight {
-        terminal::print(&format!("{flight}\n"))?;
+    for Packaged { output, size, flight, .. } in package(options, home, &Audience::of_command())? {
+        terminal::print(&format!("{}: {:.1} MB\n", output.display(), size as f64 / 1e6))?;
+        if let Some(flight) = flight {
+            terminal::print(&format!("{flight}\n"))?;
+        }
     }
     Ok(())
 }
 
 /// The same for a program.
 pub fn answer(options: PackageOptions, home: &Home, audience: &Audience) -> Result<Answer, Error> {
-    let Packaged { output, size, flight } = package(options, home, audience)?;
-    let flight = flight.map_or(String::new(), |flight| flight.to_string());
+    let packaged = package(options, home, audience)?;
+    let texts = |text: fn(&Packaged) -> String| Answer::Texts(packaged.iter().map(text).collect());
     Ok(Answer::named([
-        ("path", Answer::Text(output.to_string_lossy().into_owned())),
-        ("size", Answer::Number(size as f64)),
-        ("flight", Answer::Text(flight)),
+        ("interfaces", texts(|archive| archive.interface.to_string())),
+        ("paths", texts(|archive| archive.output.to_string_lossy().into_owned())),
+        ("sizes", Answer::Numbers(packaged.iter().map(|archive| archive.size as f64).collect())),
+        ("flights", texts(|archive| archive.flight.as_ref().map_or(String::new(), ToString::to_string))),
     ]))
 }
 
-fn package(options: PackageOptions, home: &Home, audience: &Audience) -> Result<Packaged, Error> {
+/// All archives that are asked for, or none.
+fn package(options: PackageOptions, home: &Home, audience: &Audience) -> Result<Vec<Packaged>, Error> {
     // Before the library is built: mistakes in the aircraft file and in the options should show at once.
-    let PackageOptions { aircraft: aircraft_file, output, .. } = options;
+    let interfaces = options.interfaces.asked();
+    let usual = home.output("package", &workspace::fmu());
+    let outputs = places(&interfaces, options.output.as_deref(), &usual)?;
     let libraries = options.binary.iter().map(|(_, library)| library.as_path());
-    refuse_overwriting(&[&output], libraries.chain([aircraft_file.as_path()]))?;
-    let aircraft = diagnostics::read_aircraft(&aircraft_file)?;
+    let paths: Vec<&Path> = outputs.iter().map(PathBuf::as_path).collect();
+    refuse_overwriting(&paths, libraries.chain([options.aircraft.as_path()]))?;
+    let aircraft = diagnostics::read_aircraft(&options.aircraft)?;
 
     let mut package = Package {
-        aircraft: aircraft_file,
+        interface: Interface::USUAL,
+        aircraft: options.aircraft,
         mode_count: ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES),
         load_modes: options.load_modes,
         starts: options.set,
@@ -83,22 +95,41 @@ fn package(options: PackageOptions, home: &Home, audience: &Audience) -> Result<
         binaries: options.binary,
         licences: home.licences(),
     };
-    let level = package.starts()?.plant.fidelity.name();
+    let reduction = package.reduce()?;
+    let mut level = "";
+    for &interface in &interfaces {
+        package.interface = interface;
+        level = package.starts(&reduction)?.plant.fidelity.name();
+    }
     add_libraries(&mut package.binaries, home, audience)?;
 
     let file = package.aircraft.display();
     audience.note(&format!("Packaging {} ({file}), which flies with model = {level}", aircraft.name));
-    // A good FMU is replaced only by one that flies.
-    let draft = package.draft(&output)?;
-    let flight = if options.no_check {
-        None
-    } else {
-        audience.note(&format!("Flying it for {} s", CheckFlight::DURATION));
-        Some(CheckFlight::fly(&Fmu::open(draft.path())?, &aircraft)?)
-    };
-    let size = draft.size();
-    draft.keep()?;
-    Ok(Packaged { output, size, flight })
+    // Good FMUs are replaced only by ones that fly.
+    let (mut drafts, mut packaged) = (Drafts::none(), Vec::new());
+    for (interface, output) in interfaces.into_iter().zip(outputs) {
+        package.interface = interface;
+        let draft = package.draft_of(&reduction, &output)?;
+        let flight = (!options.no_check).then(|| fly(&draft, interface, &aircraft, audience));
+        let flight = flight.transpose().map_err(|source| Error::Check { interface, source })?;
+        packaged.push(Packaged { interface, output, size: draft.size(), flight });
+        drafts.add(draft);
+    }
+    drafts.keep_written()?;
+    Ok(packaged)
+}
+
+/// Flies what has been written.
+fn fly(
+    draft: &Draft,
+    interface: Interface,
+    aircraft: &Aircraft,
+    audience: &Audience,
+) -> Result<CheckFlight, FmuError> {
+    let duration = CheckFlight::duration(interface.kind);
+    let what = if interface == Interface::USUAL { "it".to_owned() } else { format!("it as {interface}") };
+    audience.note(&format!("Flying {what} for {duration} s"));
+    CheckFlight::fly(&Fmu::open(draft.path())?, aircraft)
 }
 
 /// Adds the libraries of which none was given: in a checkout that of this machine, elsewhere those that came with the program.

@@ -23,7 +23,7 @@ pub struct SspOptions {
     #[arg(value_name = "AIRCRAFT.fmu")]
     aircraft: PathBuf,
 
-    /// A further FMU (FMI 2.0 co-simulation) and its name in the system. May be repeated
+    /// A further FMU (of FMI 2.0 or 3.0, for co-simulation or model exchange) and its name in the system. May be repeated
     #[arg(long, value_name = "NAME=FMU", value_parser = name_and_file)]
     component: Vec<(String, PathBuf)>,
 
@@ -43,11 +43,11 @@ pub struct SspOptions {
     #[arg(long, value_name = "SECONDS", default_value_t = 15.0)]
     stop_time: f64,
 
-    /// The SSP archive to write (System Structure and Parameterization 1.0)
+    /// The SSP archive to write (System Structure and Parameterization 1.0, or 2.0 where an FMU is of FMI 3.0)
     #[arg(short, long, value_name = "FILE.ssp", required_unless_present = "osp")]
     output: Option<PathBuf>,
 
-    /// The folder to write libcosim's own system structure and the FMUs to
+    /// The folder to write libcosim's own system structure and the FMUs to, which all have to be of FMI 2.0 for co-simulation
     #[arg(long, value_name = "DIR")]
     osp: Option<PathBuf>,
 }

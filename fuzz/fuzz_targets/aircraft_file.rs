@@ -10,7 +10,7 @@ use libfuzzer_sys::fuzz_target;
 /// Larger aircraft take too long to reduce for a fuzzer; they differ in nothing else.
 const BEAMS: usize = 24;
 
-fuzz_target!(init: support::seed("aircraft_file", support::WING.as_bytes()), |text: &str| {
+fuzz_target!(init: support::seed("aircraft_file", "seed", support::WING.as_bytes()), |text: &str| {
     match Aircraft::parse(text, "fuzzed.toml") {
         Ok(aircraft) if aircraft.beams.len() <= BEAMS => {
             if let Ok(model) = ReducedModel::new(&aircraft, 4) {

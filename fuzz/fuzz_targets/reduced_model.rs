@@ -14,7 +14,7 @@ const MAGIC: usize = 8;
 
 static WING: LazyLock<Vec<u8>> = LazyLock::new(|| support::wing().to_bytes());
 
-fuzz_target!(init: support::seed("reduced_model", &WING[HEADER..]), |payload: &[u8]| {
+fuzz_target!(init: support::seed("reduced_model", "seed", &WING[HEADER..]), |payload: &[u8]| {
     let mut bytes = WING[..MAGIC].to_vec();
     bytes.extend((payload.len() as u64).to_le_bytes());
     bytes.extend(support::hash(payload).to_le_bytes());

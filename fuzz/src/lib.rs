@@ -1,11 +1,13 @@
 //! What the targets share.
 
+pub mod functions;
+
 use std::path::Path;
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::{Aircraft, Fidelity};
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
-use flexible_aircraft::fmi::description;
+use flexible_aircraft::fmi::{Interface, description, starts};
 use flexible_aircraft::plant::PlantSettings;
 use flexible_aircraft::structure::ReducedModel;
 use twox_hash::XxHash3_128;
@@ -19,16 +21,19 @@ pub fn wing() -> ReducedModel {
 }
 
 /// Writes a file that a target begins with into its corpus.
-pub fn seed(target: &str, bytes: &[u8]) {
+pub fn seed(target: &str, name: &str, bytes: &[u8]) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus").join(target);
     std::fs::create_dir_all(&folder).unwrap();
-    std::fs::write(folder.join("seed"), bytes).unwrap();
+    std::fs::write(folder.join(name), bytes).unwrap();
 }
 
 /// Everything that an FMU does with a model that has been accepted, at its own level of fidelity and geometrically exactly.
 pub fn fly(model: ReducedModel) {
-    let description = description::write(&model);
-    assert!(description.contains(&description::guid(&model)));
+    for interface in Interface::ALL {
+        let starts = starts::usual(interface, &model);
+        let token = description::token(interface, &model, &starts);
+        assert!(description::write(interface, &model, &starts).contains(&token));
+    }
     let model = Arc::new(model);
     let own = PlantSettings { mode_count: model.natural_modes(), ..PlantSettings::of(&model) };
     let zero = Inputs::zero(&model);

@@ -1,25 +1,31 @@
-//! The calling side of the FMI 2.0 C interface: loads a packaged FMU as any importer does.
+//! The calling side of the C interfaces of FMI 2.0 and 3.0: loads a packaged FMU as any importer does.
 //!
 //! [`Fmu`] is the unpacked archive with its library, [`Instance`] one aircraft in it. The only `unsafe` code
-//! outside the FMU itself; everything public is safe to call as long as the library keeps to FMI 2.0.
+//! outside the FMU itself; everything public is safe to call as long as the library keeps to its version of FMI.
 
+mod exchange;
+mod fmi2;
+mod fmi3;
+mod functions;
 mod instance;
-mod interface;
+mod log;
+mod symbol;
 
-use std::ffi::CString;
-use std::path::Path;
-use std::ptr::NonNull;
+use std::ffi::{CString, c_void};
+use std::path::{Path, PathBuf};
+use std::ptr::{self, NonNull};
 use std::rc::Rc;
 
+use flexible_aircraft::fmi::{Interface, Kind};
 use libloading::Library;
 
+use functions::Functions;
 pub use instance::Instance;
-use interface::flexible_aircraft_importer_logger;
-use interface::{CO_SIMULATION, Callbacks, FALSE, Functions, Log, TRUE, calloc, drain, free};
+use log::{Log, drain, log_message};
 
 use crate::model_description::ModelDescription;
 use crate::temporary::TemporaryFolder;
-use crate::{FileError, FmuError, Platform};
+use crate::{FileError, FmuError, Platform, Processor};
 
 /// A value reference: the address of a variable.
 pub type ValueReference = u32;
@@ -52,11 +58,33 @@ impl Fmu {
         let xml = std::fs::read_to_string(directory.path().join("modelDescription.xml"))
             .map_err(|error| FmuError::ModelDescription(error.to_string()))?;
         let description = ModelDescription::parse(&xml).map_err(FmuError::ModelDescription)?;
-        let platform = Platform::host().ok_or(FmuError::NoPlatform)?;
-        let library = platform.library_path(&description.model_identifier);
+        let version = description.interface.version;
+        let platform = Platform::host().ok_or(FmuError::NoPlatform(version))?;
+        let library = platform.library_path(version, Processor::host(), &description.model_identifier);
         // SAFETY: loading runs the library's initialisers; that of an FMU is to be trusted like any program.
         let library = unsafe { Library::new(directory.path().join(library)) }?;
-        Ok(Fmu { description, functions: Functions::of(&library)?, _library: library, directory })
+        Ok(Fmu { description, functions: Functions::of(&library, version)?, _library: library, directory })
+    }
+
+    /// As [`open`](Self::open), of an FMU that importers take as one thing alone.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open), and when it is something else.
+    pub fn open_as(path: &Path, needed: Interface) -> Result<Self, FmuError> {
+        let fmu = Fmu::open(path)?;
+        let found = fmu.interface();
+        let path = path.to_owned();
+        if found == needed { Ok(fmu) } else { Err(FmuError::OtherInterface { path, found, needed }) }
+    }
+
+    /// What importers take it as.
+    pub fn interface(&self) -> Interface {
+        self.description.interface
+    }
+
+    /// How many states an importer of it integrates.
+    pub fn states(&self) -> usize {
+        self.description.states
     }
 
     /// The value reference of a variable.
@@ -81,46 +109,115 @@ impl Fmu {
         self.description.variables.iter().map(|variable| variable.name.as_str())
     }
 
-    /// A new instance for co-simulation, with logging on.
+    /// A new instance, with logging on.
     ///
     /// # Errors
     /// When the FMU refuses; the error carries its log.
     pub fn instantiate(&self, name: &str) -> Result<Instance<'_>, FmuError> {
-        let name = CString::new(name)?;
-        let guid = CString::new(self.description.guid.as_str())?;
-        let resources = CString::new(file_uri(&self.directory.path().join("resources")))?;
+        let texts = Texts {
+            name: CString::new(name)?,
+            token: CString::new(self.description.token.as_str())?,
+            resources: self.directory.path().join("resources"),
+        };
         let log = Rc::new(Log::default());
-        let callbacks = Rc::new(Callbacks {
-            logger: flexible_aircraft_importer_logger,
-            allocate_memory: calloc,
-            free_memory: free,
-            step_finished: None,
-            environment: Rc::as_ptr(&log).cast_mut().cast(),
-        });
-        // SAFETY: all pointers are valid during the call; the callbacks and the log, which the FMU may keep,
-        // live in the `Instance` until it is freed and never move.
-        let component = unsafe {
-            (self.functions.instantiate)(
-                name.as_ptr(),
-                CO_SIMULATION,
-                guid.as_ptr(),
-                resources.as_ptr(),
-                Rc::as_ptr(&callbacks),
-                FALSE,
-                TRUE,
-            )
+        // The FMU may keep it; it is alive until the instance is freed, and never moves.
+        let environment = Rc::as_ptr(&log).cast_mut().cast();
+        let callbacks = Rc::new(fmi2::Callbacks::logging_to(environment));
+        let (function, component) = match &self.functions {
+            Functions::V2(functions) => self.instantiate_second(functions, &texts, &callbacks)?,
+            Functions::V3(functions) => self.instantiate_third(functions, &texts, environment)?,
         };
         match NonNull::new(component) {
             Some(component) => {
-                Ok(Instance { functions: &self.functions, component, log, _callbacks: callbacks })
+                let states = self.description.states;
+                Ok(Instance { functions: &self.functions, component, states, log, _callbacks: callbacks })
             }
-            None => Err(FmuError::Refused {
-                function: "fmi2Instantiate",
-                status: "no instance",
-                log: drain(&log),
-            }),
+            None => Err(FmuError::Refused { function, status: "no instance", log: drain(&log) }),
         }
     }
+
+    fn instantiate_second(
+        &self,
+        functions: &fmi2::Functions,
+        Texts { name, token, resources }: &Texts,
+        callbacks: &Rc<fmi2::Callbacks>,
+    ) -> Result<(&'static str, fmi2::Component), FmuError> {
+        let resources = CString::new(file_uri(resources))?;
+        let kind = match self.description.interface.kind {
+            Kind::CoSimulation => fmi2::CO_SIMULATION,
+            Kind::ModelExchange => fmi2::MODEL_EXCHANGE,
+        };
+        // SAFETY: all pointers are valid during the call; the callbacks and the log, which the FMU may keep,
+        // live in the `Instance` until it is freed and never move.
+        let component = unsafe {
+            (functions.instantiate)(
+                name.as_ptr(),
+                kind,
+                token.as_ptr(),
+                resources.as_ptr(),
+                Rc::as_ptr(callbacks),
+                fmi2::FALSE,
+                fmi2::TRUE,
+            )
+        };
+        Ok(("fmi2Instantiate", component))
+    }
+
+    fn instantiate_third(
+        &self,
+        functions: &fmi3::Functions,
+        Texts { name, token, resources }: &Texts,
+        environment: *mut c_void,
+    ) -> Result<(&'static str, fmi3::Component), FmuError> {
+        let resources = CString::new(resources.join("").to_string_lossy().into_owned())?;
+        let (name, token, resources) = (name.as_ptr(), token.as_ptr(), resources.as_ptr());
+        let (visible, logging) = (fmi3::FALSE, fmi3::TRUE);
+        match self.description.interface.kind {
+            Kind::CoSimulation => {
+                // SAFETY: all pointers are valid during the call; the log, which the FMU may keep, lives in the `Instance`
+                // until it is freed and never moves. There are no intermediate variables and no function for updates.
+                let component = unsafe {
+                    (functions.instantiate_co_simulation)(
+                        name,
+                        token,
+                        resources,
+                        visible,
+                        logging,
+                        fmi3::FALSE,
+                        fmi3::FALSE,
+                        ptr::null(),
+                        0,
+                        environment,
+                        Some(log_message),
+                        None,
+                    )
+                };
+                Ok(("fmi3InstantiateCoSimulation", component))
+            }
+            Kind::ModelExchange => {
+                // SAFETY: as above.
+                let component = unsafe {
+                    (functions.instantiate_model_exchange)(
+                        name,
+                        token,
+                        resources,
+                        visible,
+                        logging,
+                        environment,
+                        Some(log_message),
+                    )
+                };
+                Ok(("fmi3InstantiateModelExchange", component))
+            }
+        }
+    }
+}
+
+/// What an instance is made of.
+struct Texts {
+    name: CString,
+    token: CString,
+    resources: PathBuf,
 }
 
 /// `file:///path` with everything but letters, digits and a few marks percent-encoded.

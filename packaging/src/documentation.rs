@@ -4,11 +4,20 @@ use std::fmt::Write;
 
 use flexible_aircraft::aircraft::{Aircraft, Control, Support};
 use flexible_aircraft::flight::Settings;
+use flexible_aircraft::fmi::Interface;
 use flexible_aircraft::structure::ReducedModel;
-use flexible_aircraft::variables::{Slot, Type, Value, Variable, VariableTable};
+use flexible_aircraft::variables::{ArchiveTable, Place, Slot, Type, Value, Variable};
 use quick_xml::escape::escape;
 
 use crate::plan_view;
+
+mod exchange;
+mod interface;
+#[cfg(test)]
+mod tests;
+
+/// A variable as an importer knows it.
+type Row = Variable<Place>;
 
 const TEMPLATE: &str = include_str!("../../modelDescription/documentation.html");
 
@@ -62,14 +71,25 @@ struct Group<'a> {
     title: String,
     /// Where links lead.
     anchor: &'a str,
-    variables: Vec<&'a Variable>,
+    variables: Vec<&'a Row>,
 }
 
 /// The page, which needs no other file.
-pub(crate) fn page(aircraft: &Aircraft, model: &ReducedModel, starts: &Settings) -> String {
-    let table = VariableTable::starting(model, starts);
+pub(crate) fn page(
+    interface: Interface,
+    aircraft: &Aircraft,
+    model: &ReducedModel,
+    starts: &Settings,
+) -> String {
+    let table = ArchiveTable::new(model, starts, interface.extent());
     let groups = groups(&table);
     TEMPLATE
+        .replace("{{interface}}", &interface.to_string())
+        .replace("{{fmi}}", interface.version.number())
+        .replace("{{use}}", &interface::how_to_use(interface))
+        .replace("{{states}}", &exchange::states(&table))
+        .replace("{{when_set}}", interface::when_set(interface.kind))
+        .replace("{{ending}}", interface::ending(interface.kind))
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{support}}", &support(aircraft))
         .replace("{{controls}}", &controls(aircraft))
@@ -149,14 +169,16 @@ fn facts(aircraft: &Aircraft, model: &ReducedModel) -> String {
     )
 }
 
-/// Inputs, parameters, then outputs by the first part of their names, all in the order of the table.
-fn groups(table: &VariableTable) -> Vec<Group<'_>> {
+/// Inputs, parameters, then outputs by the first part of their names, all in the order of the table. Time, states that are no
+/// outputs, and rates are told of elsewhere.
+fn groups(table: &ArchiveTable) -> Vec<Group<'_>> {
     let mut groups: Vec<Group> = Vec::new();
     for (_, variable) in table.iter() {
         let anchor = match variable.slot {
-            Slot::Input(_) => "inputs",
-            Slot::Parameter(_) => "parameters",
-            Slot::Output(_) => variable.name.split('.').next().unwrap_or_default(),
+            Place::Common(Slot::Input(_)) => "inputs",
+            Place::Common(Slot::Parameter(_)) => "parameters",
+            Place::Common(Slot::Output(_)) => variable.name.split('.').next().unwrap_or_default(),
+            Place::State(_) | Place::Rate(_) | Place::Time => continue,
         };
         match groups.iter_mut().find(|group| group.anchor == anchor) {
             Some(group) => group.variables.push(variable),
@@ -192,7 +214,7 @@ fn contents(groups: &[Group]) -> String {
 /// A heading and a table. A narrow screen shows each row as a paragraph, in which the cells say what they are.
 fn section(group: &Group) -> String {
     let Group { title, anchor, variables } = group;
-    let cells = |variable: &Variable| {
+    let cells = |variable: &Row| {
         let unit = variable.unit.map_or("", |unit| unit.name()).to_owned();
         [
             ("unit", unit),
@@ -231,7 +253,7 @@ fn section(group: &Group) -> String {
     section + "</table>\n"
 }
 
-fn start(variable: &Variable) -> String {
+fn start(variable: &Row) -> String {
     match variable.start {
         Some(Value::Integer(number)) => number.to_string(),
         Some(Value::Real(number)) => plain(number),
@@ -241,7 +263,7 @@ fn start(variable: &Variable) -> String {
 }
 
 /// Of enumerations the list of items says it.
-fn limit(variable: &Variable, limit: Option<f64>) -> String {
+fn limit(variable: &Row, limit: Option<f64>) -> String {
     match variable.kind {
         Type::Enumeration(_) | Type::Boolean => String::new(),
         Type::Real | Type::Integer => limit.map(plain).unwrap_or_default(),
@@ -253,7 +275,7 @@ fn plain(number: f64) -> String {
     if number != 0.0 && number.abs() < 1e-3 { format!("{number:e}") } else { number.to_string() }
 }
 
-fn meaning(variable: &Variable) -> String {
+fn meaning(variable: &Row) -> String {
     let mut meaning = escape(variable.description.as_str()).into_owned();
     if let Type::Enumeration(enumeration) = variable.kind {
         meaning += "<ol>";
@@ -263,116 +285,4 @@ fn meaning(variable: &Variable) -> String {
         meaning += "</ol>";
     }
     meaning
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn jet() -> Aircraft {
-        let text = include_str!("../../aircraft/generic-business-jet.toml");
-        Aircraft::parse(text, "jet").unwrap()
-    }
-
-    fn page_of(aircraft: &Aircraft) -> String {
-        let model = ReducedModel::new(aircraft, 4).unwrap();
-        page(aircraft, &model, &Settings::of(&model))
-    }
-
-    #[test]
-    fn the_page_says_how_the_aircraft_is_held() {
-        let mut aircraft = jet();
-        let free = page_of(&aircraft);
-        aircraft.support = Support::Clamped;
-        let clamped = page_of(&aircraft);
-        assert!(free.contains("flies trimmed") && !free.contains("wind tunnel"));
-        assert!(free.contains("a coordinated turn") && !clamped.contains("a coordinated turn"));
-        assert!(clamped.contains("wind tunnel") && !clamped.contains("flies trimmed"));
-        assert!(!free.contains("{{") && !clamped.contains("{{"));
-    }
-
-    #[test]
-    fn the_page_says_what_gusts_actuators_sensors_and_loads_mean_and_how_far_they_go() {
-        let mut aircraft = jet();
-        let with_cuts = page_of(&aircraft);
-        for said in [
-            "<code>gust.shape = one_minus_cosine</code>",
-            "<code>turbulence.seed</code>",
-            "<code>actuator.*.frequency</code>",
-            "<code>sensor.enabled</code>",
-            "waves down to πc/2",
-            "below waves of 8&nbsp;m",
-            "not for a flap that several controls move",
-            "<code>torsion</code> nose-up",
-            "section loads jump",
-        ] {
-            assert!(with_cuts.contains(said), "{said}");
-        }
-        aircraft.cuts.clear();
-        let without = page_of(&aircraft);
-        assert!(!without.contains("<code>loads.*</code>") && !without.contains("section loads"));
-    }
-
-    #[test]
-    fn the_page_says_what_positive_angles_of_the_aircrafts_own_controls_do() {
-        let mut aircraft = jet();
-        let expected = "<li>Positive <code>elevator</code>: nose-down. It acts alike on both sides; holds pitch in trim; has the usual \
-                         limits of -30 to 30 deg, which change no flight.</li>";
-        assert!(page_of(&aircraft).contains(expected));
-        let canard = &mut aircraft.controls[0];
-        (canard.name, canard.description) = ("canard".to_owned(), "Canard angle".to_owned());
-        canard.positive = "up & away".to_owned();
-        let page = page_of(&aircraft);
-        assert!(
-            page.contains("<li>Positive <code>canard</code>: up &amp; away. It ")
-                && !page.contains("elevator")
-        );
-    }
-
-    #[test]
-    fn every_variable_stands_once_in_the_table_of_its_group() {
-        let model = ReducedModel::new(&jet(), 4).unwrap();
-        let table = VariableTable::new(&model);
-        let groups = groups(&table);
-        assert_eq!(groups.iter().map(|group| group.variables.len()).sum::<usize>(), table.iter().count());
-        let names: Vec<&str> = groups.iter().map(|group| group.anchor).collect();
-        assert_eq!(&names[..4], ["inputs", "parameters", "position", "attitude"]);
-        // A group that this page does not know would have no title of its own.
-        for name in &names[2..] {
-            assert!(OUTPUT_GROUPS.iter().any(|(known, _)| known == name), "{name}");
-        }
-        let page = page(&jet(), &model, &Settings::of(&model));
-        for name in names {
-            assert_eq!(page.matches(&format!("id=\"{name}\"")).count(), 1, "{name}");
-            assert_eq!(page.matches(&format!("href=\"#{name}\"")).count(), 1, "{name}");
-        }
-    }
-
-    #[test]
-    fn a_row_has_unit_start_limits_and_the_numbers_and_names_of_an_enumeration() {
-        let page = page_of(&jet());
-        let row = |name: &str| {
-            let rows = page.lines().filter(|line| line.starts_with(&format!("<tr><td><code>{name}</code>")));
-            rows.collect::<Vec<_>>().concat()
-        };
-        for cell in ["\"unit\">m<", "\"start\">7620<", "\"min\">-1000<", "\"max\">20000<"] {
-            assert!(row("altitude").contains(cell), "{cell}: {}", row("altitude"));
-        }
-        assert!(row("model").contains("\"start\">1<"));
-        // The list counts from 1, as the enumeration does.
-        assert!(row("model").contains("<ol><li><code>exact</code>: "), "{}", row("model"));
-        assert_eq!(row("model").matches("<li>").count(), 6);
-        assert!(row("tolerance").contains("\"min\">1e-12<"));
-        assert!(!row("attitude.pitch").contains("\"start\""), "outputs have no start");
-    }
-
-    #[test]
-    fn the_page_fits_a_phone_and_needs_no_other_file() {
-        let page = page_of(&jet());
-        assert!(page.contains("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"));
-        assert!(page.contains("@media (max-width:"));
-        for external in ["src=", "url(http", "@import", "<link", "href=\"http"] {
-            assert!(!page.contains(external), "{external}");
-        }
-    }
 }

@@ -5,10 +5,12 @@ use std::io;
 use std::path::PathBuf;
 
 use flexible_aircraft::aircraft::{AircraftFileError, StationsAlongError, looked_for};
+use flexible_aircraft::fmi::{Interface, Version};
+use flexible_aircraft::plant::SettingError;
 use flexible_aircraft::structure::StructureError;
 
 use crate::assignment::Mistake;
-use crate::{LibraryFault, Platform};
+use crate::{LibraryFault, PictureError, Platform};
 
 /// A file or folder that could not be read or written.
 #[derive(Debug, thiserror::Error)]
@@ -42,6 +44,9 @@ pub enum PackageError {
     /// A parameter cannot start so.
     #[error("--set {0}")]
     Start(#[from] Mistake),
+    /// A start that only an integrator of our own could fly.
+    #[error("model exchange: {0}")]
+    Discontinuous(SettingError),
     /// There cannot be such stations along a component.
     #[error("stations along {component}: {source}")]
     StationsAlong {
@@ -70,6 +75,9 @@ pub enum PackageError {
         /// What happened instead.
         reason: String,
     },
+    /// The aircraft cannot be drawn.
+    #[error("cannot draw documentation/diagram.png: {0}")]
+    Picture(#[from] PictureError),
     /// The archive could not be put together.
     #[error("cannot build the archive: {0}")]
     Archive(#[from] zip::result::ZipError),
@@ -92,9 +100,19 @@ pub enum FmuError {
     /// Its `modelDescription.xml` cannot be used.
     #[error("modelDescription.xml: {0}")]
     ModelDescription(String),
-    /// FMI 2.0 has no name for this machine.
-    #[error("FMI 2.0 knows no platform for this machine")]
-    NoPlatform,
+    /// It is another kind of FMU than what is to be done with it needs.
+    #[error("{}: found an FMU of {found}, needed is one of {needed}", path.display())]
+    OtherInterface {
+        /// The FMU.
+        path: PathBuf,
+        /// What it is.
+        found: Interface,
+        /// What it should be.
+        needed: Interface,
+    },
+    /// There is no name for this machine.
+    #[error("FMI {} knows no platform for this machine", .0.number())]
+    NoPlatform(Version),
     /// The shared library does not load, or lacks a function of the standard.
     #[error("cannot use the shared library: {}", with_causes(.0))]
     Library(#[from] libloading::Error),
@@ -109,6 +127,14 @@ pub enum FmuError {
     Lengths {
         /// Number of value references.
         references: usize,
+        /// Number of values.
+        values: usize,
+    },
+    /// As many values as states are needed.
+    #[error("{values} values of {states} states")]
+    States {
+        /// Number of states.
+        states: usize,
         /// Number of values.
         values: usize,
     },

@@ -1,19 +1,23 @@
 //! What `flexair` needs where its sources are not: a data folder, which is installed with it.
 //!
-//! Libraries and licences lie in it as they do in an FMU, so that they go into one as they are.
+//! Libraries and licences lie in it as they do in an FMU of FMI 2.0, so that they go into one as they are; for FMI 3.0 their
+//! folders change.
 
 use std::path::{Path, PathBuf};
 
-use flexible_aircraft::fmi;
+use flexible_aircraft::fmi::{self, Version};
 
 use crate::archive::Entry;
-use crate::{Draft, Licences, PackageError, Platform, libraries, licences, read};
+use crate::{Draft, Licences, PackageError, Platform, Processor, libraries, licences, read};
 
 /// The aircraft files, in the workspace and in a data folder.
 const AIRCRAFT: &str = "aircraft";
 
 /// The licences of the command itself, in a data folder.
 const OF_THE_COMMAND: &str = "licences-of-the-command";
+
+/// Whose FMUs its libraries lie as in.
+const LAYOUT: Version = Version::V2;
 
 /// A data folder.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,7 +41,7 @@ impl Installation {
         binaries: &[(Platform, PathBuf)],
         program: &str,
     ) -> Result<Self, PackageError> {
-        let mut entries = libraries(binaries)?;
+        let mut entries = libraries(binaries, LAYOUT)?;
         entries.extend(licences::of_library(workspace)?);
         entries.extend(licences::of_program(workspace, program, OF_THE_COMMAND)?);
         for (name, path) in licences::listed(&workspace.join(AIRCRAFT))? {
@@ -61,7 +65,10 @@ impl Installation {
 
     /// The libraries that it has.
     pub fn libraries(&self) -> Vec<(Platform, PathBuf)> {
-        let path = |platform: Platform| self.folder.join(platform.library_path(fmi::MODEL_IDENTIFIER));
+        // FMI 2.0 has one folder for all processors of a platform.
+        let path = |platform: Platform| {
+            self.folder.join(platform.library_path(LAYOUT, Processor::host(), fmi::MODEL_IDENTIFIER))
+        };
         let all = Platform::ALL.into_iter().map(|platform| (platform, path(platform)));
         all.filter(|(_, path)| path.is_file()).collect()
     }

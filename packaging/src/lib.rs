@@ -1,7 +1,7 @@
 //! Builds the `.fmu` archive of a flexible aircraft, and loads one as an importing tool does.
 //!
-//! An FMU is the aircraft, reduced to its modes, with shared libraries for some platforms. [`Package`] says
-//! what goes in; the same input gives the same bytes. [`merge`] joins FMUs that were packaged on different
+//! An FMU is the aircraft, reduced to its modes, with shared libraries for some platforms, behind one of the interfaces that FMI
+//! has. [`Package`] says what goes in; the same input gives the same bytes. [`merge`] joins FMUs that were packaged on different
 //! machines. [`c_abi`] is the way back: from the archive to an
 //! aircraft that flies.
 
@@ -9,10 +9,9 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::flight::Settings;
-use flexible_aircraft::fmi;
+use flexible_aircraft::flight::{Settings, continuous_settings};
+use flexible_aircraft::fmi::{self, Interface, Kind, Version};
 use flexible_aircraft::structure::{ModeCount, ReducedModel};
-use flexible_aircraft::variables::VariableTable;
 
 mod archive;
 pub mod assignment;
@@ -25,6 +24,7 @@ mod library;
 mod licences;
 mod merge;
 mod model_description;
+mod pictures;
 mod plan_view;
 mod platform;
 pub mod system;
@@ -36,17 +36,17 @@ pub use installation::Installation;
 pub use library::{BuildMark, LibraryFault};
 pub use licences::Licences;
 pub use merge::{MergeError, merge};
-pub use platform::{Platform, UnknownPlatform};
+pub use plan_view::PictureError;
+pub use platform::{Platform, Processor, UnknownPlatform};
 pub use temporary::remove_all as remove_temporary_files;
 
 use archive::Entry;
 
-/// The icon that importing tools show.
-const ICON: &[u8] = include_bytes!("../../modelDescription/model.png");
-
 /// What goes into an FMU.
 #[derive(Clone, Debug)]
 pub struct Package {
+    /// What importers take it as.
+    pub interface: Interface,
     /// The aircraft file.
     pub aircraft: PathBuf,
     /// How many natural modes the FMU offers, lowest frequencies first.
@@ -63,17 +63,20 @@ pub struct Package {
     pub licences: Licences,
 }
 
+/// An aircraft with all its stations, and what it is reduced to: what the FMUs of one aircraft share, whatever their
+/// interfaces.
+#[derive(Clone, Debug)]
+pub struct Reduction {
+    aircraft: Aircraft,
+    model: ReducedModel,
+}
+
 impl Package {
-    /// How the FMU flies where nothing is set in it: of all that can be asked for, but of the libraries.
+    /// The aircraft as its FMU has it.
     ///
     /// # Errors
-    /// When the aircraft file is not right, the structure has not that many modes, or a station or a start cannot be.
-    pub fn starts(&self) -> Result<Settings, PackageError> {
-        Ok(self.reduce()?.2)
-    }
-
-    /// The aircraft with all its stations, what it is reduced to, and where its parameters start.
-    fn reduce(&self) -> Result<(Aircraft, ReducedModel, Settings), PackageError> {
+    /// When the aircraft file is not right, the structure has not that many modes, or a station cannot be.
+    pub fn reduce(&self) -> Result<Reduction, PackageError> {
         let mut aircraft =
             Aircraft::read(&self.aircraft).map_err(|error| PackageError::Aircraft(Box::new(error)))?;
         aircraft.load_modes |= self.load_modes;
@@ -84,40 +87,64 @@ impl Package {
         }
         let model = ReducedModel::new(&aircraft, self.mode_count)
             .map_err(|source| PackageError::Structure { aircraft: self.aircraft.clone(), source })?;
-        let variables = VariableTable::new(&model);
-        let starts =
-            assignment::settings(&self.starts, &variables, &model, ModeCount::Usual(model.natural_modes()))?;
-        Ok((aircraft, model, starts))
+        Ok(Reduction { aircraft, model })
+    }
+
+    /// How the FMU flies where nothing is set in it.
+    ///
+    /// # Errors
+    /// When a parameter cannot start so.
+    pub fn starts(&self, Reduction { model, .. }: &Reduction) -> Result<Settings, PackageError> {
+        let starts = assignment::starts(&self.starts, self.interface, model)?;
+        if self.interface.kind == Kind::ModelExchange {
+            continuous_settings::check(&starts, model).map_err(PackageError::Discontinuous)?;
+        }
+        Ok(starts)
     }
 
     /// The bytes of the `.fmu`: equal inputs, equal bytes.
     ///
     /// # Errors
-    /// As [`starts`](Self::starts), or when a file cannot be read.
+    /// As [`reduce`](Self::reduce) and [`starts`](Self::starts), or when a file cannot be read.
     pub fn to_bytes(&self) -> Result<Vec<u8>, PackageError> {
-        let (aircraft, model, starts) = self.reduce()?;
-        let xml = fmi::description::write(&model, &starts);
-        let mut entries = vec![Entry::new(archive::MODEL_DESCRIPTION, xml), Entry::new("model.png", ICON)];
-        entries.extend(libraries(&self.binaries)?);
+        self.bytes_of(&self.reduce()?)
+    }
+
+    /// The bytes of the `.fmu` of what the aircraft has been reduced to.
+    fn bytes_of(&self, reduction: &Reduction) -> Result<Vec<u8>, PackageError> {
+        let (interface, Reduction { aircraft, model }) = (self.interface, reduction);
+        let starts = self.starts(reduction)?;
+        let xml = fmi::description::write(interface, model, &starts);
+        let mut entries = vec![Entry::new(archive::MODEL_DESCRIPTION, xml)];
+        entries.extend(libraries(&self.binaries, interface.version)?);
         entries.push(Entry::new(format!("resources/{}", fmi::RESOURCE_FILE), model.to_bytes()));
         entries.extend(
-            fmi::starts::write(&model, &starts)
+            fmi::starts::write(interface, model, &starts)
                 .map(|text| Entry::new(format!("resources/{}", fmi::starts::STARTS_FILE), text)),
         );
         entries.push(Entry::new("resources/aircraft.toml", read(&self.aircraft)?));
-        let page = documentation::page(&aircraft, &model, &starts);
+        entries.extend(pictures::entries(interface.version, aircraft)?);
+        let page = documentation::page(interface, aircraft, model, &starts);
         entries.push(Entry::new("documentation/index.html", page));
-        entries.extend(self.licences.entries()?);
+        entries.extend(self.licences.entries(interface.version)?);
         Ok(archive::to_bytes(entries)?)
     }
 
-    /// Writes the `.fmu` beside its place, where it can be tried before it is [kept](Draft::keep), and the
-    /// folders above it where they do not exist.
+    /// Writes the `.fmu` of what the aircraft has been [reduced](Self::reduce) to beside its place, where it can be tried before
+    /// it is [kept](Draft::keep), and the folders above it where they do not exist.
+    ///
+    /// # Errors
+    /// As [`starts`](Self::starts), or when a file cannot be read or written.
+    pub fn draft_of(&self, reduction: &Reduction, output: &Path) -> Result<Draft, PackageError> {
+        Ok(Draft::write(&self.bytes_of(reduction)?, output)?)
+    }
+
+    /// The same of an aircraft that has yet to be reduced.
     ///
     /// # Errors
     /// As [`to_bytes`](Self::to_bytes), or when the file cannot be written.
     pub fn draft(&self, output: &Path) -> Result<Draft, PackageError> {
-        Ok(Draft::write(&self.to_bytes()?, output)?)
+        self.draft_of(&self.reduce()?, output)
     }
 
     /// Writes the `.fmu`, and the folders above it where they do not exist.
@@ -130,7 +157,7 @@ impl Package {
 }
 
 /// One library per platform, each of them of this version and these sources.
-fn libraries(binaries: &[(Platform, PathBuf)]) -> Result<Vec<Entry>, PackageError> {
+fn libraries(binaries: &[(Platform, PathBuf)], version: Version) -> Result<Vec<Entry>, PackageError> {
     let mut found = BTreeSet::new();
     if let Some((twice, _)) = binaries.iter().find(|(platform, _)| !found.insert(*platform)) {
         return Err(PackageError::TwoBinaries(*twice));
@@ -138,19 +165,24 @@ fn libraries(binaries: &[(Platform, PathBuf)]) -> Result<Vec<Entry>, PackageErro
     if binaries.is_empty() {
         return Err(PackageError::NoBinary);
     }
-    let entry = |(platform, path): &(Platform, PathBuf)| {
-        let bytes = read(path)?;
-        let expected = BuildMark::own();
+    let mut entries = Vec::new();
+    for (platform, path) in binaries {
+        let (bytes, expected) = (read(path)?, BuildMark::own());
         let fault = match library::examine(&bytes, *platform) {
-            Ok(found) if found == expected => {
-                return Ok(Entry::new(platform.library_path(fmi::MODEL_IDENTIFIER), bytes));
+            Ok(library) if library.mark == expected => {
+                let paths = library.processors.into_iter();
+                let paths: BTreeSet<String> = paths
+                    .map(|processor| platform.library_path(version, processor, fmi::MODEL_IDENTIFIER))
+                    .collect();
+                entries.extend(paths.into_iter().map(|path| Entry::new(path, bytes.clone())));
+                continue;
             }
-            Ok(found) => LibraryFault::OtherBuild { found, expected },
+            Ok(library) => LibraryFault::OtherBuild { found: library.mark, expected },
             Err(fault) => fault,
         };
-        Err(PackageError::WrongBinary { path: path.clone(), fault })
-    };
-    binaries.iter().map(entry).collect()
+        return Err(PackageError::WrongBinary { path: path.clone(), fault });
+    }
+    Ok(entries)
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, FileError> {

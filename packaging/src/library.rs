@@ -3,12 +3,15 @@
 
 use std::fmt;
 
-use flexible_aircraft::{fmi, fmi2};
+use flexible_aircraft::fmi::{self, Version};
 use object::read::NameOrOrdinal;
 use object::read::macho::{FatArch, MachOFatFile32};
 use object::{Architecture, BinaryFormat, FileKind, Object, ObjectKind};
 
-use crate::Platform;
+use crate::{Platform, Processor};
+
+/// The versions of FMI whose functions a library has to export, whatever archive it goes into: one library serves all.
+const VERSIONS: &[Version] = &[Version::V2, Version::V3];
 
 /// Why a file cannot be the shared library of a platform.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -29,9 +32,14 @@ pub enum LibraryFault {
         /// Format and processor.
         found: String,
     },
-    /// It does not export all functions of FMI 2.0.
-    #[error("it exports {exported} of the functions of FMI 2.0, and lacks {}", missing.join(", "))]
+    /// It does not export all functions of a version of FMI.
+    #[error(
+        "it exports {exported} of the functions of FMI {}, and lacks {}",
+        version.number(), missing.join(", ")
+    )]
     MissingFunctions {
+        /// Of FMI.
+        version: Version,
         /// How many it has.
         exported: usize,
         /// Those it has not.
@@ -75,22 +83,39 @@ impl fmt::Display for BuildMark {
     }
 }
 
-/// Reads a library that is meant for a platform, and says what it was built of.
-pub(crate) fn examine(bytes: &[u8], platform: Platform) -> Result<BuildMark, LibraryFault> {
+/// What a library is, as far as that can be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Examined {
+    /// What it was built of.
+    pub mark: BuildMark,
+    /// On which it runs.
+    pub processors: Vec<Processor>,
+}
+
+/// Reads a library that is meant for a platform.
+pub(crate) fn examine(bytes: &[u8], platform: Platform) -> Result<Examined, LibraryFault> {
     let unreadable = |error: object::Error| LibraryFault::Unreadable { platform, reason: error.to_string() };
-    let mut marks = Vec::new();
+    let (mut marks, mut processors) = (Vec::new(), Vec::new());
     for image in images(bytes).map_err(unreadable)? {
         let file = object::File::parse(image).map_err(unreadable)?;
-        if !fits(&file, platform) {
-            return Err(LibraryFault::OtherMachine { platform, found: words(&file) });
-        }
+        let other = || LibraryFault::OtherMachine { platform, found: words(&file) };
+        processors.push(processor(&file).filter(|_| fits(&file, platform)).ok_or_else(other)?);
         require_functions(&exports(&file).map_err(unreadable)?)?;
         marks.push(BuildMark::find(image).ok_or(LibraryFault::NoMark)?);
     }
-    let first = marks.pop().ok_or(LibraryFault::NoMark)?;
-    match marks.into_iter().find(|mark| *mark != first) {
-        Some(found) => Err(LibraryFault::OtherBuild { found, expected: first }),
-        None => Ok(first),
+    let mark = marks.pop().ok_or(LibraryFault::NoMark)?;
+    match marks.into_iter().find(|other| *other != mark) {
+        Some(found) => Err(LibraryFault::OtherBuild { found, expected: mark }),
+        None => Ok(Examined { mark, processors }),
+    }
+}
+
+/// The processor of a library, if it is one that platforms have.
+fn processor(file: &object::File<'_>) -> Option<Processor> {
+    match file.architecture() {
+        Architecture::Aarch64 => Some(Processor::Aarch64),
+        Architecture::X86_64 => Some(Processor::X86_64),
+        _ => None,
     }
 }
 
@@ -106,9 +131,9 @@ fn images(bytes: &[u8]) -> object::Result<Vec<&[u8]>> {
 
 fn fits(file: &object::File<'_>, platform: Platform) -> bool {
     let machine = match platform {
-        Platform::Aarch64Linux => file.architecture() == Architecture::Aarch64,
-        Platform::Darwin64 => matches!(file.architecture(), Architecture::X86_64 | Architecture::Aarch64),
-        Platform::Linux64 | Platform::Win64 => file.architecture() == Architecture::X86_64,
+        Platform::Aarch64Linux => processor(file) == Some(Processor::Aarch64),
+        Platform::Darwin64 => processor(file).is_some(),
+        Platform::Linux64 | Platform::Win64 => processor(file) == Some(Processor::X86_64),
     };
     machine
         && file.format() == format(platform)
@@ -163,12 +188,13 @@ fn exports(file: &object::File<'_>) -> object::Result<Vec<String>> {
 
 fn require_functions(exports: &[String]) -> Result<(), LibraryFault> {
     let is_there = |name: &&str| exports.iter().any(|export| export == name);
-    let (there, missing): (Vec<_>, Vec<_>) = fmi2::function_names().partition(is_there);
-    if missing.is_empty() {
-        Ok(())
-    } else {
-        Err(LibraryFault::MissingFunctions { exported: there.len(), missing })
+    for &version in VERSIONS {
+        let (there, missing): (Vec<_>, Vec<_>) = version.function_names().partition(is_there);
+        if !missing.is_empty() {
+            return Err(LibraryFault::MissingFunctions { version, exported: there.len(), missing });
+        }
     }
+    Ok(())
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use flexible_aircraft::fmi::Version;
 use serde::Deserialize;
 
 use crate::archive::Entry;
@@ -17,6 +18,12 @@ use crate::{FileError, PackageError, Platform, read};
 
 /// Where an FMU keeps its licences, and a data folder those of the library.
 const FOLDER: &str = "documentation/licenses";
+
+/// The list of them, but in FMUs of FMI 3.0, where the standard has importers look for another name.
+const LIST: &str = "README.txt";
+
+/// What it is called there.
+const ENTRY_POINT: &str = "license.txt";
 
 /// Where the licences of an FMU come from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,12 +35,18 @@ pub enum Licences {
 }
 
 impl Licences {
-    /// The licence files of `flexible-aircraft` and of all it is linked with, and a list of them.
-    pub(crate) fn entries(&self) -> Result<Vec<Entry>, PackageError> {
-        match self {
-            Licences::Workspace(workspace) => of_library(workspace),
-            Licences::Gathered(data) => Ok(gathered(data, FOLDER)?),
+    /// The licence files of `flexible-aircraft` and of all it is linked with, and a list of them, as an FMU has them.
+    pub(crate) fn entries(&self, version: Version) -> Result<Vec<Entry>, PackageError> {
+        let mut entries = match self {
+            Licences::Workspace(workspace) => of_library(workspace)?,
+            Licences::Gathered(data) => gathered(data, FOLDER)?,
+        };
+        let list = format!("{FOLDER}/{LIST}");
+        if let Some(list) = entries.iter_mut().find(|entry| entry.path == list && version == Version::V3) {
+            list.path = format!("{FOLDER}/{ENTRY_POINT}");
+            list.bytes.splice(..0, OF_THE_FMU.bytes());
         }
+        Ok(entries)
     }
 }
 
@@ -74,7 +87,7 @@ fn gather(workspace: &Path, package: &str, folder: &str, head: &str) -> Result<V
             entries.push(Entry::new(path, read(&file)?));
         }
     }
-    entries.insert(0, Entry::new(format!("{folder}/README.txt"), list));
+    entries.insert(0, Entry::new(format!("{folder}/{LIST}"), list));
     Ok(entries)
 }
 
@@ -103,6 +116,13 @@ pub(crate) fn listed(folder: &Path) -> Result<Vec<(String, PathBuf)>, FileError>
     found.sort();
     Ok(found)
 }
+
+/// Before the list where it is the entry point.
+const OF_THE_FMU: &str = "\
+The library of this FMU, flexible-aircraft, may be used under the MIT licence or the Apache License 2.0, as you choose:
+the texts are in its folder. Whose the aircraft is may be said in resources/aircraft.toml.
+
+";
 
 const LIBRARY_HEAD: &str = "\
 Linked into the shared library, with the licences that their authors chose. The texts are in the folders
@@ -194,5 +214,17 @@ mod tests {
             assert!(!list.contains(absent), "{absent} is not linked, but in\n{list}");
         }
         assert!(entries.iter().any(|entry| entry.path.ends_with("/LICENSE-MIT")));
+    }
+
+    #[test]
+    fn the_list_is_the_entry_point_of_fmi_3_and_all_else_is_as_in_fmi_2() {
+        let licences = Licences::Workspace(Path::new(env!("CARGO_MANIFEST_DIR")).join(".."));
+        let [two, three] = [Version::V2, Version::V3].map(|version| licences.entries(version).unwrap());
+        assert_eq!(two[1..], three[1..]);
+        assert_eq!(two[0].path, "documentation/licenses/README.txt");
+        assert_eq!(three[0].path, "documentation/licenses/license.txt");
+        assert!(
+            three[0].bytes.starts_with(b"The library of this FMU") && three[0].bytes.ends_with(&two[0].bytes)
+        );
     }
 }

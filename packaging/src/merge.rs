@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use flexible_aircraft::fmi::{Interface, Version};
 use zip::result::ZipError;
 
 use crate::archive::{self, Entry};
@@ -26,6 +27,18 @@ pub enum MergeError {
         fmu: PathBuf,
         /// Why not.
         reason: String,
+    },
+    /// Importers take them as different things.
+    #[error("{} is {of_first}, {} is {of_second}: nothing to merge", first.display(), second.display())]
+    OtherInterface {
+        /// An FMU.
+        first: PathBuf,
+        /// What it is.
+        of_first: Interface,
+        /// Another one.
+        second: PathBuf,
+        /// What that is.
+        of_second: Interface,
     },
     /// They differ in more than their platforms.
     #[error(
@@ -55,10 +68,10 @@ pub enum MergeError {
         second: PathBuf,
     },
     /// Both have a library for a platform, and not the same.
-    #[error("{} and {} have different libraries for {platform}", first.display(), second.display())]
+    #[error("{} and {} have different libraries for {folder}", first.display(), second.display())]
     TwoBinaries {
-        /// Which platform.
-        platform: Platform,
+        /// That of the platform.
+        folder: String,
         /// An FMU.
         first: PathBuf,
         /// Another one.
@@ -99,7 +112,8 @@ struct Contents {
     description: ModelDescription,
     /// What its libraries were built of.
     mark: BuildMark,
-    libraries: BTreeMap<Platform, Vec<u8>>,
+    /// By their paths.
+    libraries: BTreeMap<String, Vec<u8>>,
     /// All other files by their paths.
     others: BTreeMap<String, Vec<u8>>,
 }
@@ -119,11 +133,16 @@ impl Contents {
         let mut libraries = BTreeMap::new();
         let mut marks = Vec::new();
         for (path, bytes) in binaries {
-            let platform = Platform::of_library_path(&path, &description.model_identifier);
-            let platform = platform.ok_or_else(|| not_ours(format!("it has a file {path}")))?;
+            let version = description.interface.version;
+            let place = Platform::of_library_path(&path, version, &description.model_identifier);
+            let (platform, processor) = place.ok_or_else(|| not_ours(format!("it has a file {path}")))?;
             let wrong = |fault| MergeError::WrongBinary { fmu: fmu.to_owned(), platform, fault };
-            marks.push(library::examine(&bytes, platform).map_err(wrong)?);
-            libraries.insert(platform, bytes);
+            let library = library::examine(&bytes, platform).map_err(wrong)?;
+            if version == Version::V3 && !library.processors.contains(&processor) {
+                return Err(not_ours(format!("its {path} does not run on the processor of that folder")));
+            }
+            marks.push(library.mark);
+            libraries.insert(path, bytes);
         }
         let mark = marks.pop().ok_or_else(|| not_ours("it has no shared library".into()))?;
         if let Some(found) = marks.into_iter().find(|other| *other != mark) {
@@ -135,11 +154,12 @@ impl Contents {
     fn joined(mut self, other: Contents) -> Result<Self, MergeError> {
         self.require_same_identity(&other)?;
         let (first, second) = (self.fmu.clone(), other.fmu);
-        for (platform, library) in other.libraries {
-            if self.libraries.get(&platform).is_some_and(|ours| *ours != library) {
-                return Err(MergeError::TwoBinaries { platform, first, second });
+        for (path, library) in other.libraries {
+            if self.libraries.get(&path).is_some_and(|ours| *ours != library) {
+                let folder = path.split('/').nth(1).unwrap_or(&path).to_owned();
+                return Err(MergeError::TwoBinaries { folder, first, second });
             }
-            self.libraries.insert(platform, library);
+            self.libraries.insert(path, library);
         }
         let mut paths = self.others.keys().chain(other.others.keys());
         if let Some(file) = paths.find(|path| self.others.get(*path) != other.others.get(*path)) {
@@ -150,11 +170,19 @@ impl Contents {
 
     fn require_same_identity(&self, other: &Contents) -> Result<(), MergeError> {
         let (a, b) = (&self.description, &other.description);
+        if a.interface != b.interface {
+            return Err(MergeError::OtherInterface {
+                first: self.fmu.clone(),
+                of_first: a.interface,
+                second: other.fmu.clone(),
+                of_second: b.interface,
+            });
+        }
         let sources = |contents: &Contents| contents.mark.to_string();
         for (what, of_first, of_second) in [
             ("description", &a.description, &b.description),
             ("version", &a.version, &b.version),
-            ("guid", &a.guid, &b.guid),
+            ("guid", &a.token, &b.token),
             ("mark of the libraries' sources", &sources(self), &sources(other)),
         ] {
             if of_first != of_second {
@@ -171,11 +199,7 @@ impl Contents {
     }
 
     fn into_entries(self) -> Vec<Entry> {
-        let identifier = &self.description.model_identifier;
-        let libraries = self.libraries.into_iter();
-        let libraries =
-            libraries.map(|(platform, bytes)| Entry::new(platform.library_path(identifier), bytes));
-        let others = self.others.into_iter().map(|(path, bytes)| Entry::new(path, bytes));
-        libraries.chain(others).collect()
+        let all = self.libraries.into_iter().chain(self.others);
+        all.map(|(path, bytes)| Entry::new(path, bytes)).collect()
     }
 }

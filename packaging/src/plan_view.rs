@@ -1,50 +1,56 @@
-//! The picture of the documentation page: the aircraft from above, drawn from its strips, beams, engines and
-//! stations as SVG, with a scale, the body axes and the names of engines and stations. The nose points up.
+//! The aircraft from above, drawn from its strips, beams, engines and stations: for the documentation page as SVG with a
+//! scale, the body axes and the names of engines and stations, for importers that show a picture as PNG without letters. The
+//! nose points up.
 
-use std::fmt::Write;
+mod png;
+mod shape;
+mod svg;
 
 use flexible_aircraft::aircraft::{Aircraft, Attachment, Strip};
 use nalgebra::Vector3;
+
+pub use png::PictureError;
+use shape::{DOT, Drawing, FONT, Shape};
 
 /// Width of the picture, px: about that of a phone, so that its letters can be read there.
 const WIDTH: f64 = 480.0;
 const MARGIN: f64 = 16.0;
 
-/// Of letters, px.
-const FONT: f64 = 13.0;
 /// Of a letter on average, px; rather too much.
 const LETTER: f64 = 0.58 * FONT;
 
 /// Below the aircraft, for the scale, px.
 const FOOT: f64 = 34.0;
 
-/// Radius of a point, px.
-const DOT: f64 = 4.0;
-
 /// Length of the drawn body axes, px.
 const AXIS: f64 = 30.0;
 
 /// An SVG element with the undeformed aircraft from above.
 pub(crate) fn svg(aircraft: &Aircraft) -> String {
+    svg::text(&drawing(aircraft))
+}
+
+/// The same as bytes of a PNG.
+pub(crate) fn png(aircraft: &Aircraft) -> Result<Vec<u8>, PictureError> {
+    png::bytes(&drawing(aircraft))
+}
+
+/// The undeformed aircraft from above.
+fn drawing(aircraft: &Aircraft) -> Drawing<'_> {
     let outlines: Vec<[Vector3<f64>; 4]> =
         aircraft.strips.iter().map(|strip| outline(aircraft, strip, [-1.0, 1.0])).collect();
     let frame = Frame::around(aircraft.nodes.iter().chain(outlines.iter().flatten()));
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0} {:.0}\" role=\"img\" font-size=\"{FONT}\" \
-         aria-label=\"Plan view\">\n",
-        WIDTH,
-        frame.height + FOOT
-    );
+    let mut shapes = Vec::new();
     for (strip, outline) in aircraft.strips.iter().zip(&outlines) {
-        polygon(&mut svg, &frame, outline, "surface");
+        shapes.push(polygon(&frame, outline, "surface"));
         if let Some(flap) = strip.flap.as_ref().filter(|flap| flap.is_moved()) {
             let hinge = 1.0 - 2.0 * flap.hinge;
-            polygon(&mut svg, &frame, &self::outline(aircraft, strip, [-1.0, hinge]), "flap");
+            shapes.push(polygon(&frame, &self::outline(aircraft, strip, [-1.0, hinge]), "flap"));
         }
     }
     for beam in &aircraft.beams {
         let [from, to] = beam.nodes.map(|node| frame.place(&aircraft.nodes[node]));
-        line(&mut svg, from, to, "axis");
+        shapes.push(Shape::Line { class: "axis", from, to });
     }
     let mut points: Vec<Point> = Vec::new();
     for engine in &aircraft.engines {
@@ -55,11 +61,10 @@ pub(crate) fn svg(aircraft: &Aircraft) -> String {
         let place = frame.place(&position(aircraft, station.attachment));
         points.push(Point { place, class: "station", name: &station.name });
     }
-    body_axes(&mut svg, frame.place(&aircraft.nodes[0]));
-    label(&mut svg, &points, [WIDTH, frame.height]);
-    scale(&mut svg, &frame);
-    svg.push_str("</svg>\n");
-    svg
+    body_axes(&mut shapes, frame.place(&aircraft.nodes[0]));
+    label(&mut shapes, &points, [WIDTH, frame.height]);
+    scale(&mut shapes, &frame);
+    Drawing { size: [WIDTH, frame.height + FOOT], shapes }
 }
 
 /// Corners of the part of a strip between two chordwise places, in semichords ahead of midchord.
@@ -133,10 +138,9 @@ impl Rectangle {
 }
 
 /// The points, and each one's name where it is on the picture and on no other name or point.
-fn label(svg: &mut String, points: &[Point], size: [f64; 2]) {
-    for Point { place, class, name } in points {
-        circle(svg, *place, class, name);
-    }
+fn label<'a>(shapes: &mut Vec<Shape<'a>>, points: &[Point<'a>], size: [f64; 2]) {
+    let circle = |point: &Point<'a>| Shape::Dot { class: point.class, place: point.place, name: point.name };
+    shapes.extend(points.iter().map(circle));
     let mut taken: Vec<Rectangle> = Vec::new();
     for (index, Point { place, name, .. }) in points.iter().enumerate() {
         let others =
@@ -147,14 +151,10 @@ fn label(svg: &mut String, points: &[Point], size: [f64; 2]) {
         let spaces = spaces(*place, LETTER * name.chars().count() as f64, size);
         let Some(space) = spaces.iter().find(|space| is_free(space)).or(spaces.first()) else { continue };
         taken.push(*space);
-        // Writing to a `String` cannot fail.
-        let _ = writeln!(
-            svg,
-            "<text class=\"name\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
-            space.left + space.width / 2.0,
-            space.top + FONT - 1.0,
-            quick_xml::escape::escape(*name)
-        );
+        shapes.push(Shape::Name {
+            place: [space.left + space.width / 2.0, space.top + FONT - 1.0],
+            text: name,
+        });
     }
 }
 
@@ -181,25 +181,27 @@ fn spaces([x, y]: [f64; 2], width: f64, [picture_width, height]: [f64; 2]) -> Ve
 }
 
 /// O with the axes x, ahead, and y, to the right.
-fn body_axes(svg: &mut String, [x, y]: [f64; 2]) {
-    line(svg, [x, y], [x, y - AXIS], "body");
-    line(svg, [x, y], [x + AXIS, y], "body");
-    for (text, [x, y]) in
+fn body_axes(shapes: &mut Vec<Shape<'_>>, [x, y]: [f64; 2]) {
+    for to in [[x, y - AXIS], [x + AXIS, y]] {
+        shapes.push(Shape::Line { class: "body", from: [x, y], to });
+    }
+    for (text, place) in
         [("x", [x + 4.0, y - AXIS + 8.0]), ("y", [x + AXIS + 2.0, y + 4.0]), ("O", [x - 12.0, y + 12.0])]
     {
-        let _ = writeln!(svg, "<text class=\"body\" x=\"{x:.1}\" y=\"{y:.1}\">{text}</text>");
+        shapes.push(Shape::Letter { place, text });
     }
 }
 
 /// A bar of a round length, below the aircraft, with its length.
-fn scale(svg: &mut String, frame: &Frame) {
+fn scale(shapes: &mut Vec<Shape<'_>>, frame: &Frame) {
     let length = round_length(0.3 * WIDTH / frame.scale);
     let (left, right, y) = (MARGIN, MARGIN + length * frame.scale, frame.height + FOOT / 2.0);
-    line(svg, [left, y], [right, y], "scale");
+    let mut line = |from, to| shapes.push(Shape::Line { class: "scale", from, to });
+    line([left, y], [right, y]);
     for end in [left, right] {
-        line(svg, [end, y - 4.0], [end, y + 4.0], "scale");
+        line([end, y - 4.0], [end, y + 4.0]);
     }
-    let _ = writeln!(svg, "<text x=\"{:.1}\" y=\"{:.1}\">{length} m</text>", right + 8.0, y + 0.35 * FONT);
+    shapes.push(Shape::Length { place: [right + 8.0, y + 0.35 * FONT], text: format!("{length} m") });
 }
 
 /// The longest of 1, 2 and 5 times a power of ten that is no longer than this.
@@ -209,30 +211,8 @@ fn round_length(most: f64) -> f64 {
     factor * power
 }
 
-// Writing to a `String` cannot fail.
-
-fn polygon(svg: &mut String, frame: &Frame, corners: &[Vector3<f64>], class: &str) {
-    let corners = corners.iter().map(|corner| {
-        let [x, y] = frame.place(corner);
-        format!("{x:.1},{y:.1}")
-    });
-    let points = corners.collect::<Vec<_>>().join(" ");
-    let _ = writeln!(svg, "<polygon class=\"{class}\" points=\"{points}\"/>");
-}
-
-fn line(svg: &mut String, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2], class: &str) {
-    let _ = writeln!(
-        svg,
-        "<line class=\"{class}\" x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\"/>"
-    );
-}
-
-fn circle(svg: &mut String, [x, y]: [f64; 2], class: &str, name: &str) {
-    let name = quick_xml::escape::escape(name);
-    let _ = writeln!(
-        svg,
-        "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{DOT}\"><title>{name}</title></circle>"
-    );
+fn polygon<'a>(frame: &Frame, corners: &[Vector3<f64>], class: &'static str) -> Shape<'a> {
+    Shape::Polygon { class, corners: corners.iter().map(|corner| frame.place(corner)).collect() }
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Several FMUs and the connections between them, checked, and written as masters read them: an SSP archive
-//! (System Structure and Parameterization 1.0) or a folder for libcosim (OSP system structure 0.1).
+//! (System Structure and Parameterization 1.0, or 2.0 where a component is of FMI 3.0) or a folder for libcosim (OSP system
+//! structure 0.1).
 
 use std::path::{Path, PathBuf};
 
@@ -15,6 +16,8 @@ mod xml;
 
 pub use endpoint::Endpoint;
 pub use error::{ConnectionError, Misfit, SystemError};
+
+use flexible_aircraft::fmi::Interface;
 
 use crate::model_description::{ModelDescription, VariableType};
 use crate::{Draft, PackageError, read};
@@ -62,7 +65,7 @@ impl Component {
     /// Reads an FMU. Names are of letters, digits, underscores and hyphens.
     ///
     /// # Errors
-    /// When the name is of something else, or the file is no FMU for co-simulation after FMI 2.0.
+    /// When the name is of something else, or the file is no FMU of FMI 2.0 or 3.0.
     pub fn read(name: &str, path: &Path) -> Result<Self, SystemError> {
         let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         if name.is_empty() || !name.chars().all(is_plain) {
@@ -141,11 +144,16 @@ impl System {
         Ok(Draft::write(&ssp::to_bytes(self)?, output)?.keep()?)
     }
 
-    /// Whether libcosim's own system structure can say all that is set.
+    /// Whether libcosim takes all components, and its own system structure can say all that is set.
     ///
     /// # Errors
-    /// When an enumeration is set.
+    /// When a component is no FMU of FMI 2.0 for co-simulation, or an enumeration is set.
     pub fn check_for_osp(&self) -> Result<(), SystemError> {
+        let is_other = |component: &&Component| component.description.interface != Interface::USUAL;
+        if let Some(Component { name, description, .. }) = self.components.iter().find(is_other) {
+            let found = description.interface;
+            return Err(SystemError::InterfaceForOsp { component: name.clone(), found });
+        }
         let mut enumerations = self.settings.iter().filter(|one| one.kind == VariableType::Enumeration);
         enumerations.next().map_or(Ok(()), |Setting { at, value, .. }| {
             Err(SystemError::EnumerationForOsp { given: format!("{at}={value}") })
@@ -161,7 +169,7 @@ impl System {
     /// Writes `OspSystemStructure.xml` and the FMUs into a folder, which is made where it does not exist.
     ///
     /// # Errors
-    /// When an enumeration is set, or a file cannot be written.
+    /// As [`check_for_osp`](Self::check_for_osp), or when a file cannot be written.
     pub fn write_osp(&self, folder: &Path) -> Result<(), SystemError> {
         self.check_for_osp()?;
         let structure = osp::structure(self);

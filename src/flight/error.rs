@@ -58,6 +58,16 @@ pub enum SimulationError {
         /// s.
         time: f64,
     },
+    /// The aircraft points straight up or down.
+    #[error(
+        "at {time} s the pitch angle is {pitch} rad: the nose points straight up or down, where roll and yaw angle are one"
+    )]
+    Vertical {
+        /// s.
+        time: f64,
+        /// rad.
+        pitch: f64,
+    },
     /// A rate takes an input beyond all numbers.
     #[error("at {time} s an input is no longer finite: its rate has taken it beyond all numbers")]
     Inputs {

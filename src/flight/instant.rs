@@ -73,6 +73,13 @@ impl Parts {
     }
 }
 
+impl Parts {
+    /// Whether any of it is written from outputs of the plant.
+    pub(super) fn needs_outputs(self) -> bool {
+        self.usual || self.further || self.sensors || self.section_loads
+    }
+}
+
 impl FromIterator<Part> for Parts {
     fn from_iter<I: IntoIterator<Item = Part>>(parts: I) -> Self {
         parts.into_iter().fold(Parts::default(), Parts::and)

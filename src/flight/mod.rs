@@ -3,6 +3,9 @@
 mod acting;
 mod actions;
 mod channels;
+mod continuous;
+pub mod continuous_settings;
+mod continuous_states;
 mod diagonal;
 mod encounter;
 mod error;
@@ -26,6 +29,8 @@ mod steering;
 
 pub use acting::ActuatorReading;
 pub use channels::{Channel, NoiseKind};
+pub use continuous::ContinuousModel;
+pub use continuous_states::ContinuousState;
 pub(crate) use encounter::{Way, way};
 pub use error::SimulationError;
 pub use inputs::Inputs;

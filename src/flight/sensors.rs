@@ -54,6 +54,11 @@ impl Sensors {
         Sensors { channels, sampled }
     }
 
+    /// The outputs themselves.
+    pub fn unsampled(model: &ReducedModel) -> Self {
+        Sensors { channels: Channel::of(model), sampled: None }
+    }
+
     /// How many channels there are.
     pub fn count(&self) -> usize {
         self.channels.len()

@@ -337,6 +337,27 @@ impl Steering {
         }
     }
 
+    /// Rates of angle and rate of a surface without limits, rad/s and rad/s², under what is asked of it when the inputs were set;
+    /// 0 where it does not lag [theory: actuators.motion].
+    pub(super) fn linear_surface_rates(&self, control: usize, acting: &Acting) -> [f64; 2] {
+        let Actuator { frequency, damping, .. } = self.actuators[control];
+        if !self.actuators[control].lags() {
+            return [0.0; 2];
+        }
+        let Surface { angle, rate } = acting.surfaces[control];
+        let asked = self.angle_asked(control, 0.0).value;
+        [rate, frequency * (frequency * (asked - angle) - 2.0 * damping * rate)]
+    }
+
+    /// The same of a thrust, N/s [theory: actuators.engines].
+    pub(super) fn linear_thrust_rate(&self, engine: usize, acting: &Acting) -> f64 {
+        let lag = self.engines[engine];
+        if !lag.lags() {
+            return 0.0;
+        }
+        (self.thrust_asked(engine, 0.0).value - acting.thrusts[engine]) / lag.time_constant
+    }
+
     /// The numbers of what lags, for a snapshot.
     pub(super) fn lagging<'a>(&'a self, acting: &'a Acting) -> impl Iterator<Item = f64> + 'a {
         let surfaces = acting.surfaces.iter().zip(&self.actuators).filter(|(_, actuator)| actuator.lags());

@@ -12,10 +12,14 @@ use crate::devices::{ActuatorSetting, EngineSetting};
 use crate::flight::{Instant, Neighbours};
 use crate::math::{WIDTHS, slope};
 use crate::plant::PlantSettings;
-use crate::variables::{GustSetting, InputSlot, OutputSlot, ParameterSlot, SensorSetting, Slot, Value};
+use crate::variables::{
+    GustSetting, InputSlot, OutputSlot, ParameterSlot, Place, SensorSetting, Slot, Value,
+};
 
-use super::instance::{Instance, Refusal};
+use super::instance::Instance;
+use super::interface::Kind;
 use super::life_cycle::State;
+use super::refusal::Refusal;
 use super::values::{Numbers, ValueReference};
 
 /// Changes over which the outputs bend little, yet far beyond rounding: rad, N, m/s, m/s², m, rad, parts of the parameter.
@@ -32,12 +36,26 @@ const GUST_CHANGE: f64 = 0.1;
 const ALLEVIATION_CHANGE: f64 = 1e-3;
 
 /// The values of some outputs at [`WIDTHS`] of a change.
-type Sample = [Vec<f64>; 4];
+pub(super) type Sample = [Vec<f64>; 4];
 
 impl Instance {
+    /// The changes of unknowns along a direction of knowns: of outputs by inputs and, in initialisation mode, parameters; of
+    /// model exchange of outputs and rates by states and inputs.
+    pub fn derivatives(
+        &mut self,
+        unknowns: &[ValueReference],
+        knowns: &[ValueReference],
+        direction: &[f64],
+    ) -> Result<Vec<f64>, Refusal> {
+        match self.interface.kind {
+            Kind::CoSimulation => self.flight_derivatives(unknowns, knowns, direction),
+            Kind::ModelExchange => self.exchange_derivatives(unknowns, knowns, direction),
+        }
+    }
+
     /// The changes of the unknown outputs along a direction of known inputs and, in
     /// initialisation mode, parameters.
-    pub fn derivatives(
+    pub(super) fn flight_derivatives(
         &mut self,
         unknowns: &[ValueReference],
         knowns: &[ValueReference],
@@ -54,7 +72,8 @@ impl Instance {
         }
         self.flight()?;
         let mut derivatives = vec![0.0; outputs.len()];
-        let turns: Vec<bool> = outputs.iter().map(|output| self.table.mirrored(*output).turns()).collect();
+        let turns: Vec<bool> =
+            outputs.iter().map(|output| self.table.common().mirrored(*output).turns()).collect();
         // How many times as long the direction is as the usual change.
         let length = longest(inputs.iter().map(|(slot, component)| component / usual_change(*slot)));
         if length > 0.0 {
@@ -137,7 +156,7 @@ impl Instance {
     fn output(&self, reference: ValueReference) -> Result<OutputSlot, Refusal> {
         let variable = self.variable(reference, Numbers::Real)?;
         match variable.slot {
-            Slot::Output(slot) => Ok(slot),
+            Place::Common(Slot::Output(slot)) => Ok(slot),
             _ => Err(Refusal::error(format!("`{}` is not an output: it has no derivatives", variable.name))),
         }
     }
@@ -145,7 +164,10 @@ impl Instance {
     /// The place of a variable by which there are derivatives now.
     fn known(&self, reference: ValueReference, component: f64) -> Result<Slot, Refusal> {
         let variable = self.variable(reference, Numbers::Real)?;
-        let reason = match variable.slot {
+        let Place::Common(slot) = variable.slot else {
+            return Err(Refusal::error(format!("`{}`: there are no derivatives by it", variable.name)));
+        };
+        let reason = match slot {
             Slot::Output(_) => {
                 "is neither an input nor a parameter: there are no derivatives by it".to_owned()
             }
@@ -202,7 +224,7 @@ impl Instance {
 }
 
 /// A change of an input.
-fn usual_change(input: InputSlot) -> f64 {
+pub(super) fn usual_change(input: InputSlot) -> f64 {
     match input {
         InputSlot::Control(_) => CONTROL_CHANGE,
         InputSlot::Thrust(_) => THRUST_CHANGE,
@@ -221,13 +243,13 @@ fn values(outputs: &[OutputSlot], instant: &Instant) -> Vec<f64> {
     outputs.iter().map(|slot| slot.number(instant)).collect()
 }
 
-fn longest(lengths: impl Iterator<Item = f64>) -> f64 {
+pub(super) fn longest(lengths: impl Iterator<Item = f64>) -> f64 {
     lengths.fold(0.0, |longest, length| longest.max(length.abs()))
 }
 
 /// Adds the derivatives of outputs, some of them angles that jump by whole turns, along a direction that is so many times as
 /// long as the change that was sampled.
-fn add_slopes(derivatives: &mut [f64], turns: &[bool], sample: &Sample, length: f64) {
+pub(super) fn add_slopes(derivatives: &mut [f64], turns: &[bool], sample: &Sample, length: f64) {
     for (place, (derivative, turns)) in derivatives.iter_mut().zip(turns).enumerate() {
         let values = sample.each_ref().map(|values| values[place]);
         *derivative += length * slope(if *turns { without_jumps(values) } else { values });

@@ -1,42 +1,23 @@
-//! An instance of the FMU: life cycle, experiment and steps.
+//! An instance of the FMU: life cycle and experiment.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::aircraft::Support;
-use crate::flight::{Inputs, LATEST, Neighbours, Settings, Simulation, resolution};
-use crate::plant::LimitExceeded;
+use crate::flight::{Inputs, LATEST, Neighbours, Settings, resolution};
 use crate::structure::{ReducedModel, StructureError};
-use crate::variables::{Slot, VariableTable};
+use crate::variables::{ArchiveTable, Place, Slot};
 
-use super::description::{guid_of, identity};
-use super::life_cycle::{Operation, State};
+use super::description::{identity, token_of};
+use super::interface::{Interface, Kind, Version};
+use super::life_cycle::State;
 use super::log::{Category, Log};
+use super::motion::Motion;
+use super::operation::Operation;
+use super::refusal::Refusal;
 use super::resource::RESOURCE_FILE;
 use super::starts::{self, STARTS_FILE, StartsError};
 use super::status::Status;
-
-/// Why a call is refused, and with which status.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Refusal {
-    /// `Error` or `Discard`.
-    pub status: Status,
-    /// For the log.
-    pub reason: String,
-}
-
-impl Refusal {
-    /// The call is wrong.
-    pub fn error(reason: impl Into<String>) -> Self {
-        Refusal { status: Status::Error, reason: reason.into() }
-    }
-
-    /// The call is right, but this slave cannot answer.
-    pub fn discard(reason: impl Into<String>) -> Self {
-        Refusal { status: Status::Discard, reason: reason.into() }
-    }
-}
 
 /// Why no instance can be made.
 #[derive(Debug, thiserror::Error)]
@@ -66,12 +47,22 @@ pub enum InstantiationError {
         source: StartsError,
     },
     /// The importer's model description belongs to another FMU.
-    #[error("guid: the model description given has `{found}`, this FMU is `{expected}`")]
-    Guid {
+    #[error("{name}: the model description given has `{found}`, this FMU is `{expected}`")]
+    Token {
+        /// What the version of FMI calls it.
+        name: &'static str,
         /// Given.
         found: String,
         /// Of this FMU.
         expected: String,
+    },
+    /// The archive is for something else.
+    #[error("this archive is {own}, not {asked}")]
+    Interface {
+        /// What it is for.
+        own: Interface,
+        /// What was asked for.
+        asked: Interface,
     },
 }
 
@@ -114,7 +105,7 @@ impl Experiment {
     }
 }
 
-const GRID_REASON: &str = "beyond, doubles are too coarse for the simulation's grid of 10 ms";
+pub(super) const GRID_REASON: &str = "beyond, doubles are too coarse for the simulation's grid of 10 ms";
 
 /// Whether a number can be a time that is flown, s; not-a-number cannot.
 pub(super) fn is_time(time: f64) -> bool {
@@ -127,9 +118,10 @@ const TIGHTEST: f64 = 1e-12;
 /// An instance of the FMU.
 #[derive(Debug)]
 pub struct Instance {
+    pub(super) interface: Interface,
     pub(super) model: Arc<ReducedModel>,
     pub(super) identity: u128,
-    pub(super) table: VariableTable,
+    pub(super) table: ArchiveTable,
     pub(crate) log: Log,
     pub(crate) state: State,
     pub(crate) experiment: Experiment,
@@ -142,10 +134,10 @@ pub struct Instance {
     /// Which of them, by value reference, were given at the present communication point: setting the input's value
     /// does not end them.
     pub(super) rate_is_new: Vec<bool>,
-    /// The communication point that has been reached, s.
+    /// That has been reached, s.
     pub(crate) time: f64,
     /// Made when first needed, for it must be trimmed; made anew when a parameter changes.
-    pub(super) flight: Option<Simulation>,
+    pub(super) motion: Option<Motion>,
     /// What the call in progress will warn of.
     warnings: Vec<String>,
     /// For derivatives by parameters, once they have been asked for, until the initialisation ends.
@@ -153,33 +145,61 @@ pub struct Instance {
 }
 
 impl Instance {
-    /// Reads the model from the resources and compares the guid.
+    /// Reads the model from the resources and compares the token.
     ///
     /// # Errors
-    /// When the resources are not there or of another FMU.
-    pub fn new(resources: &Path, given_guid: &str, log: Log) -> Result<Self, InstantiationError> {
+    /// When the resources are not there, of another FMU or of another kind.
+    pub fn new(
+        interface: Interface,
+        resources: &Path,
+        given_token: &str,
+        log: Log,
+    ) -> Result<Self, InstantiationError> {
         let path = resources.join(RESOURCE_FILE);
         let bytes =
             std::fs::read(&path).map_err(|source| InstantiationError::Read { path: path.clone(), source })?;
         let model =
             ReducedModel::from_bytes(&bytes).map_err(|source| InstantiationError::Model { path, source })?;
-        let starts = read_starts(resources, &model)?;
-        let instance = Instance::of_model(model, starts, log);
-        let expected = guid_of(instance.identity);
-        if given_guid != expected {
-            return Err(InstantiationError::Guid { found: given_guid.to_owned(), expected });
+        let of = |interface: Interface| {
+            let starts = read_starts(interface, resources, &model)?;
+            let table = ArchiveTable::new(&model, &starts, interface.extent());
+            let identity = identity(interface, &model, &starts, &table);
+            Ok((starts, table, identity))
+        };
+        let (starts, table, identity) = of(interface)?;
+        let expected = token_of(identity);
+        if given_token != expected {
+            let is_of = |other: &Interface| of(*other).is_ok_and(|(.., id)| token_of(id) == given_token);
+            let others = Interface::ALL.into_iter().filter(|other| *other != interface);
+            return Err(match others.into_iter().find(is_of) {
+                Some(own) => InstantiationError::Interface { own, asked: interface },
+                None => InstantiationError::Token {
+                    name: match interface.version {
+                        Version::V2 => "guid",
+                        Version::V3 => "instantiation token",
+                    },
+                    found: given_token.to_owned(),
+                    expected,
+                },
+            });
         }
+        let instance = Instance::of_model(interface, (model, table, identity), starts, log);
         instance.log.write(Status::Ok, &format!("instantiated the aircraft `{}`", instance.model.name));
         Ok(instance)
     }
 
     /// In the state instantiated, with all variables at their starts.
-    fn of_model(model: ReducedModel, starts: Settings, log: Log) -> Self {
-        let table = VariableTable::starting(&model, &starts);
-        let input_count =
-            table.iter().filter(|(_, variable)| matches!(variable.slot, Slot::Input(_))).count();
+    fn of_model(
+        interface: Interface,
+        (model, table, identity): (ReducedModel, ArchiveTable, u128),
+        starts: Settings,
+        log: Log,
+    ) -> Self {
+        let is_input = |place: Place| matches!(place, Place::Common(Slot::Input(_)));
+        let input_count = table.iter().filter(|(_, variable)| is_input(variable.slot)).count();
         Instance {
-            identity: identity(&model, &starts),
+            interface,
+            identity,
             table,
             log,
             state: State::Instantiated,
@@ -190,7 +210,7 @@ impl Instance {
             rates: Inputs::zero(&model),
             rate_is_new: vec![false; input_count],
             time: 0.0,
-            flight: None,
+            motion: None,
             warnings: Vec::new(),
             neighbours: None,
             model: Arc::new(model),
@@ -204,10 +224,12 @@ impl Instance {
         operation: Operation,
         body: impl FnOnce(&mut Self) -> Result<(), Refusal>,
     ) -> Status {
-        if let Some(objection) = operation.objection(self.state) {
+        if let Some(objection) = operation.objection(self.interface, self.state) {
             self.log.refuse(operation, objection);
+            self.end_by_error();
             return Status::Error;
         }
+        let has_been_trimmed = self.motion.is_some();
         // The instance is not used again after a panic, so a state broken halfway does no harm.
         match catch_unwind(AssertUnwindSafe(|| body(self))) {
             Ok(Ok(())) if self.warnings.is_empty() => Status::Ok,
@@ -219,7 +241,14 @@ impl Instance {
             }
             Ok(Err(refusal)) => {
                 self.warnings.clear();
+                if !has_been_trimmed {
+                    // Or a saved state would tell of a call that was refused.
+                    self.motion = None;
+                }
                 self.log.write_of(operation, refusal.status, &refusal.reason);
+                if refusal.status == Status::Error {
+                    self.end_by_error();
+                }
                 refusal.status
             }
             Err(panic) => {
@@ -227,6 +256,13 @@ impl Instance {
                 self.log.write_of(operation, Status::Fatal, &panic_text(&*panic));
                 Status::Fatal
             }
+        }
+    }
+
+    /// A wrong call ends an instance of FMI 3.0 (3.0.2, 2.3.1) and leaves one of FMI 2.0 as it was.
+    fn end_by_error(&mut self) {
+        if self.interface.version == Version::V3 && self.state != State::Fatal {
+            self.state = State::Terminated;
         }
     }
 
@@ -254,6 +290,9 @@ impl Instance {
         if let Some(objection) = experiment.objection() {
             return Err(Refusal::error(objection));
         }
+        if experiment != self.experiment {
+            self.motion = None;
+        }
         self.experiment = experiment;
         self.time = experiment.start;
         Ok(())
@@ -266,10 +305,12 @@ impl Instance {
 
     /// Ends initialisation: trims, unless an output has been read already. Warns of a trim beyond the aircraft's limits.
     pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
-        let (model, settings) = (Arc::clone(&self.model), self.settings.clone());
-        let warning = LimitExceeded::warning(self.flight()?.limits_exceeded(), &model, &settings.plant);
+        let warning = self.limits_warning()?;
         self.neighbours = None;
-        self.state = State::StepComplete;
+        self.state = match self.interface.kind {
+            Kind::CoSimulation => State::StepComplete,
+            Kind::ModelExchange => State::EventMode,
+        };
         if let Some(warning) = warning {
             self.warn(warning);
         }
@@ -291,86 +332,23 @@ impl Instance {
         self.rates = Inputs::zero(&self.model);
         self.rate_is_new.fill(false);
         self.time = 0.0;
-        self.flight = None;
+        self.motion = None;
         self.neighbours = None;
         self.log.write(Status::Ok, "reset");
-    }
-
-    /// Flies one communication step, without allocating when it succeeds.
-    pub fn do_step(&mut self, point: f64, size: f64) -> Result<(), Refusal> {
-        if !size.is_finite() || size < 0.0 {
-            let reason = format!("step size: found {size}, allowed is a finite number that is not negative");
-            return Err(Refusal::error(reason));
-        }
-        let began = self.time;
-        if !point.is_finite() || (point - began).abs() > self.experiment.slack(began) {
-            let reason = format!("communication point: found {point}, expected {began}");
-            return Err(Refusal::error(reason));
-        }
-        let end = if size > 0.0 { began.max(point + size) } else { began };
-        if !is_time(end) {
-            let reason = format!("the step to {end} passes {LATEST:e} s: {GRID_REASON}");
-            return Err(Refusal::error(reason));
-        }
-        if let Some(stop) = self.experiment.stop.filter(|stop| end > stop + self.experiment.slack(end)) {
-            return Err(Refusal::error(format!("the step to {end} passes the stop time {stop}")));
-        }
-        // A master that is off by its rounding and does not step stays.
-        let point = if size > 0.0 { point } else { began };
-        if let Err(error) = self.flight()?.step(point, size) {
-            return Err(Refusal::error(format!("in the step from t = {began} s to {end} s: {error}")));
-        }
-        if let Some(flight) = &self.flight {
-            flight.write_inputs(&mut self.inputs);
-        }
-        if end > began {
-            self.rate_is_new.fill(false);
-        }
-        self.time = end;
-        Ok(())
-    }
-
-    /// The flight under the present parameters and inputs, trimmed at the start time if it is new.
-    pub(super) fn flight(&mut self) -> Result<&mut Simulation, Refusal> {
-        match self.flight {
-            Some(ref mut flight) => Ok(flight),
-            None => {
-                let flight = self.new_flight()?;
-                Ok(self.flight.insert(flight))
-            }
-        }
-    }
-
-    fn new_flight(&self) -> Result<Simulation, Refusal> {
-        let mut flight = self.trimmed(&self.settings, &self.experiment)?;
-        flight.set_inputs(&self.inputs, &self.rates);
-        let ReducedModel { support, controls, engines, .. } = &*self.model;
-        let text = match support {
-            Support::Free => format!("trimmed: {}", flight.trim().describe(controls, !engines.is_empty())),
-            Support::Clamped => "at rest in the tunnel's flow".to_owned(),
-        };
-        self.log.write(Status::Ok, &text);
-        Ok(flight)
-    }
-
-    pub(super) fn trimmed(
-        &self,
-        settings: &Settings,
-        experiment: &Experiment,
-    ) -> Result<Simulation, Refusal> {
-        let tolerance = experiment.tolerance_in_use(settings);
-        let settings = Settings { tolerance, ..settings.clone() };
-        Simulation::new(self.model.clone(), &settings, experiment.start)
-            .map_err(|error| Refusal::error(error.to_string()))
     }
 }
 
 /// Where the parameters start: as the file among the resources says, if there is one.
-fn read_starts(resources: &Path, model: &ReducedModel) -> Result<Settings, InstantiationError> {
+fn read_starts(
+    interface: Interface,
+    resources: &Path,
+    model: &ReducedModel,
+) -> Result<Settings, InstantiationError> {
     let path = resources.join(STARTS_FILE);
     match std::fs::read_to_string(&path) {
-        Ok(text) => starts::read(&text, model).map_err(|source| InstantiationError::Starts { path, source }),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(Settings::of(model)),
+        Ok(text) => starts::read(&text, interface, model)
+            .map_err(|source| InstantiationError::Starts { path, source }),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(starts::usual(interface, model)),
         Err(source) => Err(InstantiationError::Read { path, source }),
     }
 }

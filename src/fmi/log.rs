@@ -1,8 +1,11 @@
 //! Messages to the importer: which of them it wants, and who passes them on.
 
+use std::ffi::CString;
 use std::fmt::Debug;
 
-use super::life_cycle::{Objection, Operation};
+use super::interface::Version;
+use super::life_cycle::Objection;
+use super::operation::Operation;
 use super::status::Status;
 
 /// A log category of the model description.
@@ -50,14 +53,12 @@ impl Category {
 pub trait Messenger: Debug {
     /// Passes a message on.
     fn pass_on(&self, status: Status, category: Category, text: &str);
-
-    /// What its version of FMI calls an operation.
-    fn function(&self, operation: Operation) -> &'static str;
 }
 
 /// The importer's log with the categories that it wants.
 #[derive(Debug)]
 pub struct Log {
+    version: Version,
     messenger: Option<Box<dyn Messenger>>,
     wanted: Vec<Category>,
 }
@@ -67,8 +68,8 @@ const ALWAYS: [Category; 3] = [Category::StatusWarning, Category::StatusError, C
 
 impl Log {
     /// With all categories when `logging_on`, else warnings and errors only; without a messenger nothing is told.
-    pub fn new(messenger: Option<Box<dyn Messenger>>, logging_on: bool) -> Self {
-        let mut log = Log { messenger, wanted: Vec::new() };
+    pub fn new(version: Version, messenger: Option<Box<dyn Messenger>>, logging_on: bool) -> Self {
+        let mut log = Log { version, messenger, wanted: Vec::new() };
         log.choose(logging_on, &[]);
         log
     }
@@ -98,19 +99,25 @@ impl Log {
 
     /// The same of an operation, whose function the message names.
     pub fn write_of(&self, operation: Operation, status: Status, text: &str) {
-        if let Some(messenger) = self.messenger_for(status) {
-            self.write(status, &format!("{}: {text}", messenger.function(operation)));
+        if self.wants(status) {
+            self.write(status, &format!("{}: {text}", operation.name(self.version).unwrap_or_default()));
         }
     }
 
     /// Says why an operation may not be asked for.
     pub fn refuse(&self, operation: Operation, objection: Objection) {
-        if let Some(messenger) = self.messenger_for(Status::Error) {
-            self.write_of(operation, Status::Error, &objection.text(messenger.function(Operation::DoStep)));
+        if self.wants(Status::Error) {
+            self.write_of(operation, Status::Error, &objection.text(self.version));
         }
     }
 
     fn messenger_for(&self, status: Status) -> Option<&dyn Messenger> {
         self.messenger.as_deref().filter(|_| self.wants(status))
     }
+}
+
+/// As a C string; a NUL inside is left out.
+pub fn c_text(text: &str) -> CString {
+    let bytes: Vec<u8> = text.bytes().filter(|byte| *byte != 0).collect();
+    CString::new(bytes).unwrap_or_default()
 }

@@ -37,12 +37,12 @@ pub fn directory(uri: &[u8]) -> Result<PathBuf, ResourceError> {
 }
 
 #[cfg(unix)]
-fn native(path: Vec<u8>) -> Option<PathBuf> {
+pub(crate) fn native(path: Vec<u8>) -> Option<PathBuf> {
     Some(<std::ffi::OsString as std::os::unix::ffi::OsStringExt>::from_vec(path).into())
 }
 
 #[cfg(not(unix))]
-fn native(path: Vec<u8>) -> Option<PathBuf> {
+pub(crate) fn native(path: Vec<u8>) -> Option<PathBuf> {
     String::from_utf8(path).ok().map(PathBuf::from)
 }
 

@@ -5,7 +5,9 @@
 
 use crate::flight::Settings;
 use crate::structure::ReducedModel;
-use crate::variables::{Slot, Type, Value, Variable, VariableTable};
+use crate::variables::{Slot, Type, Value, Variable, VariableTable, usual_starts};
+
+use super::interface::Interface;
 
 /// Name of the file in the FMU's `resources/`; it is not there where all parameters start as the aircraft's.
 pub const STARTS_FILE: &str = "starts.txt";
@@ -22,9 +24,14 @@ pub struct StartsError {
     pub allowed: String,
 }
 
+/// Where those of an FMU start unless someone says otherwise.
+pub fn usual(interface: Interface, model: &ReducedModel) -> Settings {
+    usual_starts(model, interface.extent())
+}
+
 /// The file; `None` where nothing starts elsewhere.
-pub fn write(model: &ReducedModel, starts: &Settings) -> Option<String> {
-    let usual = Settings::of(model);
+pub fn write(interface: Interface, model: &ReducedModel, starts: &Settings) -> Option<String> {
+    let usual = usual(interface, model);
     let line = |variable: &Variable| {
         let Slot::Parameter(slot) = variable.slot else { return None };
         let value = slot.get(starts);
@@ -39,8 +46,8 @@ pub fn write(model: &ReducedModel, starts: &Settings) -> Option<String> {
 ///
 /// # Errors
 /// At the first line that says no value of a parameter that it may have.
-pub fn read(text: &str, model: &ReducedModel) -> Result<Settings, StartsError> {
-    let (table, mut settings) = (VariableTable::new(model), Settings::of(model));
+pub fn read(text: &str, interface: Interface, model: &ReducedModel) -> Result<Settings, StartsError> {
+    let (table, mut settings) = (VariableTable::new(model), usual(interface, model));
     for (line, found) in (1..).zip(text.lines()) {
         let refuse = |allowed: String| StartsError { line, found: found.to_owned(), allowed };
         let parts = found.split_once(" = ");
@@ -83,22 +90,22 @@ mod tests {
     #[test]
     fn what_is_written_is_read_again_and_what_is_usual_is_not_written() {
         let usual = Settings::of(jet());
-        assert_eq!(write(jet(), &usual), None);
+        assert_eq!(write(Interface::USUAL, jet(), &usual), None);
         let mut starts = usual.clone();
         starts.gust.shape = GustShape::OneMinusCosine;
         (starts.gust.gradient, starts.tolerance, starts.sensors.enabled) = (1.0 / 3.0, 1e-3, true);
-        let text = write(jet(), &starts).unwrap();
+        let text = write(Interface::USUAL, jet(), &starts).unwrap();
         assert_eq!(
             text,
             "tolerance = 0.001\nsensor.enabled = true\ngust.shape = 2\ngust.gradient = 0.3333333333333333\n"
         );
-        assert_eq!(read(&text, jet()), Ok(starts));
-        assert_eq!(read("", jet()), Ok(usual));
+        assert_eq!(read(&text, Interface::USUAL, jet()), Ok(starts));
+        assert_eq!(read("", Interface::USUAL, jet()), Ok(usual));
     }
 
     #[test]
     fn a_line_that_says_no_start_is_refused_with_what_is_allowed() {
-        let refused = |text: &str| read(text, jet()).unwrap_err().to_string();
+        let refused = |text: &str| read(text, Interface::USUAL, jet()).unwrap_err().to_string();
         assert_eq!(
             refused("airspeed = 100.0\nairspeed = 1e9"),
             "line 2: found `airspeed = 1e9`, allowed is 1 to 400 m/s"

@@ -6,10 +6,9 @@
 
 use std::ffi::CString;
 
-use super::functions;
 use super::types::{CallbackFunctions, CallbackLogger, ComponentEnvironment};
-use crate::fmi::life_cycle::Operation;
-use crate::fmi::log::{Category, Log, Messenger};
+use crate::fmi::Version;
+use crate::fmi::log::{Category, Log, Messenger, c_text};
 use crate::fmi::status::Status;
 
 /// The log of an instance with this name, which goes to the importer's logger.
@@ -21,7 +20,7 @@ pub fn log(callbacks: &CallbackFunctions, instance_name: &str, logging_on: bool)
         let environment = callbacks.component_environment;
         Box::new(Logger { callback, environment, instance_name: c_text(instance_name) }) as Box<dyn Messenger>
     });
-    Log::new(messenger, logging_on)
+    Log::new(Version::V2, messenger, logging_on)
 }
 
 /// The importer's logger.
@@ -48,14 +47,4 @@ impl Messenger for Logger {
             );
         }
     }
-
-    fn function(&self, operation: Operation) -> &'static str {
-        functions::name(operation)
-    }
-}
-
-/// As a C string; a NUL inside is left out.
-fn c_text(text: &str) -> CString {
-    let bytes: Vec<u8> = text.bytes().filter(|byte| *byte != 0).collect();
-    CString::new(bytes).unwrap_or_default()
 }

@@ -27,10 +27,30 @@ pub type Byte = c_char;
 pub const FALSE: Boolean = 0;
 /// `fmi2CoSimulation` of `fmi2Type`.
 pub const CO_SIMULATION: c_int = 1;
+/// `fmi2ModelExchange` of `fmi2Type`.
+pub const MODEL_EXCHANGE: c_int = 0;
 /// `fmi2LastSuccessfulTime` of `fmi2StatusKind`.
 pub const LAST_SUCCESSFUL_TIME: c_int = 2;
 /// `fmi2Terminated` of `fmi2StatusKind`.
 pub const TERMINATED: c_int = 3;
+
+/// `fmi2EventInfo`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EventInfo {
+    /// `newDiscreteStatesNeeded`.
+    pub new_discrete_states_needed: Boolean,
+    /// `terminateSimulation`.
+    pub terminate_simulation: Boolean,
+    /// `nominalsOfContinuousStatesChanged`.
+    pub nominals_changed: Boolean,
+    /// `valuesOfContinuousStatesChanged`.
+    pub values_changed: Boolean,
+    /// `nextEventTimeDefined`.
+    pub next_event_time_defined: Boolean,
+    /// s.
+    pub next_event_time: Real,
+}
 
 /// `fmi2CallbackLogger`: environment, instance name, status, category, format, arguments of the format.
 pub type CallbackLogger = unsafe extern "C" fn(ComponentEnvironment, CString, Status, CString, CString, ...);

@@ -39,6 +39,13 @@ impl Attitude {
     }
 }
 
+/// Rates of roll, pitch and yaw angle at an angular velocity in body axes [theory: linearisation.unknowns].
+pub fn euler_angle_rates(angles: &Vector3<f64>, rate: &Vector3<f64>) -> Vector3<f64> {
+    let ((sin, cos), tan) = (libm::sincos(angles.x), libm::tan(angles.y));
+    let downwards = rate.y * sin + rate.z * cos;
+    Vector3::new(rate.x + downwards * tan, rate.y * cos - rate.z * sin, downwards / libm::cos(angles.y))
+}
+
 /// The quaternion (scalar first) of roll, pitch, yaw.
 pub fn quaternion_of_euler_angles(angles: &Vector3<f64>) -> [f64; 4] {
     let half = angles * 0.5;

@@ -16,7 +16,7 @@ mod square_matrix;
 pub(crate) use arithmetic::{Arithmetic, Counting, Machine, Work};
 pub use attitude::Attitude;
 pub(crate) use attitude::{
-    quaternion_of_euler_angles, quaternion_of_turn, quaternion_product, quaternion_rate,
+    euler_angle_rates, quaternion_of_euler_angles, quaternion_of_turn, quaternion_product, quaternion_rate,
 };
 pub(crate) use columns::Columns;
 pub(crate) use differences::{WIDTHS, central, derivative, slope};

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::math::{ROUNDING, quaternion_product};
+use crate::math::{Attitude, ROUNDING, quaternion_product};
 
 /// A turn about the vertical.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +35,13 @@ impl Course {
         let [scalar, vertical] = self.quaternion;
         let is_negative = self.quaternion(attitude)[0] < 0.0;
         if is_negative { Course { quaternion: [-scalar, -vertical], ..self } } else { self }
+    }
+
+    /// By how much the yaw angle of an attitude along it is greater than that from it, rad; between half turns at that attitude.
+    pub(crate) fn yaw_beyond(self, attitude: &[f64]) -> f64 {
+        let along = Attitude::from_quaternion(attitude);
+        let from_north = Attitude { body_from_inertial: along.body_from_inertial * self.matrix() };
+        from_north.euler_angles().z - along.euler_angles().z
     }
 
     /// The same with that of its two quaternions which is nearer to another course's.

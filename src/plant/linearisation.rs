@@ -14,10 +14,10 @@
 //! [theory: linearisation.unknowns, symmetry.freedom]
 
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
-use nalgebra::{Complex, DMatrix, Schur};
+use nalgebra::{Complex, DMatrix, Schur, Vector3};
 
 use crate::kinematics::RigidFreedom;
-use crate::math::{Attitude, derivative, quaternion_of_euler_angles};
+use crate::math::{Attitude, derivative, euler_angle_rates, quaternion_of_euler_angles};
 
 use super::system::Plant;
 use super::trim::Trim;
@@ -200,11 +200,16 @@ impl Plant {
     /// Steps of the differences by some unknowns.
     pub(super) fn steps(&self, unknowns: &[Unknown], trim: &Trim) -> Vec<f64> {
         let airspeed = self.speed_at(trim);
-        unknowns.iter().map(|&unknown| STEP * self.magnitude(unknown, airspeed)).collect()
+        unknowns.iter().map(|&unknown| self.step(unknown, airspeed)).collect()
+    }
+
+    /// Step of the differences by an unknown at an airspeed (m/s).
+    pub(crate) fn step(&self, unknown: Unknown, airspeed: f64) -> f64 {
+        STEP * self.magnitude(unknown, airspeed)
     }
 
     /// What velocities at a trim are measured by, m/s.
-    pub(super) fn speed_at(&self, trim: &Trim) -> f64 {
+    pub(crate) fn speed_at(&self, trim: &Trim) -> f64 {
         self.airspeed(&trim.state, &trim.controls).max(SLOWEST)
     }
 
@@ -270,12 +275,9 @@ impl Plant {
         }
     }
 
-    /// Rates of roll, pitch and yaw angle, rad/s [theory: linearisation.unknowns].
-    fn angle_rates(&self, state: &[f64]) -> [f64; 3] {
+    /// Rates of roll, pitch and yaw angle, rad/s.
+    fn angle_rates(&self, state: &[f64]) -> Vector3<f64> {
         let angles = Attitude::from_quaternion(&state[self.layout().attitude()]).euler_angles();
-        let rate = self.equations.motion(state).rate;
-        let ((sin, cos), tan) = (libm::sincos(angles.x), libm::tan(angles.y));
-        let downwards = rate.y * sin + rate.z * cos;
-        [rate.x + downwards * tan, rate.y * cos - rate.z * sin, downwards / libm::cos(angles.y)]
+        euler_angle_rates(&angles, &self.equations.motion(state).rate)
     }
 }

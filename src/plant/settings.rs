@@ -181,6 +181,11 @@ fn refuse<T>(setting: &str, found: impl Display, allowed: &str) -> Result<T, Set
 }
 
 impl Plant {
+    /// Of a whole aircraft before any parameter is set, but with all its modes.
+    pub(crate) fn of_all_modes(model: &ReducedModel) -> Self {
+        Plant::new(model, &PlantSettings::of(model).configuration(model.support))
+    }
+
     /// That of a whole aircraft under some settings.
     ///
     /// # Errors

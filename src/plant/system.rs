@@ -85,6 +85,11 @@ impl Plant {
         Plant::of_modes(model, configuration, &ModesInUse::chosen(&modes))
     }
 
+    /// What a coordinate is when it moves or turns some strip by about 1 m or 1 rad.
+    pub(crate) fn coordinate_magnitude(&self) -> f64 {
+        self.equations.coordinate_magnitude()
+    }
+
     /// Of a whole aircraft with some of its modes, all others held at rest.
     pub fn of_modes(model: &ReducedModel, configuration: &Configuration, modes: &ModesInUse) -> Self {
         let reduced = model.in_use(modes);
@@ -317,6 +322,11 @@ impl Plant {
     /// The same plant in another flow of the tunnel (m/s), with all elastic properties multiplied by a factor.
     pub(crate) fn varied(&self, tunnel_flow: Vector3<f64>, stiffness: f64) -> Self {
         Plant { equations: self.equations.varied(tunnel_flow, stiffness), ..self.clone() }
+    }
+
+    /// Velocity of the air mass in the axes of the state, that of a tunnel's flow included, m/s.
+    pub(crate) fn air_mass_velocity(&self, controls: &Controls) -> Vector3<f64> {
+        controls.wind + self.equations.tunnel_flow
     }
 
     /// The air around O.

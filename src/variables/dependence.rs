@@ -36,7 +36,7 @@ pub(super) fn direct(output: OutputSlot, input: InputSlot) -> bool {
 /// Whether a parameter acts on the value of an output at initialisation, in the trimmed flight; `roles` has that of each
 /// control.
 pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Option<TrimRole>]) -> bool {
-    use ParameterSlot::{Airspeed, Altitude, Heading, InputReference, StructuralDamping, Tolerance};
+    use ParameterSlot::{Airspeed, Altitude, Heading, InputReference};
     match output {
         OutputSlot::Position(Axis::Z) => parameter == Altitude,
         OutputSlot::Attitude(Axis::Z) => parameter == Heading,
@@ -51,9 +51,7 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Opt
         | OutputSlot::AngularAcceleration(_)
         | OutputSlot::LoadFactorAtCentre(_)
         | OutputSlot::LiftLoadFactor
-        | OutputSlot::SectionLoad { .. } => {
-            !matches!(parameter, StructuralDamping | Tolerance | ParameterSlot::Sensor(_))
-        }
+        | OutputSlot::SectionLoad { .. } => acts_on_forces(parameter),
         OutputSlot::Air(AirQuantity::Density | AirQuantity::Pressure | AirQuantity::Temperature) => {
             parameter == Altitude
         }
@@ -97,6 +95,12 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Opt
     }
 }
 
+/// Whether a parameter acts on forces and accelerations in the trimmed flight and under inputs there.
+pub(super) fn acts_on_forces(parameter: ParameterSlot) -> bool {
+    use ParameterSlot::{Sensor, StructuralDamping, Tolerance};
+    !matches!(parameter, StructuralDamping | Tolerance | Sensor(_))
+}
+
 /// Whether a parameter of the sensors acts on the value of an output at initialisation.
 pub(super) fn sampled(output: OutputSlot, setting: SensorSetting) -> bool {
     let acts = matches!(setting, SensorSetting::Enabled | SensorSetting::Noise(_) | SensorSetting::Seed);
@@ -118,7 +122,7 @@ fn limits_engine(parameter: ParameterSlot, engine: usize) -> bool {
 }
 
 /// The parameters that the trim depends on; inflow and damping vanish in steady flight.
-fn trims(parameter: ParameterSlot) -> bool {
+pub(super) fn trims(parameter: ParameterSlot) -> bool {
     use ParameterSlot::{
         Airspeed, Altitude, Condition, LoadModes, ModeCount, ModeFamily, Model, StiffnessScale,
     };

@@ -5,6 +5,7 @@
 //! all types, so that a reference used with the wrong type is noticed.
 
 mod air_quantity;
+mod archive_table;
 mod axis;
 mod condition_slot;
 mod conditions;
@@ -21,6 +22,8 @@ mod placements;
 mod row;
 mod section_loads;
 mod slot;
+mod state_dependence;
+mod states;
 mod surface_angle;
 mod table;
 mod unit;
@@ -28,6 +31,7 @@ mod value;
 mod variable;
 
 pub use air_quantity::AirQuantity;
+pub use archive_table::{ArchiveTable, Extent, Place, usual_starts};
 pub use axis::Axis;
 pub use condition_slot::ConditionSetting;
 pub use enumeration::EnumerationType;

@@ -40,7 +40,12 @@ pub(super) fn output(
     real(name, unit.into(), Slot::Output(slot), description)
 }
 
-fn real(name: String, unit: Option<Unit>, slot: Slot, description: String) -> Variable {
+pub(super) fn real<Place>(
+    name: String,
+    unit: Option<Unit>,
+    slot: Place,
+    description: String,
+) -> Variable<Place> {
     Variable {
         name,
         description,
@@ -56,7 +61,7 @@ fn real(name: String, unit: Option<Unit>, slot: Slot, description: String) -> Va
     }
 }
 
-impl Variable {
+impl<Place> Variable<Place> {
     pub(super) fn at_least(self, min: f64) -> Self {
         Variable { min: Some(min), ..self }
     }

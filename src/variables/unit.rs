@@ -31,6 +31,8 @@ pub enum Unit {
     Second,
     /// K
     Kelvin,
+    /// N/s
+    NewtonPerSecond,
 }
 
 /// Integer exponents of the SI base units in a unit.
@@ -61,7 +63,7 @@ const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
 
 impl Unit {
     /// All units, in the order of the model description.
-    pub const ALL: [Unit; 13] = [
+    pub const ALL: [Unit; 14] = [
         Unit::One,
         Unit::Metre,
         Unit::MetrePerSecond,
@@ -75,6 +77,7 @@ impl Unit {
         Unit::KilogramPerCubicMetre,
         Unit::Second,
         Unit::Kelvin,
+        Unit::NewtonPerSecond,
     ];
 
     /// As written in the model description.
@@ -93,6 +96,7 @@ impl Unit {
             Unit::KilogramPerCubicMetre => "kg/m3",
             Unit::Second => "s",
             Unit::Kelvin => "K",
+            Unit::NewtonPerSecond => "N/s",
         }
     }
 
@@ -113,6 +117,19 @@ impl Unit {
             Unit::KilogramPerCubicMetre => BaseUnit { kilogram: 1, metre: -3, ..one },
             Unit::Second => BaseUnit { second: 1, ..one },
             Unit::Kelvin => BaseUnit { kelvin: 1, ..one },
+            Unit::NewtonPerSecond => BaseUnit { kilogram: 1, metre: 1, second: -3, ..one },
+        }
+    }
+
+    /// That of a rate of what has this unit, for the units of states.
+    pub fn per_second(self) -> Option<Unit> {
+        match self {
+            Unit::Metre => Some(Unit::MetrePerSecond),
+            Unit::MetrePerSecond => Some(Unit::MetrePerSecondSquared),
+            Unit::Radian => Some(Unit::RadianPerSecond),
+            Unit::RadianPerSecond => Some(Unit::RadianPerSecondSquared),
+            Unit::Newton => Some(Unit::NewtonPerSecond),
+            _ => None,
         }
     }
 

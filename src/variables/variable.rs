@@ -29,9 +29,9 @@ pub enum Variability {
     Continuous,
 }
 
-/// One row of the table.
+/// One row of the table, or of another one whose values live elsewhere too.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Variable {
+pub struct Variable<Place = Slot> {
     /// As users connect to it.
     pub name: String,
     /// For people.
@@ -53,10 +53,10 @@ pub struct Variable {
     /// Typical magnitude.
     pub nominal: Option<f64>,
     /// Where the value lives; it implies the causality.
-    pub slot: Slot,
+    pub slot: Place,
 }
 
-impl Variable {
+impl<Place> Variable<Place> {
     /// Whether the value is within `min` and `max`, and not just beside a 0 that stands for none (enumerations: one of the list; Booleans: either).
     pub fn allows(&self, value: Value) -> bool {
         let number = match value {

@@ -17,6 +17,28 @@ def fmu():
     return path
 
 
+# Version of FMI and kind, as `flexair package --fmi … --kind …` takes them, and the archive.
+ARCHIVES = {
+    (2, "co-simulation"): "FlexibleAircraft.fmu",
+    (3, "co-simulation"): "FlexibleAircraft.fmi3.fmu",
+    (2, "model-exchange"): "FlexibleAircraft.me.fmu",
+    (3, "model-exchange"): "FlexibleAircraft.fmi3.me.fmu",
+}
+
+
+@pytest.fixture(scope="session")
+def archive(fmu):
+    """A function that gives the path of the archive for a version and a kind, beside that of FMI 2.0 for co-simulation."""
+
+    def archive(version, kind):
+        path = fmu.with_name(ARCHIVES[version, kind])
+        options = "--fmi 2 --fmi 3 --kind co-simulation --kind model-exchange --output target/fmu"
+        assert path.is_file(), f"{path} does not exist: run `cargo run --release -- package {options}`"
+        return path
+
+    return archive
+
+
 @pytest.fixture(scope="session")
 def model_description(fmu):
     return fmpy.read_model_description(fmu)

@@ -6,6 +6,7 @@
 use std::io::{Cursor, Read, Write};
 use std::path::{Path, PathBuf};
 
+use flexible_aircraft::fmi::Interface;
 use flexible_aircraft_packaging::{Package, Platform, merge};
 use zip::write::SimpleFileOptions;
 use zip::{ZipArchive, ZipWriter};
@@ -124,4 +125,36 @@ fn a_file_that_is_no_fmu_of_ours_is_not_merged() {
     );
     let message = refusal(|fmu| std::fs::remove_file(fmu).unwrap());
     assert!(message.starts_with("cannot read second.fmu: "), "{message}");
+}
+
+#[test]
+#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
+fn fmus_of_different_interfaces_are_not_merged() {
+    let (first, second) = (Interface::USUAL, Interface::ALL[1]);
+    let (other, folder) = other_package();
+    let one = write(&Package { interface: first, ..package() }, &folder.path().join("A.fmu"));
+    for (interface, said) in [
+        (second, "FMI 3.0 co-simulation"),
+        (Interface::ALL[2], "FMI 2.0 model exchange"),
+        (Interface::ALL[3], "FMI 3.0 model exchange"),
+    ] {
+        let two = write(&Package { interface, ..other.clone() }, &folder.path().join("B.fmu"));
+        let message = merge(&[one.clone(), two]).unwrap_err().to_string();
+        let message = message.replace(&format!("{}/", folder.path().display()), "");
+        assert_eq!(message, format!("A.fmu is FMI 2.0 co-simulation, B.fmu is {said}: nothing to merge"));
+    }
+}
+
+#[test]
+#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
+fn fmus_of_each_interface_are_merged_with_their_folders() {
+    let (other, folder) = other_package();
+    for interface in &Interface::ALL[1..] {
+        let of = |package: Package| Package { interface: *interface, ..package };
+        let one = write(&of(package()), &folder.path().join("one.fmu"));
+        let two = write(&of(other.clone()), &folder.path().join("two.fmu"));
+        let mut both = of(other.clone());
+        both.binaries.extend(package().binaries);
+        assert!(merge(&[two, one]).unwrap() == both.to_bytes().unwrap(), "{interface}");
+    }
 }

@@ -1,6 +1,7 @@
 //! The FMU of the generic business jet, packaged and then used through its C interface.
 
 mod controls;
+mod layout;
 mod merging;
 
 use std::path::{Path, PathBuf};
@@ -8,6 +9,7 @@ use std::sync::Arc;
 
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
+use flexible_aircraft::fmi::Interface;
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{FmuError, Licences, Package, PackageError, Platform};
@@ -25,6 +27,7 @@ fn package() -> Package {
     let name = format!("{}flexible_aircraft{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
     let library = std::env::current_exe().unwrap().with_file_name(name);
     Package {
+        interface: Interface::USUAL,
         aircraft: jet_file(),
         mode_count: MODE_COUNT.into(),
         load_modes: false,

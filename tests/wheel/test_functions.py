@@ -123,6 +123,21 @@ def test_the_goland_wing_flutters_where_goland_has_it():
 def test_packaging_returns_the_path_and_what_the_flight_showed(own_aircraft, tmp_path):
     packaged = flexair.package(own_aircraft, output=tmp_path / "own.fmu", modes=2, parameters={"model": "rigid"})
     assert packaged.path.stat().st_size == packaged.size and "faster than real time" in packaged.flight
+    assert packaged.interface == "FMI 2.0 co-simulation" and packaged.others == ()
+
+
+def test_packaging_as_several_things_returns_all_of_them(own_aircraft, tmp_path):
+    kinds = ["co-simulation", "model-exchange"]
+    packaged = flexair.package(own_aircraft, output=tmp_path / "fmus", fmi=[2, 3], kind=kinds, modes=2, check=False)
+    written = {archive.path.name: archive.interface for archive in [packaged, *packaged.others]}
+    assert written == {
+        "FlexibleAircraft.fmu": "FMI 2.0 co-simulation",
+        "FlexibleAircraft.fmi3.fmu": "FMI 3.0 co-simulation",
+        "FlexibleAircraft.me.fmu": "FMI 2.0 model exchange",
+        "FlexibleAircraft.fmi3.me.fmu": "FMI 3.0 model exchange",
+    }
+    with pytest.raises(flexair.Error, match="--output FILE takes one archive; 2 were asked for"):
+        flexair.package(own_aircraft, output=tmp_path / "own.fmu", fmi=[2, 3], modes=2)
 
 
 def test_shipped_aircraft_have_files():

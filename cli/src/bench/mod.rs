@@ -16,6 +16,7 @@ use std::sync::Arc;
 use clap::Args;
 use flexible_aircraft::aircraft::Support;
 use flexible_aircraft::flight::SimulationError;
+use flexible_aircraft::fmi::Interface;
 use flexible_aircraft::plant::{PlantSettings, SettingError, TrimError};
 use flexible_aircraft::structure::{ModeCount, ReducedModel, StructureError};
 use flexible_aircraft::symmetry::Plants;
@@ -36,7 +37,7 @@ use standard_flight::{Flown, StandardFlight};
 the flight is a 2-3-1-1 of that control, and half of the aircraft is timed against the whole"
 )]
 pub struct BenchOptions {
-    /// The FMU to fly, as `flexair package` writes it
+    /// The FMU to fly, as `flexair package` writes it: FMI 2.0 co-simulation
     #[arg(long, value_name = "FILE", default_value_os_t = workspace::fmu())]
     fmu: PathBuf,
 
@@ -74,6 +75,9 @@ pub enum BenchError {
     /// There is nothing to fly.
     #[error("{0}; `flexair package` writes one")]
     NoFmu(FileError),
+    /// What there is flies in another way.
+    #[error("{0}; `flexair package` writes one")]
+    OtherFmu(FmuError),
     /// The flight through the C interface.
     #[error(transparent)]
     Fmu(#[from] FmuError),
@@ -126,8 +130,9 @@ pub fn run(options: &BenchOptions) -> Result<(), BenchError> {
     if Plants::under(&model, &PlantSettings::of(&model))?.half().is_none() {
         return Err(BenchError::NoMirrorPlane(aircraft.name));
     }
-    let fmu = Fmu::open(&options.fmu).map_err(|error| match error {
+    let fmu = Fmu::open_as(&options.fmu, Interface::USUAL).map_err(|error| match error {
         FmuError::File(file) => BenchError::NoFmu(file),
+        FmuError::OtherInterface { .. } => BenchError::OtherFmu(error),
         other => other.into(),
     })?;
     let control = &model.controls[pitch_control(&model)?];

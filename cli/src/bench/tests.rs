@@ -2,6 +2,7 @@ use std::path::Path;
 
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::Fidelity;
+use flexible_aircraft::fmi::Interface;
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{Licences, Package, Platform};
@@ -30,6 +31,7 @@ fn jet() -> (tempfile::TempDir, Fmu) {
     let binaries = vec![(Platform::host().unwrap(), library)];
     let aircraft = workspace.join("aircraft/generic-business-jet.toml");
     Package {
+        interface: Interface::USUAL,
         aircraft,
         mode_count: 26.into(),
         load_modes: false,

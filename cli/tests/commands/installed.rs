@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use flexible_aircraft::fmi::Interface;
 use flexible_aircraft_packaging::{Installation, Licences, Package, Platform};
 
 use crate::support::{library, names, text, workspace};
@@ -56,6 +57,7 @@ fn an_own_aircraft_is_packaged_without_cargo_and_sources_as_with_them() {
     assert!(run.status.success(), "{}", text(&run.stderr));
     assert!(text(&run.stdout).starts_with("FlexibleAircraft.fmu: "), "{}", text(&run.stdout));
     let package = Package {
+        interface: Interface::USUAL,
         aircraft: own,
         mode_count: 2.into(),
         load_modes: false,
@@ -97,7 +99,7 @@ fn what_is_missing_is_named() {
         "{bench}"
     );
     let (platform, _) = host_library();
-    std::fs::remove_dir_all(installed.data().join("binaries").join(platform.folder())).unwrap();
+    std::fs::remove_dir_all(installed.data().join("binaries").join(platform.name())).unwrap();
     let package = text(&installed.run("package --modes 2").stderr);
     let looked = installed.data();
     let expected =

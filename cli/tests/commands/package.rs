@@ -1,6 +1,6 @@
 //! What `flexair package` says.
 
-use crate::support::{flexair, library, run, text, workspace};
+use crate::support::{flexair, library, names, run, text, workspace};
 
 /// Before it finds that there is no such library.
 #[test]
@@ -44,4 +44,84 @@ fn options_are_checked_before_the_library_is_built() {
         assert!(said.contains(reason), "{options}: {said}");
         assert_eq!(said.contains("Building the shared library"), options.is_empty(), "{options}: {said}");
     }
+}
+
+/// The libraries are there, and nothing is flown.
+fn quickly(options: &str) -> String {
+    format!("package --no-check --modes 2 --binary {} {options}", library())
+}
+
+#[test]
+fn all_pairs_of_versions_and_kinds_are_written_into_a_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let all = "--fmi 2 --fmi 3 --kind co-simulation --kind model-exchange --output fmus";
+    let packaged = run(folder.path(), &quickly(all));
+    assert!(packaged.status.success(), "{}", text(&packaged.stderr));
+    assert_eq!(names(folder.path()), ["fmus"]);
+    let written = [
+        "FlexibleAircraft.fmi3.fmu",
+        "FlexibleAircraft.fmi3.me.fmu",
+        "FlexibleAircraft.fmu",
+        "FlexibleAircraft.me.fmu",
+    ];
+    assert_eq!(names(&folder.path().join("fmus")), written);
+    assert_eq!(text(&packaged.stdout).lines().count(), 4);
+    // The same bytes as one by one, into a file.
+    let alone = run(folder.path(), &quickly("--fmi 3 --kind model-exchange --output alone.fmu"));
+    assert!(alone.status.success(), "{}", text(&alone.stderr));
+    let bytes = |path: &str| std::fs::read(folder.path().join(path)).unwrap();
+    assert!(bytes("alone.fmu") == bytes("fmus/FlexibleAircraft.fmi3.me.fmu"));
+}
+
+#[test]
+fn all_archives_are_written_or_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let both = "--kind co-simulation --kind model-exchange";
+    for (options, reason) in [
+        (
+            "--fmi 2,3 --kind model-exchange --output all.fmu",
+            "error: --output FILE takes one archive; 2 were asked for",
+        ),
+        (
+            &*format!("{both} --set tolerance=1e-4 --output new"),
+            "error: --set tolerance=1e-4: `tolerance` belongs to co-simulation: ",
+        ),
+        (
+            &*format!("{both} --set sensor.enabled=true --output new"),
+            "error: model exchange: sensor.enabled: found true, ",
+        ),
+        ("--fmi 1 --output a.fmu", "error: invalid value '1' for '--fmi <VERSION>'"),
+    ] {
+        let refused = run(folder.path(), &quickly(options));
+        let said = text(&refused.stderr);
+        assert!(!refused.status.success() && said.starts_with(reason), "{said}");
+        assert_eq!(names(folder.path()), [""; 0], "{options}");
+    }
+}
+
+#[test]
+fn an_fmu_for_model_exchange_flies_its_first_second() {
+    let folder = tempfile::tempdir().unwrap();
+    let package = format!("package --modes 2 --kind model-exchange --binary {} --output a.fmu", library());
+    let packaged = run(folder.path(), &package);
+    let (said, noted) = (text(&packaged.stdout), text(&packaged.stderr));
+    assert!(packaged.status.success(), "{noted}");
+    assert!(noted.contains("Flying it as FMI 2.0 model exchange for 1 s"), "{noted}");
+    assert!(said.contains("by Runge-Kutta steps of 1 ms"), "{said}");
+    // The benchmark flies the other kind.
+    let bench = text(&run(folder.path(), "bench --fmu a.fmu").stderr);
+    let expected = "error: a.fmu: found an FMU of FMI 2.0 model exchange, needed is one of FMI 2.0 co-simulation; `flexair package`";
+    assert!(bench.starts_with(expected), "{bench}");
+    // Two of a kind are merged, two kinds are not.
+    let usual = run(folder.path(), &quickly("--output b.fmu"));
+    assert!(usual.status.success(), "{}", text(&usual.stderr));
+    let merged = text(&run(folder.path(), "merge a.fmu b.fmu --output c.fmu").stderr);
+    assert_eq!(
+        merged,
+        "error: a.fmu is FMI 2.0 model exchange, b.fmu is FMI 2.0 co-simulation: nothing to merge\n"
+    );
+    // Both are components.
+    let system = "ssp b.fmu --component other=a.fmu --connect aircraft.rate.y=other.elevator --output s.ssp";
+    let refused = text(&run(folder.path(), system).stderr);
+    assert!(refused.contains("the output is in rad/s, the input in rad"), "{refused}");
 }

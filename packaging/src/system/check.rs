@@ -43,7 +43,12 @@ fn connection(components: &[Component], a: &Endpoint, b: &Endpoint) -> Result<Co
             return Err(ConnectionError::Causality { first, second });
         }
     };
-    if from.kind != to.kind {
+    for (end, variable) in [(output, from), (input, to)] {
+        if let Some(dimensions) = component(components, end)?.description.dimensions(variable) {
+            return Err(ConnectionError::Array { found: described(end, variable), dimensions });
+        }
+    }
+    if !from.kind.holds_the_same_as(to.kind) {
         return Err(ConnectionError::types(from.kind, to.kind));
     }
     let without_unit = match (from.unit.as_str(), to.unit.as_str()) {
@@ -63,7 +68,10 @@ fn connection(components: &[Component], a: &Endpoint, b: &Endpoint) -> Result<Co
 }
 
 /// The component of an endpoint.
-fn component<'c>(components: &'c [Component], end: &Endpoint) -> Result<&'c Component, ConnectionError> {
+pub(super) fn component<'c>(
+    components: &'c [Component],
+    end: &Endpoint,
+) -> Result<&'c Component, ConnectionError> {
     let found = components.iter().find(|component| component.name == end.component);
     found.ok_or_else(|| {
         let names: Vec<&str> = components.iter().map(|component| component.name.as_str()).collect();

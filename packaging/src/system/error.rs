@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use flexible_aircraft::fmi::Interface;
+
 use super::Experiment;
 use crate::FileError;
 use crate::model_description::VariableType;
@@ -16,7 +18,7 @@ pub enum SystemError {
     #[error("found two components named `{0}`; each needs a name of its own")]
     TwoComponents(String),
     /// A file that is no FMU.
-    #[error("{}: not an FMU for co-simulation: {reason}", path.display())]
+    #[error("{}: not an FMU of FMI 2.0 or 3.0: {reason}", path.display())]
     Fmu {
         /// The file.
         path: PathBuf,
@@ -33,6 +35,17 @@ pub enum SystemError {
     EnumerationForOsp {
         /// As it was given.
         given: String,
+    },
+    /// A component that libcosim does not take.
+    #[error(
+        "`{component}` is an FMU of {found}: libcosim takes {}, so that its own system structure can have no other; an SSP archive can",
+        Interface::USUAL
+    )]
+    InterfaceForOsp {
+        /// Its name.
+        component: String,
+        /// What it is.
+        found: Interface,
     },
     /// Step or end that cannot be.
     #[error(
@@ -82,6 +95,14 @@ pub enum ConnectionError {
         first: String,
         /// The second end and what it is.
         second: String,
+    },
+    /// Not one number.
+    #[error("found {found}, an array of {dimensions}; a connection or a setting is of one number")]
+    Array {
+        /// The variable and what it is.
+        found: String,
+        /// Its size.
+        dimensions: String,
     },
     /// Two types of number.
     #[error("the output is of type {output}, the input of type {input}; both ends need the same type")]

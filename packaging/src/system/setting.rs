@@ -2,7 +2,7 @@
 
 use flexible_aircraft::variables::{instead_of_degrees, probably_meant};
 
-use super::check::{described, feeder, variable};
+use super::check::{component, described, feeder, variable};
 use super::error::Misfit;
 use super::{Component, Connection, ConnectionError, Endpoint, SystemError};
 use crate::model_description::{Variable, VariableType};
@@ -44,6 +44,9 @@ fn setting(
         let state = if is_taken { ", which is connected or set already" } else { "" };
         return Err(ConnectionError::NotSettable { found: described(at, variable) + state });
     }
+    if let Some(dimensions) = component(components, at)?.description.dimensions(variable) {
+        return Err(ConnectionError::Array { found: described(at, variable), dimensions });
+    }
     let refused = |allowed: String| ConnectionError::Value { found: value.to_owned(), allowed };
     let angle = value.parse().ok().filter(|_| is_surface(components, at, variable));
     if let Some(allowed) = angle.and_then(instead_of_degrees) {
@@ -71,15 +74,20 @@ fn meant(variable: &Variable, value: &str) -> String {
 /// The value as XML Schema writes it, if the variable can have it.
 fn checked(variable: &Variable, value: &str) -> Option<String> {
     let fits = match variable.kind {
-        VariableType::Real => value.parse().is_ok_and(|number| is_within(variable, number)),
-        VariableType::Integer => value.parse::<i32>().is_ok_and(|number| is_within(variable, number.into())),
         VariableType::Boolean => matches!(value, "true" | "false"),
         VariableType::String => true,
+        VariableType::Binary | VariableType::Clock => false,
         VariableType::Enumeration => {
             let is_meant =
                 |(name, number): &&(String, String)| name.eq_ignore_ascii_case(value) || number == value;
             return variable.items.iter().find(is_meant).map(|(name, _)| name.clone());
         }
+        kind => match kind.integers() {
+            Some(([least, most], _)) => value
+                .parse::<i128>()
+                .is_ok_and(|number| (least..=most).contains(&number) && is_within(variable, number as f64)),
+            None => value.parse().is_ok_and(|number| is_within(variable, number)),
+        },
     };
     fits.then(|| value.to_owned())
 }
@@ -95,8 +103,6 @@ fn is_within(variable: &Variable, number: f64) -> bool {
 /// What [`checked`] accepts, for people.
 fn allowed(variable: &Variable) -> String {
     let of = match variable.kind {
-        VariableType::Real => "a finite number",
-        VariableType::Integer => "an integer of 32 bits",
         VariableType::Boolean => return "`true` and `false` are allowed".to_owned(),
         VariableType::String => return "any text is allowed".to_owned(),
         VariableType::Enumeration => {
@@ -104,6 +110,12 @@ fn allowed(variable: &Variable) -> String {
                 variable.items.iter().map(|(name, number)| format!("{number} ({name})")).collect();
             return format!("allowed is {}", items.join(", "));
         }
+        VariableType::Binary | VariableType::Clock => return "no value can be given here".to_owned(),
+        kind => match kind.integers() {
+            Some(([0, _], bits)) => format!("an integer of {bits} bits, 0 or more"),
+            Some((_, bits)) => format!("an integer of {bits} bits"),
+            None => "a finite number".to_owned(),
+        },
     };
     let (unit, in_unit) = match variable.unit.as_str() {
         "" | "1" => (String::new(), String::new()),

@@ -8,6 +8,8 @@
 
 use std::io;
 
+use flexible_aircraft::fmi::{Kind, Version};
+
 use super::setting::Setting;
 use super::xml::{Xml, document, element, leaf};
 use super::{Component, Connection, System};
@@ -15,15 +17,12 @@ use crate::PackageError;
 use crate::archive::{self, Entry};
 use crate::model_description::{Variable, VariableType};
 
-const ROOT: [(&str, &str); 6] = [
+const NAMESPACES: [(&str, &str); 4] = [
     ("xmlns:ssc", "http://ssp-standard.org/SSP1/SystemStructureCommon"),
     ("xmlns:ssd", "http://ssp-standard.org/SSP1/SystemStructureDescription"),
     ("xmlns:ssv", "http://ssp-standard.org/SSP1/SystemStructureParameterValues"),
     ("xmlns:osp", "http://opensimulationplatform.com/SSP/OSPAnnotations"),
-    VERSION,
-    NAME,
 ];
-const VERSION: (&str, &str) = ("version", "1.0");
 const NAME: (&str, &str) = ("name", "System");
 
 const OMSIMULATOR: (&str, &str) =
@@ -39,8 +38,9 @@ pub(super) fn to_bytes(system: &System) -> Result<Vec<u8>, PackageError> {
 
 /// The bytes of `SystemStructure.ssd`.
 pub(super) fn structure(system: &System) -> Vec<u8> {
+    let root = [&NAMESPACES[..], &[version(system), NAME]].concat();
     document(|xml| {
-        element(xml, "ssd:SystemStructureDescription", &ROOT, |xml| {
+        element(xml, "ssd:SystemStructureDescription", &root, |xml| {
             element(xml, "ssd:System", &[NAME], |xml| {
                 elements_and_connections(xml, system)?;
                 omsimulator_settings(xml, &system.experiment.step.to_string())
@@ -48,6 +48,12 @@ pub(super) fn structure(system: &System) -> Vec<u8> {
             experiment(xml, system)
         })
     })
+}
+
+/// Of SSP. Components of FMI 3.0, and types of theirs, came with 2.0, which has the namespaces of 1.0; fewer masters read it.
+fn version(system: &System) -> (&'static str, &'static str) {
+    let is_third = |component: &Component| component.description.interface.version == Version::V3;
+    ("version", if system.components.iter().any(is_third) { "2.0" } else { "1.0" })
 }
 
 /// Where a component's FMU is in the archive.
@@ -69,11 +75,15 @@ fn elements_and_connections(xml: &mut Xml, system: &System) -> io::Result<()> {
 
 fn component(xml: &mut Xml, component: &Component, system: &System) -> io::Result<()> {
     let source = source(component);
+    let implementation = match component.description.interface.kind {
+        Kind::CoSimulation => "CoSimulation",
+        Kind::ModelExchange => "ModelExchange",
+    };
     let attributes = [
         ("name", component.name.as_str()),
         ("type", "application/x-fmu-sharedlibrary"),
         ("source", &source),
-        ("implementation", "CoSimulation"),
+        ("implementation", implementation),
     ];
     element(xml, "ssd:Component", &attributes, |xml| {
         let shown = component.description.variables.iter().filter(|v| is_shown(v, component, system));
@@ -84,12 +94,16 @@ fn component(xml: &mut Xml, component: &Component, system: &System) -> io::Resul
             })?;
         }
         let settings = system.settings_of(component);
-        if settings.is_empty() { Ok(()) } else { parameters(xml, &settings) }
+        if settings.is_empty() { Ok(()) } else { parameters(xml, &settings, version(system)) }
     })
 }
 
 fn is_shown(variable: &Variable, component: &Component, system: &System) -> bool {
-    let common = matches!(variable.kind, VariableType::Real | VariableType::Integer | VariableType::Boolean);
+    let is_special = matches!(
+        variable.kind,
+        VariableType::String | VariableType::Binary | VariableType::Enumeration | VariableType::Clock
+    );
+    let common = !is_special && component.description.dimensions(variable).is_none();
     let ends = system.connections.iter().flat_map(|connection| [&connection.output, &connection.input]);
     let mut ends = ends.filter(|end| end.component == component.name);
     (common && variable.causality == "output") || ends.any(|end| end.variable == variable.name)
@@ -102,14 +116,14 @@ fn connector(xml: &mut Xml, variable: &Variable) -> io::Result<()> {
 }
 
 /// The start values of a component, inline.
-fn parameters(xml: &mut Xml, settings: &[&Setting]) -> io::Result<()> {
+fn parameters(xml: &mut Xml, settings: &[&Setting], version: (&str, &str)) -> io::Result<()> {
     let parameter = |xml: &mut Xml, setting: &Setting| {
         element(xml, "ssv:Parameter", &[("name", &setting.at.variable)], |xml| {
             leaf(xml, &format!("ssv:{}", setting.kind), &[("value", &setting.value)])
         })
     };
     let set = |xml: &mut Xml| {
-        element(xml, "ssv:ParameterSet", &[VERSION, ("name", "start")], |xml| {
+        element(xml, "ssv:ParameterSet", &[version, ("name", "start")], |xml| {
             element(xml, "ssv:Parameters", &[], |xml| {
                 settings.iter().try_for_each(|setting| parameter(xml, setting))
             })

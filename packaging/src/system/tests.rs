@@ -192,3 +192,79 @@ fn both_descriptions_of_a_system_say_the_same() {
         assert!(!ssp.contains(hidden), "{hidden}");
     }
 }
+
+const THIRD: &str = r#"<fmiModelDescription fmiVersion="3.0" instantiationToken="t">
+    <ModelExchange modelIdentifier="T"/><UnitDefinitions><Unit name="rad"><BaseUnit rad="1"/></Unit></UnitDefinitions>
+    <ModelVariables><Float64 name="pitch" valueReference="0" causality="input" unit="rad"/>
+    <Float64 name="command" valueReference="1" causality="output" unit="rad"><Alias name="order"/></Float64>
+    <Float64 name="all" valueReference="2" causality="output" unit="rad"><Dimension start="3"/></Float64>
+    <Float32 name="single" valueReference="3" causality="output" unit="rad"/>
+    <Float64 name="gains" valueReference="4" causality="parameter"><Dimension start="2"/></Float64>
+    <UInt8 name="small" valueReference="5" causality="parameter" max="200"/>
+    <Binary name="bytes" valueReference="6" causality="output"/></ModelVariables></fmiModelDescription>"#;
+
+/// The plant, of FMI 2.0, and a law of FMI 3.0 for model exchange.
+fn mixed(connections: &[&str], settings: &[&str]) -> Result<System, SystemError> {
+    let halves = |text: &&str| {
+        let (left, right) = text.split_once('=').unwrap();
+        (left.parse::<Endpoint>().unwrap(), right.to_owned())
+    };
+    let mut components = components();
+    components[1].description = ModelDescription::parse(THIRD).unwrap();
+    let connections: Vec<_> = connections.iter().map(halves).map(|(a, b)| (a, b.parse().unwrap())).collect();
+    let settings: Vec<_> = settings.iter().map(halves).collect();
+    System::new(components, &connections, &settings, Experiment { step: 0.01, stop_time: 2.0 })
+}
+
+#[test]
+fn a_component_of_fmi_3_makes_it_a_system_of_ssp_2_with_the_types_of_each() {
+    let connections = ["plant.attitude.pitch=law.pitch", "law.order=plant.surface"];
+    let system = mixed(&connections, &["law.small=7", "plant.count=5"]).unwrap();
+    let ssp = String::from_utf8(ssp::structure(&system)).unwrap();
+    for part in [
+        r#"version="2.0" name="System">"#,
+        r#"source="resources/plant.fmu" implementation="CoSimulation">"#,
+        r#"source="resources/law.fmu" implementation="ModelExchange">"#,
+        r#"startElement="law" startConnector="order" endElement="plant" endConnector="surface"/>"#,
+        r#"<ssv:ParameterSet version="2.0" name="start">"#,
+        r#"<ssv:UInt8 value="7"/>"#,
+        r#"<ssv:Integer value="5"/>"#,
+    ] {
+        assert!(ssp.contains(part), "{part}: {ssp}");
+    }
+    let connector = |name: &str| {
+        let (_, rest) = ssp.split_once(&format!(r#"name="{name}" kind="#)).unwrap();
+        rest.lines().nth(1).unwrap().trim().to_owned()
+    };
+    for (name, kind) in
+        [("attitude.pitch", "Real"), ("pitch", "Float64"), ("order", "Float64"), ("single", "Float32")]
+    {
+        assert_eq!(connector(name), format!("<ssc:{kind}/>"), "{name}");
+    }
+    // Arrays and bytes are no numbers that a master could record.
+    assert!(!ssp.contains(r#"name="all""#) && !ssp.contains(r#"name="bytes""#), "{ssp}");
+    let first = String::from_utf8(ssp::structure(&self::system(&[], &[]).unwrap())).unwrap();
+    assert!(first.contains(r#"version="1.0" name="System">"#), "{first}");
+}
+
+#[test]
+fn arrays_and_other_types_of_fmi_3_are_refused_with_what_they_are() {
+    for (connection, setting, reason) in [
+        ("law.all=plant.surface", "", "found the output `law.all`, an array of 3; a connection"),
+        ("law.single=plant.surface", "", "output is of type Float32, the input of type Real"),
+        ("", "law.gains=1", "found the parameter `law.gains`, an array of 2"),
+        ("", "law.small=256", "allowed is 200 and below"),
+        ("", "law.small=-1", "allowed is 200 and below"),
+    ] {
+        let of = |text: &'static str| if text.is_empty() { vec![] } else { vec![text] };
+        let error = mixed(&of(connection), &of(setting)).unwrap_err().to_string();
+        assert!(error.contains(reason), "{error}");
+    }
+}
+
+#[test]
+fn libcosims_own_structure_takes_fmi_2_for_co_simulation_alone() {
+    let refused = mixed(&[], &[]).unwrap().check_for_osp().unwrap_err().to_string();
+    let expected = "`law` is an FMU of FMI 3.0 model exchange: libcosim takes FMI 2.0 co-simulation, ";
+    assert!(refused.starts_with(expected), "{refused}");
+}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Literal, Union
 
@@ -24,6 +25,11 @@ from ._results import (
     Trims,
     Turbulence,
 )
+
+#: Versions of FMI.
+Fmi = Literal[2, 3]
+#: Kinds of FMUs.
+Kind = Literal["co-simulation", "model-exchange"]
 
 #: The aircraft of all calls: the generic business jet.
 JET = "generic-business-jet"
@@ -47,6 +53,8 @@ def package(
     aircraft: File = JET,
     *,
     output: File | None = None,
+    fmi: Fmi | Sequence[Fmi] = 2,
+    kind: Kind | Sequence[Kind] = "co-simulation",
     modes: int | None = None,
     load_modes: bool = False,
     parameters: Parameters | None = None,
@@ -57,12 +65,18 @@ def package(
 ) -> Packaged:
     """Write an aircraft as an FMU (`FlexibleAircraft.fmu`) with the libraries of all platforms, and prove by a flight that it works.
 
+    `fmi` is the version of FMI, `kind` who integrates: the FMU ("co-simulation") or its importer ("model-exchange"). Of several, such
+    as `fmi=[2, 3]`, there is an FMU for each pair: `output` is a folder then, and all are written or none. They are called
+    `FlexibleAircraft.fmi3.fmu`, `FlexibleAircraft.me.fmu` and `FlexibleAircraft.fmi3.me.fmu`; the result is the first, with the `others`.
+
     `parameters` are where parameters of the FMU start, `stations_along` further stations (component: count), `binary` libraries
     in place of those that come with the package (platform: file).
     """
     written = options(
         aircraft=aircraft,
         output=output,
+        fmi=fmi,
+        kind=kind,
         modes=modes,
         load_modes=load_modes,
         set=parameters,
@@ -71,7 +85,9 @@ def package(
         no_check=not check,
     )
     answer = _call("package", written, {}, progress)
-    return Packaged(Path(answer["path"]), int(answer["size"]), answer["flight"])
+    rows = zip(answer["paths"], answer["sizes"], answer["flights"], answer["interfaces"])
+    first, *others = (Packaged(Path(path), int(size), flight, interface) for path, size, flight, interface in rows)
+    return replace(first, others=tuple(others))
 
 
 def trim(

@@ -20,6 +20,10 @@ class Packaged:
     size: int
     #: What a short flight of it showed; empty where none was asked for.
     flight: str
+    #: What importers take it as, such as "FMI 2.0 co-simulation".
+    interface: str
+    #: Those written beside it, where several were asked for.
+    others: tuple[Packaged, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -3,11 +3,15 @@
 use std::io;
 
 use quick_xml::Writer;
+use quick_xml::events::{BytesDecl, Event};
 
 use crate::flight::Settings;
+use crate::fmi::interface::{Interface, Kind};
 use crate::fmi::log::Category;
 use crate::structure::ReducedModel;
-use crate::variables::{DisplayUnit, EnumerationType, Type, Unit, Value, Variability, Variable};
+use crate::variables::{
+    ArchiveTable, DisplayUnit, EnumerationType, Place, Slot, Type, Unit, Value, Variability, Variable,
+};
 
 /// `modelName` and `modelIdentifier`; the shared libraries of the archive are named after it.
 pub const MODEL_IDENTIFIER: &str = "FlexibleAircraft";
@@ -25,9 +29,24 @@ pub fn description(model: &ReducedModel) -> String {
     format!("Nonlinear flight dynamics of the flexible aircraft {}", model.name)
 }
 
-pub fn unit_definitions(xml: &mut Xml) -> io::Result<()> {
+/// A document, indented.
+pub fn document(write: impl FnOnce(&mut Xml) -> io::Result<()>) -> String {
+    let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
+    let written = xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)));
+    // PROOF: memory takes every byte, and the writer only passes UTF-8 on.
+    written.and_then(|()| write(&mut xml)).expect("writing to memory succeeds");
+    let mut text = String::from_utf8(xml.into_inner()).expect("strings are UTF-8");
+    text.push('\n');
+    text
+}
+
+/// Those of all tables, and of rates of states where there are any.
+pub fn unit_definitions(xml: &mut Xml, table: &ArchiveTable) -> io::Result<()> {
+    let is_of_rates_alone = |unit: Unit| unit == Unit::NewtonPerSecond;
+    let is_there = |unit: Unit| table.iter().any(|(_, variable)| variable.unit == Some(unit));
+    let mut units = Unit::ALL.into_iter().filter(|unit| !is_of_rates_alone(*unit) || is_there(*unit));
     xml.create_element("UnitDefinitions")
-        .write_inner_content(|xml| Unit::ALL.into_iter().try_for_each(|unit| define(xml, unit)))?;
+        .write_inner_content(|xml| units.try_for_each(|unit| define(xml, unit)))?;
     Ok(())
 }
 
@@ -79,20 +98,53 @@ pub fn log_categories(xml: &mut Xml, contents: impl Fn(Category) -> &'static str
     Ok(())
 }
 
-pub fn default_experiment(xml: &mut Xml, starts: &Settings) -> io::Result<()> {
+/// How it is flown unless someone says otherwise; an importer that integrates chooses its own steps.
+pub fn default_experiment(xml: &mut Xml, interface: Interface, starts: &Settings) -> io::Result<()> {
+    let tolerance = starts.tolerance.to_string();
+    let step = (interface.kind == Kind::CoSimulation).then(|| STEP_SIZE.to_string());
     xml.create_element("DefaultExperiment")
         .with_attributes([
             ("startTime", "0"),
             ("stopTime", &STOP_TIME.to_string()),
-            ("tolerance", &starts.tolerance.to_string()),
-            ("stepSize", &STEP_SIZE.to_string()),
+            ("tolerance", &tolerance),
         ])
+        .with_attributes(step.as_deref().map(|step| ("stepSize", step)))
         .write_empty()?;
     Ok(())
 }
 
+/// Causality of a variable, and how its initial value comes about where that is said.
+pub fn causality(variable: &Variable<Place>) -> (&'static str, Option<&'static str>) {
+    match variable.slot {
+        Place::Common(Slot::Input(_)) => ("input", None),
+        Place::Common(Slot::Parameter(_)) => ("parameter", Some("exact")),
+        Place::Common(Slot::Output(_)) => ("output", Some("calculated")),
+        Place::State(_) | Place::Rate(_) => ("local", Some("calculated")),
+        Place::Time => ("independent", None),
+    }
+}
+
+/// The references of all outputs.
+pub fn outputs_of(table: &ArchiveTable) -> impl Iterator<Item = u32> {
+    let is_output = |variable: &Variable<Place>| matches!(variable.slot, Place::Common(Slot::Output(_)));
+    table.iter().filter(move |(_, variable)| is_output(variable)).map(|(reference, _)| reference)
+}
+
+/// Of the initialisation, in the order of the variables: outputs, states, rates.
+pub fn initial_unknowns(table: &ArchiveTable) -> impl Iterator<Item = u32> {
+    let is_unknown = |variable: &Variable<Place>| {
+        matches!(variable.slot, Place::Common(Slot::Output(_)) | Place::State(_) | Place::Rate(_))
+    };
+    table.iter().filter(move |(_, variable)| is_unknown(variable)).map(|(reference, _)| reference)
+}
+
+/// Numbers in a list.
+pub fn list(numbers: impl IntoIterator<Item = u32>) -> String {
+    numbers.into_iter().map(|number| number.to_string()).collect::<Vec<_>>().join(" ")
+}
+
 /// When the value of a variable may change.
-pub fn variability(variable: &Variable) -> &'static str {
+pub fn variability(variable: &Variable<Place>) -> &'static str {
     match variable.variability {
         Variability::Fixed => "fixed",
         Variability::Discrete => "discrete",
@@ -101,7 +153,7 @@ pub fn variability(variable: &Variable) -> &'static str {
 }
 
 /// What is said of the values that a variable may have.
-pub fn value_attributes(variable: &Variable) -> Vec<(&'static str, String)> {
+pub fn value_attributes(variable: &Variable<Place>) -> Vec<(&'static str, String)> {
     let mut attributes: Vec<(&'static str, String)> = Vec::new();
     if let Type::Enumeration(enumeration) = variable.kind {
         attributes.push(("declaredType", enumeration.name().to_owned()));

@@ -2,56 +2,47 @@
 
 use std::io;
 
-use quick_xml::Writer;
-use quick_xml::events::{BytesDecl, Event};
-
-use crate::flight::Settings;
+use crate::fmi::interface::Kind;
 use crate::fmi::log::Category;
-use crate::structure::ReducedModel;
-use crate::variables::{EnumerationType, OutputSlot, Slot, Type, Variable, VariableTable};
+use crate::variables::{ArchiveTable, EnumerationType, Place, Type, Variable};
 
 use super::shared::{
-    MODEL_IDENTIFIER, Xml, default_experiment, description, items, log_categories, unit_definitions,
-    value_attributes, variability,
+    MODEL_IDENTIFIER, Xml, causality, default_experiment, description, document, initial_unknowns, items,
+    list, log_categories, outputs_of, unit_definitions, value_attributes, variability,
 };
+use super::source::Source;
 
-/// The model description with any guid; the real one is a hash of this with none.
-pub fn with_guid(model: &ReducedModel, starts: &Settings, guid: &str) -> String {
-    let table = VariableTable::starting(model, starts);
-    let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
-    // PROOF: memory takes every byte, and the writer only passes UTF-8 on.
-    document(&mut xml, (model, starts), &table, guid).expect("writing to memory succeeds");
-    let mut text = String::from_utf8(xml.into_inner()).expect("strings are UTF-8");
-    text.push('\n');
-    text
+/// The description with a token; the real one is a hash of this with none.
+pub fn text(source: Source) -> String {
+    document(|xml| root(xml, source))
 }
 
-fn document(
-    xml: &mut Xml,
-    (model, starts): (&ReducedModel, &Settings),
-    table: &VariableTable,
-    guid: &str,
-) -> io::Result<()> {
-    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+fn root(xml: &mut Xml, source: Source) -> io::Result<()> {
+    let Source { interface, model, starts, table, token } = source;
+    let indicators = (interface.kind == Kind::ModelExchange).then_some(("numberOfEventIndicators", "0"));
     xml.create_element("fmiModelDescription")
         .with_attributes([
-            ("fmiVersion", "2.0"),
+            ("fmiVersion", interface.version.number()),
             ("modelName", MODEL_IDENTIFIER),
-            ("guid", guid),
+            ("guid", token),
             ("description", &description(model)),
             ("version", env!("CARGO_PKG_VERSION")),
             ("license", env!("CARGO_PKG_LICENSE")),
             ("generationTool", concat!("flexible-aircraft ", env!("CARGO_PKG_VERSION"))),
             ("variableNamingConvention", "structured"),
         ])
+        .with_attributes(indicators)
         .write_inner_content(|xml| {
-            co_simulation(xml)?;
-            unit_definitions(xml)?;
+            match interface.kind {
+                Kind::CoSimulation => co_simulation(xml)?,
+                Kind::ModelExchange => model_exchange(xml)?,
+            }
+            unit_definitions(xml, table)?;
             type_definitions(xml)?;
             log_categories(xml, log_contents)?;
-            default_experiment(xml, starts)?;
+            default_experiment(xml, interface, starts)?;
             xml.create_element("ModelVariables").write_inner_content(|xml| {
-                table.iter().try_for_each(|(reference, variable)| scalar_variable(xml, reference, variable))
+                table.iter().try_for_each(|row| scalar_variable(xml, table, row))
             })?;
             model_structure(xml, table)
         })?;
@@ -86,6 +77,20 @@ fn co_simulation(xml: &mut Xml) -> io::Result<()> {
     Ok(())
 }
 
+fn model_exchange(xml: &mut Xml) -> io::Result<()> {
+    xml.create_element("ModelExchange")
+        .with_attributes([
+            ("modelIdentifier", MODEL_IDENTIFIER),
+            ("completedIntegratorStepNotNeeded", "true"),
+            ("canNotUseMemoryManagementFunctions", "true"),
+            ("canGetAndSetFMUstate", "true"),
+            ("canSerializeFMUstate", "true"),
+            ("providesDirectionalDerivative", "true"),
+        ])
+        .write_empty()?;
+    Ok(())
+}
+
 fn type_definitions(xml: &mut Xml) -> io::Result<()> {
     xml.create_element("TypeDefinitions").write_inner_content(|xml| {
         for enumeration in EnumerationType::ALL {
@@ -101,12 +106,12 @@ fn type_definitions(xml: &mut Xml) -> io::Result<()> {
     Ok(())
 }
 
-fn scalar_variable(xml: &mut Xml, reference: u32, variable: &Variable) -> io::Result<()> {
-    let (causality, initial) = match variable.slot {
-        Slot::Input(_) => ("input", None),
-        Slot::Parameter(_) => ("parameter", Some("exact")),
-        Slot::Output(_) => ("output", Some("calculated")),
-    };
+fn scalar_variable(
+    xml: &mut Xml,
+    table: &ArchiveTable,
+    (reference, variable): (u32, &Variable<Place>),
+) -> io::Result<()> {
+    let (causality, initial) = causality(variable);
     let reference = reference.to_string();
     xml.create_element("ScalarVariable")
         .with_attributes([
@@ -117,49 +122,62 @@ fn scalar_variable(xml: &mut Xml, reference: u32, variable: &Variable) -> io::Re
             ("variability", variability(variable)),
         ])
         .with_attributes(initial.map(|initial| ("initial", initial)))
-        .write_inner_content(|xml| typed_element(xml, variable))?;
+        .write_inner_content(|xml| typed_element(xml, table, variable))?;
     Ok(())
 }
 
-fn typed_element(xml: &mut Xml, variable: &Variable) -> io::Result<()> {
+fn typed_element(xml: &mut Xml, table: &ArchiveTable, variable: &Variable<Place>) -> io::Result<()> {
     let name = match variable.kind {
         Type::Real => "Real",
         Type::Integer => "Integer",
         Type::Boolean => "Boolean",
         Type::Enumeration(_) => "Enumeration",
     };
-    let attributes = value_attributes(variable);
+    let mut attributes = value_attributes(variable);
+    if let Place::Rate(place) = variable.slot {
+        let (_, state) = table.states()[place];
+        attributes.push(("derivative", list([index(table, state)])));
+    }
     let attributes = attributes.iter().map(|(name, value)| (*name, value.as_str()));
     xml.create_element(name).with_attributes(attributes).write_empty()?;
     Ok(())
 }
 
-/// Every output, once with what it depends on during the flight and once at initialisation.
-fn model_structure(xml: &mut Xml, table: &VariableTable) -> io::Result<()> {
+/// The schema counts variables from 1 in the order of ModelVariables.
+fn index(table: &ArchiveTable, reference: u32) -> u32 {
+    let place = table.place(reference).and_then(|place| u32::try_from(place).ok());
+    // Who asks has found the reference in the table, which has fewer rows.
+    place.map_or(0, |place| place + 1)
+}
+
+/// Every unknown, once with what it depends on during the flight and once at initialisation.
+fn model_structure(xml: &mut Xml, table: &ArchiveTable) -> io::Result<()> {
+    let now = |unknown| table.dependencies(unknown, false);
     xml.create_element("ModelStructure").write_inner_content(|xml| {
-        unknowns(xml, table, "Outputs", VariableTable::dependencies)?;
-        unknowns(xml, table, "InitialUnknowns", VariableTable::initial_dependencies)
+        unknowns(xml, table, ("Outputs", outputs_of(table)), now)?;
+        if !table.states().is_empty() {
+            unknowns(xml, table, ("Derivatives", table.rates()), now)?;
+        }
+        let initially = |unknown| table.initial_dependencies(unknown);
+        unknowns(xml, table, ("InitialUnknowns", initial_unknowns(table)), initially)
     })?;
     Ok(())
 }
 
 fn unknowns(
     xml: &mut Xml,
-    table: &VariableTable,
-    list: &str,
-    dependencies: fn(&VariableTable, OutputSlot) -> Vec<u32>,
+    table: &ArchiveTable,
+    (name, mut unknowns): (&str, impl Iterator<Item = u32>),
+    dependencies: impl Fn(u32) -> Vec<u32>,
 ) -> io::Result<()> {
-    // The schema counts variables from 1 in the order of ModelVariables.
-    let index = |reference: u32| (reference + 1).to_string();
-    xml.create_element(list).write_inner_content(|xml| {
-        for (reference, variable) in table.iter() {
-            let Slot::Output(slot) = variable.slot else { continue };
-            let on = dependencies(table, slot).into_iter().map(index).collect::<Vec<_>>().join(" ");
+    xml.create_element(name).write_inner_content(|xml| {
+        unknowns.try_for_each(|unknown| {
+            let on = list(dependencies(unknown).into_iter().map(|reference| index(table, reference)));
             xml.create_element("Unknown")
-                .with_attributes([("index", index(reference).as_str()), ("dependencies", &on)])
+                .with_attributes([("index", list([index(table, unknown)]).as_str()), ("dependencies", &on)])
                 .write_empty()?;
-        }
-        Ok(())
+            Ok(())
+        })
     })?;
     Ok(())
 }

@@ -2,9 +2,10 @@
 
 use libc::{c_int, size_t};
 
-use super::{Outcome, array, array_to_fill, on, write};
-use crate::fmi::instance::{Instance, Refusal};
-use crate::fmi::life_cycle::Operation;
+use crate::fmi::instance::Instance;
+use crate::fmi::operation::Operation;
+use crate::fmi::pointers::{Outcome, array, array_to_fill, on, write};
+use crate::fmi::refusal::Refusal;
 use crate::fmi2::types::{
     Boolean, CString, Component, FALSE, Integer, LAST_SUCCESSFUL_TIME, Real, Status, TERMINATED,
     ValueReference,

@@ -5,13 +5,14 @@ use std::ptr::null_mut;
 
 use libc::{c_char, c_int, size_t};
 
-use super::{array, bytes, on, text};
 use crate::fmi::instance::{Experiment, Instance};
-use crate::fmi::life_cycle::Operation;
+use crate::fmi::operation::Operation;
+use crate::fmi::pointers::{array, bytes, free, leak, on, text};
 use crate::fmi::resource;
+use crate::fmi::{Interface, Kind, Version};
 use crate::fmi2::logger;
 use crate::fmi2::types::{
-    Boolean, CO_SIMULATION, CString, CallbackFunctions, Component, FALSE, Real, Status,
+    Boolean, CO_SIMULATION, CString, CallbackFunctions, Component, FALSE, MODEL_EXCHANGE, Real, Status,
 };
 
 /// "default": the types of `fmi2TypesPlatform.h` as they are.
@@ -47,36 +48,40 @@ pub unsafe extern "C" fn fmi2Instantiate(
         if name.is_empty() {
             return Err("instance name: found NULL or an empty string".to_owned());
         }
-        if fmu_type != CO_SIMULATION {
-            let reason = format!("type: found {fmu_type}, allowed is fmi2CoSimulation ({CO_SIMULATION})");
-            return Err(reason);
-        }
+        let kind = kind_of(fmu_type)?;
         let guid = guid.ok_or("guid: found NULL")?;
         let location = location.ok_or("resource location: found NULL")?;
         let resources = resource::directory(location).map_err(|error| error.to_string())?;
-        Instance::new(&resources, &guid, log()).map_err(|error| error.to_string())
+        let interface = Interface { version: Version::V2, kind };
+        Instance::new(interface, &resources, &guid, log()).map_err(|error| error.to_string())
     }));
     let refused = |status, reason: &str| {
         log().write(status, &format!("fmi2Instantiate: {reason}"));
         null_mut()
     };
     match instantiated {
-        Ok(Ok(instance)) => Box::into_raw(Box::new(instance)).cast(),
+        Ok(Ok(instance)) => leak(instance),
         Ok(Err(reason)) => refused(Status::Error, &reason),
         Err(_) => refused(Status::Fatal, "internal error, please report it"),
+    }
+}
+
+/// The kind of FMU that a type means.
+fn kind_of(fmu_type: c_int) -> Result<Kind, String> {
+    match fmu_type {
+        CO_SIMULATION => Ok(Kind::CoSimulation),
+        MODEL_EXCHANGE => Ok(Kind::ModelExchange),
+        _ => Err(format!(
+            "type: found {fmu_type}, allowed are fmi2ModelExchange ({MODEL_EXCHANGE}) and fmi2CoSimulation ({CO_SIMULATION})"
+        )),
     }
 }
 
 /// Frees an instance; NULL is ignored.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2FreeInstance(component: Component) {
-    if component.is_null() {
-        return;
-    }
-    // SAFETY: by the module's contract this is a leaked `Box<Instance>` that is not used any more.
-    let instance = unsafe { Box::from_raw(component.cast::<Instance>()) };
-    // A panic while freeing has nobody to be told to.
-    let _ = catch_unwind(AssertUnwindSafe(|| drop(instance)));
+    // SAFETY: components as the module says.
+    unsafe { free(component) }
 }
 
 /// Chooses log categories.

@@ -2,9 +2,9 @@
 
 use libc::size_t;
 
-use super::{array, array_to_fill, on};
 use crate::fmi::instance::Instance;
-use crate::fmi::life_cycle::Operation;
+use crate::fmi::operation::Operation;
+use crate::fmi::pointers::{array, array_to_fill, on};
 use crate::fmi::values::Numbers;
 use crate::fmi2::types::{Boolean, CString, Component, FALSE, Integer, Real, Status, ValueReference};
 use crate::variables::Value;
@@ -142,7 +142,8 @@ unsafe fn no_strings(
 ) -> Status {
     let body = |instance: &mut Instance| {
         // SAFETY: arrays as the module says.
-        instance.no_strings(unsafe { array(references, count, "vr") }?)
+        let references = unsafe { array(references, count, "vr") }?;
+        instance.get(Numbers::OfNone("a String"), references, |_, _| {})
     };
     // SAFETY: components as the module says.
     unsafe { on(component, operation, body) }

@@ -12,12 +12,12 @@ thread_local! {
 }
 
 /// How often this thread has asked for memory so far.
-pub(super) fn allocations() -> usize {
+pub(crate) fn allocations() -> usize {
     ALLOCATIONS.get()
 }
 
 /// How much memory this thread holds; only differences mean something.
-pub(super) fn bytes_held() -> usize {
+pub(crate) fn bytes_held() -> usize {
     BYTES_HELD.get()
 }
 

@@ -3,7 +3,8 @@
 
 use nalgebra::{Rotation3, Vector3};
 
-use super::state::{Saved, shortest};
+use super::state::shortest;
+use super::surface::Saved;
 use super::*;
 use crate::equations::evaluations;
 use crate::kinematics::GeneralisedVector;

@@ -1,6 +1,6 @@
 //! Actuators, engines that lag and sampled sensors: parameters, Booleans, derivatives, saved states.
 
-use super::state::Saved;
+use super::surface::Saved;
 use super::*;
 
 /// In initialisation mode, with an actuator on the elevator, an engine that lags, and sampled sensors.

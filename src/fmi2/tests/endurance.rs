@@ -1,13 +1,13 @@
 //! Long flights and many instances: no leak, no growth, no drift.
 
 use super::allocation::{allocations, bytes_held};
-use super::state::Saved;
+use super::surface::{Archive, Saved, Surface, instance};
 use super::*;
 use crate::aircraft::Aircraft;
 use crate::structure::ReducedModel;
 
 /// The smallest of the shipped aircraft: one strip on one beam in a wind tunnel, of two modes.
-pub(super) fn typical_section() -> ReducedModel {
+pub(crate) fn typical_section() -> ReducedModel {
     let text = include_str!("../../../aircraft/typical-section.toml");
     ReducedModel::new(&Aircraft::parse(text, "typical-section.toml").unwrap(), 2).unwrap()
 }
@@ -46,24 +46,94 @@ impl Wing {
     }
 }
 
-#[test]
-fn a_thousand_instances_come_and_go_without_a_leak() {
-    let (unpacked, guid) = (Unpacked::of(&typical_section().to_bytes(), "wing"), guid(&typical_section()));
+/// Instances of one interface, most of their lives long, and of some an error.
+pub(crate) fn a_thousand_instances_come_and_go<S: Surface>(kind: Kind) {
+    let archive = Archive::new(Interface { version: S::VERSION, kind }, &typical_section());
+    let references = archive.references(["airspeed", "altitude", "wind_down"]);
     let come_and_go = || {
-        let wing = Wing::instantiate(&unpacked, &guid);
-        let saved = Saved::of(&wing.fmu);
-        assert_eq!(wing.fmu.step(0.0, 0.01), Status::Ok);
-        assert_eq!(saved.restore(), Status::Ok);
-        assert_eq!(wing.fmu.step(0.5, 0.01), Status::Error);
-        assert_eq!(wing.fmu.reset(), Status::Ok);
+        let fmu: S = archive.instantiate();
+        assert_eq!(fmu.set_reals(&references, &[20.0, 0.0, -0.5]), Status::Ok);
+        assert_eq!(fmu.initialise(), Status::Ok, "{:?}", fmu.last_message());
+        let saved = Saved::of(&fmu);
+        match kind {
+            Kind::CoSimulation => {
+                assert_eq!(fmu.step(0.0, 0.01), Status::Ok);
+                assert_eq!(saved.restore(), Status::Ok);
+                assert_eq!(fmu.step(0.5, 0.01), Status::Error);
+            }
+            Kind::ModelExchange => {
+                let mut rates = vec![0.0; instance(fmu.component()).state_count()];
+                // SAFETY: the component is alive, the array is as long as said.
+                let statuses = unsafe {
+                    [
+                        (S::EXCHANGE.enter)(fmu.component()),
+                        (S::EXCHANGE.rates)(fmu.component(), rates.as_mut_ptr(), rates.len()),
+                        saved.restore(),
+                        (S::EXCHANGE.set_time)(fmu.component(), -7.0),
+                    ]
+                };
+                assert_eq!(statuses, [Status::Ok, Status::Ok, Status::Ok, Status::Error]);
+            }
+        }
+        assert_eq!(fmu.reset(), Status::Ok);
     };
     come_and_go();
     let held = bytes_held();
     (0..1000).for_each(|_| come_and_go());
     assert_eq!(bytes_held(), held);
-    let kept = Wing::instantiate(&unpacked, &guid);
+    let kept: S = archive.instantiate();
     assert!(bytes_held() > held, "the count does not count");
     drop(kept);
+}
+
+#[test]
+fn a_thousand_instances_for_co_simulation_come_and_go_without_a_leak() {
+    a_thousand_instances_come_and_go::<Fmu>(Kind::CoSimulation);
+}
+
+#[test]
+fn a_thousand_instances_for_model_exchange_come_and_go_without_a_leak() {
+    a_thousand_instances_come_and_go::<Fmu>(Kind::ModelExchange);
+}
+
+/// What an importer does that integrates by itself, as often as in a minute of flight.
+pub(crate) fn twenty_thousand_evaluations_allocate_nothing<S: Surface>() {
+    let archive =
+        Archive::new(Interface { version: S::VERSION, kind: Kind::ModelExchange }, &typical_section());
+    let fmu: S = archive.instantiate();
+    let starts = archive.references(["airspeed", "altitude"]);
+    assert_eq!(fmu.set_reals(&starts, &[20.0, 0.0]), Status::Ok);
+    assert_eq!(fmu.initialise(), Status::Ok);
+    let (c, inputs) = (fmu.component(), archive.references(["wind_down", "wind_rate_down"]));
+    let (outputs, mut values) = (archive.reals(), vec![f64::NAN; archive.reals().len()]);
+    let mut x = vec![0.0; instance(c).state_count()];
+    let (mut rates, count) = (x.clone(), x.len());
+    // SAFETY: the component is alive, the array is as long as said.
+    let begun = unsafe { [(S::EXCHANGE.enter)(c), (S::EXCHANGE.states)(c, x.as_mut_ptr(), count)] };
+    assert_eq!(begun, [Status::Ok; 2]);
+    let (held, asked) = (bytes_held(), allocations());
+    for i in 0..20_000 {
+        x[i % count] += 1e-6;
+        let wind = 1e-3 * (i % 7) as f64;
+        // SAFETY: the component is alive, the arrays are as long as said.
+        let statuses = unsafe {
+            [
+                (S::EXCHANGE.set_time)(c, 3e-3 * i as f64),
+                (S::EXCHANGE.set_states)(c, x.as_ptr(), count),
+                fmu.set_reals(&inputs, &[wind, -wind]),
+                (S::EXCHANGE.rates)(c, rates.as_mut_ptr(), count),
+                fmu.get_reals(&outputs, &mut values),
+            ]
+        };
+        assert_eq!(statuses, [Status::Ok; 5], "{:?}", fmu.last_message());
+    }
+    assert_eq!((bytes_held(), allocations()), (held, asked));
+    assert!(rates.iter().chain(&values).all(|number| number.is_finite()));
+}
+
+#[test]
+fn integrating_for_a_minute_allocates_nothing() {
+    twenty_thousand_evaluations_allocate_nothing::<Fmu>();
 }
 
 /// More than an hour, whose communication points a master adds up with rounding.

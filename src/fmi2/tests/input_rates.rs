@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::state::Saved;
+use super::surface::Saved;
 use super::*;
 
 #[test]

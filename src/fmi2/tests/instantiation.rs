@@ -27,7 +27,11 @@ fn missing_arguments_are_refused() {
         (refusal(|request| request.name = None).format, "instance name"),
         (refusal(|request| request.guid = None).format, "guid"),
         (refusal(|request| request.uri = None).format, "resource location"),
-        (refusal(|request| request.kind = 0).format, "fmi2CoSimulation"),
+        (
+            refusal(|request| request.kind = 7).format,
+            "allowed are fmi2ModelExchange (0) and fmi2CoSimulation (1)",
+        ),
+        (refusal(|request| request.kind = 0).format, "co-simulation, not FMI 2.0 model exchange"),
     ] {
         assert!(text.contains(part), "{text}");
     }

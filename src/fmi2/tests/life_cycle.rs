@@ -1,6 +1,8 @@
+use super::endurance::typical_section;
 use super::*;
 use crate::fmi::instance::{Experiment, Instance};
-use crate::fmi::life_cycle::{Operation, State};
+use crate::fmi::life_cycle::State;
+use crate::fmi::operation::Operation;
 
 fn state(fmu: &Fmu) -> State {
     // SAFETY: a component is an `Instance`.
@@ -129,19 +131,35 @@ fn reset_forgets_experiment_and_values() {
     assert_eq!((fmu.get("elevator"), fmu.get("airspeed")), (0.0, 127.0));
 }
 
-/// In a state.
-fn fmu_in(state: State) -> Fmu {
+/// A small one of a kind, in a state.
+fn fmu_in(kind: Kind, state: State) -> Fmu {
+    let fmu = Fmu::of(kind, &typical_section());
+    let initialise = || {
+        assert_eq!((fmu.set_up(None, 0.0, None), fmu.enter()), (Status::Ok, Status::Ok));
+    };
     match state {
-        State::Instantiated => Fmu::new(),
-        State::InitializationMode => Fmu::initialising(),
-        State::StepComplete => Fmu::flying(),
+        State::Instantiated => fmu,
+        State::InitializationMode => {
+            initialise();
+            fmu
+        }
+        State::StepComplete | State::EventMode => {
+            initialise();
+            assert_eq!(fmu.exit(), Status::Ok);
+            fmu
+        }
+        State::ContinuousTimeMode => {
+            let fmu = fmu_in(kind, State::EventMode);
+            // SAFETY: the component is alive.
+            assert_eq!(unsafe { fmi2EnterContinuousTimeMode(fmu.component) }, Status::Ok);
+            fmu
+        }
         State::Terminated => {
-            let fmu = Fmu::flying();
-            assert_eq!(fmu.terminate(), Status::Ok);
+            initialise();
+            assert_eq!((fmu.exit(), fmu.terminate()), (Status::Ok, Status::Ok));
             fmu
         }
         State::Fatal => {
-            let fmu = Fmu::new();
             // SAFETY: a component is an `Instance`, and no other reference to it is alive.
             let instance = unsafe { &mut *fmu.component.cast::<Instance>() };
             assert_eq!(instance.call(Operation::Reset, |_| panic!("for the test")), Status::Fatal);
@@ -197,31 +215,34 @@ pub(super) fn call(function: Operation, c: Component) -> Status {
             O::GetEventIndicators => fmi2GetEventIndicators(c, r, 0),
             O::GetContinuousStates => fmi2GetContinuousStates(c, r, 0),
             O::GetNominalsOfContinuousStates => fmi2GetNominalsOfContinuousStates(c, r, 0),
+            other => panic!("{other:?} is no operation of FMI 2.0"),
         }
     }
 }
 
 #[test]
 fn every_function_obeys_the_table_in_every_state() {
-    for before in State::ALL {
-        for function in Operation::all() {
-            let fmu = fmu_in(before);
-            let status = call(function, fmu.component);
-            match function.objection(before) {
-                Some(objection) => {
-                    assert_eq!((status, state(&fmu)), (Status::Error, before), "{function:?} in {before:?}");
-                    fmu.assert_refused(&[&format!(
-                        "{}: {}",
-                        functions::name(function),
-                        objection.text("fmi2DoStep")
-                    )]);
-                }
-                None => {
-                    let log = fmu.log.borrow();
-                    let refused = log.iter().any(|message| message.format.contains("not allowed in state"));
-                    assert!(!refused, "{function:?} in {before:?}: {log:?}");
-                }
+    for kind in [Kind::CoSimulation, Kind::ModelExchange] {
+        for before in State::ALL.into_iter().filter(|state| state.is_of(kind)) {
+            for function in operations() {
+                obeys_the_table(kind, before, function);
             }
+        }
+    }
+}
+
+fn obeys_the_table(kind: Kind, before: State, function: Operation) {
+    let fmu = fmu_in(kind, before);
+    let status = call(function, fmu.component);
+    match function.objection(Interface { version: Version::V2, kind }, before) {
+        Some(objection) => {
+            assert_eq!((status, state(&fmu)), (Status::Error, before), "{function:?} in {before:?}");
+            fmu.assert_refused(&[&format!("{}: {}", name(function), objection.text(Version::V2))]);
+        }
+        None => {
+            let log = fmu.log.borrow();
+            let refused = log.iter().any(|message| message.format.contains("not allowed in state"));
+            assert!(!refused, "{function:?} in {before:?}: {log:?}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! A Boolean parameter: whether load modes take part.
 
-use super::state::Saved;
+use super::surface::Saved;
 use super::*;
 use crate::aircraft::Aircraft;
 use crate::structure::ReducedModel;

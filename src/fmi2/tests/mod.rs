@@ -1,9 +1,10 @@
 //! The C ABI driven as an importer drives it, through the exported functions.
 
-mod allocation;
+pub(crate) mod allocation;
 mod derivatives;
 mod devices;
-mod endurance;
+pub(crate) mod endurance;
+pub(crate) mod exchange;
 mod flight;
 mod importers;
 mod initial_derivatives;
@@ -12,10 +13,11 @@ mod instantiation;
 mod life_cycle;
 mod linear_model;
 mod load_modes;
-mod mutated;
-mod random;
+pub(crate) mod mutated;
+pub(crate) mod random;
 mod reading;
 mod state;
+pub(crate) mod surface;
 mod time;
 mod variables;
 
@@ -27,18 +29,28 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::exports::*;
-use super::functions;
 use super::types::{CallbackFunctions, CallbackLogger, Component, FmuState, Status};
 use crate::flight::Settings;
-use crate::fmi::RESOURCE_FILE;
 use crate::fmi::description;
+use crate::fmi::operation::Operation;
+use crate::fmi::{Interface, Kind, RESOURCE_FILE, Version, starts};
 use crate::structure::ReducedModel;
 use crate::structure::test_jet::jet;
 use crate::variables::{Slot, Type, Variable, VariableTable};
 
 /// Of the FMU of an aircraft whose parameters start as its own.
 fn guid(model: &ReducedModel) -> String {
-    description::guid(model, &Settings::of(model))
+    description::token(Interface::USUAL, model, &Settings::of(model))
+}
+
+/// The function by which an operation is asked for.
+fn name(operation: Operation) -> &'static str {
+    operation.name(Version::V2).expect("an operation of FMI 2.0")
+}
+
+/// The operations that FMI 2.0 has.
+fn operations() -> impl Iterator<Item = Operation> {
+    Operation::ALL.iter().copied().filter(|operation| operation.name(Version::V2).is_some())
 }
 
 /// Those of an importer that gives none.
@@ -87,7 +99,7 @@ fn variadic_logger() -> CallbackLogger {
 }
 
 /// A directory that is removed in the end, with the model in `resources/`.
-struct Unpacked(PathBuf);
+pub(crate) struct Unpacked(PathBuf);
 
 impl Unpacked {
     fn new(name: &str) -> Self {
@@ -160,14 +172,24 @@ impl Fmu {
         Fmu { component, log }
     }
 
-    /// In the state instantiated.
+    /// For co-simulation, in the state instantiated.
     fn new() -> Fmu {
-        let unpacked = Unpacked::new("jet");
+        Fmu::of(Kind::CoSimulation, jet())
+    }
+
+    /// Of a kind and an aircraft, in the state instantiated.
+    fn of(kind: Kind, model: &ReducedModel) -> Fmu {
+        let unpacked = Unpacked::of(&model.to_bytes(), "aircraft");
+        let interface = Interface { version: Version::V2, kind };
+        let token = description::token(interface, model, &starts::usual(interface, model));
         let request = Request {
             name: Some("jet"),
-            kind: 1,
-            guid: Some(&guid(jet())),
-            uri: Some(&unpacked.uri("jet")),
+            kind: match kind {
+                Kind::ModelExchange => 0,
+                Kind::CoSimulation => 1,
+            },
+            guid: Some(&token),
+            uri: Some(&unpacked.uri("aircraft")),
             logging_on: false,
         };
         let fmu = Fmu::request(&request);
@@ -318,6 +340,37 @@ impl Drop for Fmu {
     fn drop(&mut self) {
         // SAFETY: the component is NULL or alive, and not used after this.
         unsafe { fmi2FreeInstance(self.component) };
+    }
+}
+
+/// A flight for tests of other versions, of which every call succeeds.
+pub(crate) struct Flying(Fmu);
+
+impl Flying {
+    /// Of the jet, before its initialisation.
+    pub fn new() -> Self {
+        Flying(Fmu::new())
+    }
+
+    /// Sets Reals.
+    pub fn set(&self, pairs: &[(&str, f64)]) {
+        assert_eq!(self.0.set(pairs), Status::Ok, "{:?}", self.0.log);
+    }
+
+    /// Begins at a time, s.
+    pub fn initialise(&self, start: f64) {
+        assert_eq!(self.0.set_up(None, start, None), Status::Ok);
+        assert_eq!((self.0.enter(), self.0.exit()), (Status::Ok, Status::Ok), "{:?}", self.0.log);
+    }
+
+    /// Flies on.
+    pub fn step(&self, point: f64, size: f64) {
+        assert_eq!(self.0.step(point, size), Status::Ok, "{:?}", self.0.log);
+    }
+
+    /// Values of Reals.
+    pub fn get(&self, references: &[u32]) -> Vec<f64> {
+        self.0.get_references(references).unwrap()
     }
 }
 

@@ -14,13 +14,13 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use crate::aircraft::{Aircraft, AircraftFileError, Fidelity};
 use crate::flight::{Inputs, Settings, Simulation};
 use crate::fmi::description;
+use crate::fmi::life_cycle::State;
 use crate::plant::PlantSettings;
 use crate::sealed::hash;
 use crate::structure::ReducedModel;
 
 use super::endurance::typical_section;
-use super::random::{fit_checksum, instance};
-use super::state::Saved;
+use super::surface::{Archive, Saved, Surface, fit_checksum, instance};
 use super::*;
 
 /// A change of a sequence of bytes.
@@ -104,7 +104,7 @@ fn each<S: Strategy>(cases: u32, strategy: S, check: impl Fn(S::Value)) {
 
 /// Everything that an FMU does with a model that has been accepted, at its own level of fidelity and geometrically exactly.
 fn fly(model: ReducedModel) {
-    assert!(description::write(&model, &Settings::of(&model)).contains(&guid(&model)));
+    assert!(description::write(Interface::USUAL, &model, &Settings::of(&model)).contains(&guid(&model)));
     let model = Arc::new(model);
     let own = PlantSettings { mode_count: model.natural_modes(), ..PlantSettings::of(&model) };
     for fidelity in [own.fidelity, Fidelity::GeometricallyExact] {
@@ -214,51 +214,89 @@ fn a_mutated_reduced_model_is_refused_or_flies_even_if_its_checksum_fits() {
     assert!(accepted.get() > 1000, "{accepted:?}");
 }
 
-#[test]
-fn a_mutated_state_is_refused_and_changes_nothing_or_goes_on() {
-    let model = typical_section();
-    let (unpacked, guid) = (Unpacked::of(&model.to_bytes(), "wing"), guid(&model));
-    let (request, outputs) = (
-        Request {
-            name: Some("wing"),
-            kind: 1,
-            guid: Some(&guid),
-            uri: Some(&unpacked.uri("wing")),
-            logging_on: false,
-        },
-        0..u32::try_from(VariableTable::new(&model).iter().count()).unwrap(),
-    );
-    let fmu = Fmu::request(&request);
-    assert_eq!([fmu.set_up(None, 0.0, None), fmu.enter(), fmu.exit(), fmu.step(0.0, 0.012)], [Status::Ok; 4]);
+/// Mutated states of a wing over one interface: each is refused and changes nothing (but that an error ends an instance of
+/// FMI 3.0), or what can be asked for afterwards is a number or refused.
+pub(crate) fn mutated_states_are_refused_or_go_on<S: Surface>(kind: Kind) {
+    let archive = Archive::new(Interface { version: S::VERSION, kind }, &typical_section());
+    let fmu: S = archive.instantiate();
+    assert_eq!(fmu.initialise(), Status::Ok, "{:?}", fmu.last_message());
+    let moved = match kind {
+        Kind::CoSimulation => fmu.step(0.0, 0.012),
+        // SAFETY: the component is alive.
+        Kind::ModelExchange => unsafe { (S::EXCHANGE.enter)(fmu.component()) },
+    };
+    assert_eq!(moved, Status::Ok);
+    let reals = archive.reals();
     let good = Saved::of(&fmu);
     let (whole, accepted) = (good.bytes(), Cell::new(0));
-    mutate(&whole, 8000, |mut bytes| {
-        assert!(bytes == whole || Saved::from_bytes(&fmu, &bytes).is_err(), "a wrong checksum was accepted");
+    let instance = || instance(fmu.component());
+    mutate(&whole, 2500, |mut bytes| {
+        let (before, state) = (saved(instance()), instance().state);
+        let raw = Saved::from_bytes(&fmu, &bytes).err();
+        assert!(bytes == whole || raw == Some(Status::Error), "a wrong checksum was accepted");
         fit_checksum(&mut bytes);
-        let before = saved(instance(fmu.component));
-        match Saved::from_bytes(&fmu, &bytes).map(|saved| saved.restore()) {
-            Ok(Status::Ok) => {
+        match Saved::from_bytes(&fmu, &bytes).and_then(|saved| ok(saved.restore())) {
+            Ok(()) => {
                 accepted.set(accepted.get() + 1);
-                for reference in outputs.clone() {
-                    if let Ok(value) = fmu.get_references(&[reference]) {
-                        assert!(value[0].is_finite());
-                    }
-                }
-                let time = instance(fmu.component).time;
-                assert_ne!(fmu.step(time, 0.012), Status::Fatal);
-                assert_eq!(
-                    Saved::of(&fmu).restore(),
-                    Status::Ok,
-                    "the instance does not take its own state: {:?}",
-                    fmu.last_message()
-                );
-                assert_eq!(good.restore(), Status::Ok);
+                go_on(&fmu, kind, &reals);
+                let own = Saved::of(&fmu).restore();
+                assert_eq!(own, Status::Ok, "it does not take its own state: {:?}", fmu.last_message());
             }
-            Ok(status) => assert_eq!(status, Status::Error),
-            Err(status) => assert_eq!(status, Status::Error),
+            Err(status) => {
+                assert_eq!(status, Status::Error);
+                if S::VERSION == Version::V3 {
+                    assert_eq!(instance().state, State::Terminated);
+                    instance().state = state;
+                }
+                assert!(saved(instance()) == before, "{:?}", fmu.last_message());
+            }
         }
-        assert!(saved(instance(fmu.component)) == before);
-        fmu.log.borrow_mut().clear();
+        assert_eq!(good.restore(), Status::Ok);
+        assert!(saved(instance()) == before);
+        fmu.forget_messages();
     });
-    assert!(accepted.get() > 500, "{accepted:?}");
+    assert!(accepted.get() > 150, "{accepted:?}");
+}
+
+fn ok(status: Status) -> Result<(), Status> {
+    if status == Status::Ok { Ok(()) } else { Err(status) }
+}
+
+/// Reads what there is, and flies or integrates on.
+fn go_on<S: Surface>(fmu: &S, kind: Kind, reals: &[u32]) {
+    let c = fmu.component();
+    for reference in reals {
+        let mut value = [f64::NAN];
+        let status = fmu.get_reals(&[*reference], &mut value);
+        assert_ne!(status, Status::Fatal, "{:?}", fmu.last_message());
+        assert!(status != Status::Ok || value[0].is_finite());
+    }
+    let time = instance(c).time;
+    if kind == Kind::CoSimulation {
+        assert_ne!(fmu.step(time, 0.012), Status::Fatal, "{:?}", fmu.last_message());
+        return;
+    }
+    let mut states = vec![0.0; instance(c).state_count()];
+    let (mut rates, count) = (vec![f64::NAN; states.len()], states.len());
+    // SAFETY: the component is alive, the arrays are as long as said.
+    let statuses = unsafe {
+        [
+            (S::EXCHANGE.rates)(c, rates.as_mut_ptr(), count),
+            (S::EXCHANGE.states)(c, states.as_mut_ptr(), count),
+            (S::EXCHANGE.set_time)(c, time + 0.001),
+            (S::EXCHANGE.set_states)(c, states.as_ptr(), count),
+        ]
+    };
+    assert!(!statuses.contains(&Status::Fatal), "{:?}", fmu.last_message());
+    assert!(statuses[0] != Status::Ok || rates.iter().all(|rate| rate.is_finite()));
+}
+
+#[test]
+fn a_mutated_state_of_co_simulation_is_refused_and_changes_nothing_or_goes_on() {
+    mutated_states_are_refused_or_go_on::<Fmu>(Kind::CoSimulation);
+}
+
+#[test]
+fn a_mutated_state_of_model_exchange_is_refused_and_changes_nothing_or_goes_on() {
+    mutated_states_are_refused_or_go_on::<Fmu>(Kind::ModelExchange);
 }

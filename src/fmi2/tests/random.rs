@@ -1,246 +1,203 @@
-//! Random calls with random arguments: nothing crashes or hangs, what is refused says why and changes nothing,
-//! what is read is a number, and nothing is left behind.
+//! Random calls with random arguments: nothing crashes or hangs, what is refused says why and changes nothing (but that a
+//! wrong call ends an instance of FMI 3.0), what is read is a number, and nothing is left behind.
+//!
+//! The driver is that of all versions and kinds; each version says how its functions are called.
 
 mod call;
+mod means;
+mod references;
+mod two;
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::time::{Duration, Instant};
+use std::rc::Rc;
+use std::time;
 
 use proptest::collection::vec;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
-use call::{
-    Action, COMPONENTS, Call, Pointers, STATES, ask, call, differentiate, do_step, get, set,
-    set_debug_logging,
-};
+pub(crate) use call::{Call, Pointers};
+pub(crate) use means::{Means, assert_finite, call_the_same};
+
+use call::{Action, COMPONENTS, STATES, call};
+use references::Pools;
 
 use super::allocation::bytes_held;
+use super::surface::{Archive, Instantiation, Surface, instance};
 use super::*;
 use crate::aircraft::Aircraft;
 use crate::fmi::instance::Instance;
-use crate::fmi::life_cycle::{Operation, State};
-use crate::sealed::{CHECKSUM, HEADER, hash};
+use crate::fmi::life_cycle::State;
+use crate::fmi::operation::Operation;
 use crate::structure::ReducedModel;
 
-const SEQUENCES: u32 = 360;
+const SEQUENCES: u32 = 80;
 const CALLS: usize = 360;
+
+/// How a version of FMI is called with random arguments.
+pub(crate) trait Random: Surface {
+    /// Calls a function.
+    fn call(call: &Call, function: Operation, component: Component, means: &mut Means) -> Status;
+
+    /// Frees an instance that is NULL.
+    fn free_null();
+}
 
 /// How often a function did what it was asked to, and how often it refused.
 type Tally = BTreeMap<&'static str, [u32; 2]>;
 
 /// What all calls of a sequence act on.
-struct World<'a> {
-    unpacked: &'a [(Unpacked, String)],
+struct World<'a, S: Random> {
+    archives: &'a [Archive; 2],
     tally: &'a RefCell<Tally>,
-    fmus: [Option<Fmu>; COMPONENTS],
-    states: [FmuState; STATES],
-    bytes: Vec<u8>,
+    fmus: [Option<S>; COMPONENTS],
+    /// States of each component where it last took off, where the importer integrates.
+    trims: [Vec<f64>; COMPONENTS + 1],
+    means: Means,
 }
 
-/// What is behind a component.
-pub(super) fn instance(component: Component) -> &'static mut Instance {
-    // SAFETY: a component is an `Instance`; the reference is given up before the next call into the FMU.
-    unsafe { &mut *component.cast::<Instance>() }
+/// The first component is of the first aircraft, whose trim takes its time.
+fn aircraft_of(component: usize) -> usize {
+    usize::from(component > 0)
 }
 
-impl World<'_> {
-    fn component(&self, call: &Call) -> Component {
-        let fmu = self.fmus.get(call.component).and_then(Option::as_ref);
-        fmu.map_or(null_mut(), |fmu| fmu.component)
+fn name<S: Surface>(function: Operation) -> &'static str {
+    function.name(S::VERSION).expect("an operation of this version")
+}
+
+impl<S: Random> World<'_, S> {
+    fn fmu(&self, call: &Call) -> Option<&S> {
+        self.fmus.get(call.component).and_then(Option::as_ref)
     }
 
     fn perform(&mut self, call: &Call) {
         match call.action {
             Action::Instantiate => self.instantiate(call),
-            Action::Free => self.free(call),
+            Action::Free => match self.fmus.get_mut(call.component) {
+                Some(place) => *place = None,
+                None => S::free_null(),
+            },
             Action::TakeOff => self.take_off(call),
             Action::Call(function) => self.check(call, function),
         }
     }
 
     fn instantiate(&mut self, call: &Call) {
-        let (unpacked, guid) = &self.unpacked[usize::from(call.flag(0))];
-        let uri = if call.flag(1) { unpacked.uri("a {b}") } else { unpacked.uri("a {b}") + "/" };
+        let archive = &self.archives[aircraft_of(call.component)];
+        let folder = if call.flag(1) { archive.folder() } else { archive.folder() + "/" };
         // Three bits that must all be set, so that most instances come into being.
-        let spoilt = call.flag(2) && call.flag(3) && call.flag(4);
-        let request = Request {
-            name: [Some("/a b/%s/é"), Some("x"), None]
-                [if spoilt { usize::from(call.flag(5)) + 1 } else { 0 }],
-            kind: if spoilt && call.flag(6) { call.integers.first().copied().unwrap_or(7) } else { 1 },
-            guid: if spoilt && call.flag(7) { Some("%n") } else { Some(guid) },
-            uri: Some(&uri),
+        let flaw = (call.flag(2) && call.flag(3) && call.flag(4)).then_some(call.choice % 4);
+        let request = Instantiation {
             logging_on: call.flag(6),
+            has_logger: call.flag(5),
+            flaw,
+            ..archive.request(&folder)
         };
-        let fmu = Fmu::with_logger(&request, call.flag(5).then(variadic_logger));
-        let possible = request.name.is_some() && request.kind == 1 && request.guid == Some(guid);
-        assert_eq!(fmu.component.is_null(), !possible, "{request:?}: {:?}", fmu.log);
-        if let Some(place) = self.fmus.get_mut(call.component).filter(|_| possible) {
+        let fmu = S::instantiate(&request);
+        assert_eq!(fmu.component().is_null(), flaw.is_some(), "{flaw:?}: {:?}", fmu.last_message());
+        if let Some(place) = self.fmus.get_mut(call.component).filter(|_| flaw.is_none()) {
             *place = Some(fmu);
         }
     }
 
-    fn free(&mut self, call: &Call) {
-        match self.fmus.get_mut(call.component) {
-            Some(place) => *place = None,
-            // SAFETY: NULL is ignored.
-            None => unsafe { fmi2FreeInstance(null_mut()) },
-        }
-    }
-
+    /// To the first communication point, or to where the importer integrates; or less far.
     fn take_off(&mut self, call: &Call) {
-        for function in [
+        let mut functions = vec![
             Operation::Reset,
             Operation::SetupExperiment,
             Operation::EnterInitializationMode,
             Operation::ExitInitializationMode,
-        ] {
+        ];
+        functions.retain(|function| function.name(S::VERSION).is_some());
+        let is_exchange = self.archives[0].interface.kind == Kind::ModelExchange;
+        if is_exchange {
+            functions.push(Operation::EnterContinuousTimeMode);
+        }
+        let left_out = [3, 2, 1, 1, 0, 0, 0, 0][usize::from(call.choice % 8)];
+        functions.truncate(functions.len() - left_out.min(functions.len() - 1));
+        for function in functions {
             let quiet = Call { pointers: Pointers::Whole, choice: 0, reals: vec![0.0; 3], ..call.clone() };
             self.check(&quiet, function);
+        }
+        if let Some(fmu) = self.fmu(call).filter(|_| is_exchange && left_out <= 1) {
+            let c = fmu.component();
+            let mut states = vec![f64::NAN; instance(c).state_count()];
+            // SAFETY: the component is alive, the array is as long as said.
+            let status = unsafe { (S::EXCHANGE.states)(c, states.as_mut_ptr(), states.len()) };
+            assert_eq!(status, Status::Ok, "{:?}", fmu.last_message());
+            self.trims[call.component] = states;
         }
     }
 
     /// Calls a function and checks what must hold whatever the arguments are.
     fn check(&mut self, call: &Call, function: Operation) {
-        let component = self.component(call);
-        let messages = |world: &Self| {
-            let fmu = world.fmus.get(call.component).and_then(Option::as_ref);
-            fmu.map_or(0, |fmu| fmu.log.borrow().len())
-        };
-        let before = (!component.is_null()).then(|| (saved(instance(component)), messages(self)));
-        let began = Instant::now();
-        let status = self.call(call, function, component);
-        assert!(began.elapsed() < Duration::from_secs(20), "{function:?} hangs: {call:?}");
-        let Some((before, messages_before)) = before else {
+        let component = self.fmu(call).map_or(null_mut(), Surface::component);
+        let complaints = |world: &Self| world.fmu(call).map_or(0, Surface::complaint_count);
+        let before = (!component.is_null())
+            .then(|| (instance(component).state, saved(instance(component)), complaints(self)));
+        self.means.trim.clone_from(&self.trims[call.component]);
+        let began = time::Instant::now();
+        let status = S::call(call, function, component, &mut self.means);
+        assert!(began.elapsed() < time::Duration::from_secs(20), "{function:?} hangs: {call:?}");
+        let Some((state_before, before, complaints_before)) = before else {
             assert_eq!(status, Status::Error, "{function:?} on NULL");
             return;
         };
-        assert_ne!(status, Status::Fatal, "{function:?}: {call:?}");
+        let fmu = self.fmu(call).expect("it has a component");
+        assert_ne!(status, Status::Fatal, "{:?}: {call:?}", fmu.last_message());
         let succeeded = matches!(status, Status::Ok | Status::Warning);
-        self.tally.borrow_mut().entry(functions::name(function)).or_default()[usize::from(!succeeded)] += 1;
+        self.tally.borrow_mut().entry(name::<S>(function)).or_default()[usize::from(!succeeded)] += 1;
         if succeeded {
+            if call.choice.is_multiple_of(4) {
+                assert_goes_back_to_its_own_state(instance(component), call);
+            }
             return;
         }
         let instance = instance(component);
-        assert!(saved(instance) == before, "{function:?} was refused and changed something: {call:?}");
+        if S::VERSION == Version::V3 && status == Status::Error {
+            assert_eq!(instance.state, State::Terminated, "{function:?}: {call:?}");
+            instance.state = state_before;
+            assert!(saved(instance) == before, "{function:?} changed more than the state: {call:?}");
+            instance.state = State::Terminated;
+        } else {
+            assert!(
+                saved(instance) == before,
+                "{function:?} was refused ({:?}) and changed something: {call:?}",
+                fmu.last_message()
+            );
+        }
         if instance.log.wants(status) {
-            let fmu = self.fmus[call.component].as_ref().expect("it has a component");
-            let message = fmu.last_message();
-            assert_eq!(messages(self), messages_before + 1, "{function:?}: {message:?}");
-            assert_eq!(message.status, status);
-            assert!(message.format.contains(functions::name(function)), "{message:?}");
-            assert!(!message.format.replace("%%", "").contains('%'), "{message:?}");
+            let (found, text) = fmu.last_message().expect("it is told");
+            assert_eq!(complaints(self), complaints_before + 1, "{function:?}: {text}");
+            assert_eq!(found, status);
+            assert!(text.contains(name::<S>(function)), "{text}");
+            let special = match S::VERSION {
+                Version::V2 => "%",
+                Version::V3 => "#",
+            };
+            assert!(!text.replace(&special.repeat(2), "").contains(special), "{text}");
         }
-    }
-
-    fn call(&mut self, call: &Call, function: Operation, c: Component) -> Status {
-        use Operation as O;
-        match function {
-            O::GetReal | O::GetInteger | O::GetBoolean | O::GetString => get(call, function, c),
-            O::SetReal | O::SetInteger | O::SetBoolean | O::SetString => set(call, function, c),
-            O::GetFMUstate
-            | O::SetFMUstate
-            | O::FreeFMUstate
-            | O::SerializedFMUstateSize
-            | O::SerializeFMUstate
-            | O::DeSerializeFMUstate => self.call_on_state(call, function, c),
-            O::SetDebugLogging => set_debug_logging(call, c),
-            O::DoStep => do_step(call, c),
-            O::GetDirectionalDerivative | O::SetRealInputDerivatives | O::GetRealOutputDerivatives => {
-                differentiate(call, function, c)
-            }
-            O::SetupExperiment => {
-                let x = &call.reals;
-                let flags = [call.flag(0), call.flag(1)].map(c_int::from);
-                // SAFETY: the component is alive or NULL.
-                unsafe { fmi2SetupExperiment(c, flags[0], x[0], x[1], flags[1], x[2]) }
-            }
-            O::GetStatus
-            | O::GetRealStatus
-            | O::GetIntegerStatus
-            | O::GetBooleanStatus
-            | O::GetStringStatus => ask(call, function, c),
-            _ => life_cycle::call(function, c),
-        }
-    }
-
-    fn call_on_state(&mut self, call: &Call, function: Operation, c: Component) -> Status {
-        use Operation as O;
-        let state = self.states[call.state];
-        let place = call.place(&mut self.states[call.state]);
-        let mut size = 0;
-        // SAFETY: components and states are alive or NULL; arrays are as long as said or are refused for their
-        // length, alignment or being NULL. States may serve another component than they came from.
-        unsafe {
-            match function {
-                O::GetFMUstate => fmi2GetFMUstate(c, place),
-                O::SetFMUstate => fmi2SetFMUstate(c, state),
-                O::FreeFMUstate => fmi2FreeFMUstate(c, place),
-                O::SerializedFMUstateSize => fmi2SerializedFMUstateSize(c, state, call.place(&mut size)),
-                O::SerializeFMUstate => {
-                    if !state.is_null() {
-                        fmi2SerializedFMUstateSize(c, state, &mut size);
-                    }
-                    let mut bytes = vec![0_u8; if call.flag(0) { size } else { size / 2 }];
-                    let (pointer, count) = call.array_to_fill(&mut bytes);
-                    let status = fmi2SerializeFMUstate(c, state, pointer.cast(), count);
-                    if status == Status::Ok && call.pointers == Pointers::Whole {
-                        self.bytes = bytes;
-                    }
-                    status
-                }
-                _ => {
-                    let bytes = self.damaged(call);
-                    let (pointer, count) = call.array(&bytes);
-                    fmi2DeSerializeFMUstate(c, pointer.cast(), count, place)
-                }
-            }
-        }
-    }
-
-    /// The last serialised bytes, some of them replaced, cut off or not, with a checksum that fits or not.
-    fn damaged(&self, call: &Call) -> Vec<u8> {
-        let mut bytes = self.bytes.clone();
-        if bytes.is_empty() || call.flag(7) {
-            return bytes;
-        }
-        for (place, byte) in &call.damage {
-            let length = bytes.len();
-            bytes[place.index(length)] = *byte;
-        }
-        if call.flag(6) && call.flag(5) {
-            bytes.truncate(bytes.len() / 2);
-        }
-        if call.flag(4) {
-            fit_checksum(&mut bytes);
-        }
-        bytes
     }
 
     /// Frees what is left.
     fn clear(&mut self) {
-        if let Some(fmu) =
-            self.fmus.iter().flatten().find(|fmu| instance(fmu.component).state != State::Fatal)
-        {
-            for state in &mut self.states {
+        let is_alive = |fmu: &&S| instance(fmu.component()).state != State::Fatal;
+        if let Some(fmu) = self.fmus.iter().flatten().find(is_alive) {
+            for state in &mut self.means.states {
                 // SAFETY: the component is alive, states are alive or NULL.
-                assert_eq!(unsafe { fmi2FreeFMUstate(fmu.component, state) }, Status::Ok);
+                assert_eq!(unsafe { (S::STATES.free)(fmu.component(), state) }, Status::Ok);
             }
         }
-        assert_eq!(self.states, [null_mut(); STATES]);
+        assert_eq!(self.means.states, [null_mut(); STATES]);
         self.fmus = Default::default();
     }
 }
 
-/// Makes length and checksum of a state right, so that everything else is put to the test.
-pub(super) fn fit_checksum(bytes: &mut [u8]) {
-    let Some(end) = bytes.len().checked_sub(CHECKSUM) else { return };
-    let length = bytes.len() as u64;
-    if end >= HEADER {
-        bytes[8..16].copy_from_slice(&length.to_le_bytes());
-    }
-    let checksum = hash(&bytes[..end]);
-    bytes[end..].copy_from_slice(&checksum.to_le_bytes());
+/// Wherever an instance has come to, a state saved there leads back there.
+fn assert_goes_back_to_its_own_state(instance: &mut Instance, call: &Call) {
+    let own = saved(instance);
+    assert_eq!(instance.restore(&own), Ok(()), "{call:?}");
+    assert!(saved(instance) == own, "{call:?}");
 }
 
 /// Two small aircraft: the jet with few modes, and a wing in a tunnel.
@@ -253,29 +210,32 @@ fn aircraft() -> [ReducedModel; 2] {
     ]
 }
 
+/// More than 15 000 calls over one interface, of which some functions are refused always.
 /// Other sequences: `RANDOM_SEED=<number> cargo test random`.
-#[test]
-fn a_hundred_thousand_random_calls_crash_nothing_hang_nothing_and_leave_nothing_behind() {
+pub(crate) fn play<S: Random>(kind: Kind, never_done: &[&str]) {
+    let interface = Interface { version: S::VERSION, kind };
     let seed: u64 = std::env::var("RANDOM_SEED").map_or(0, |seed| seed.parse().unwrap());
     let mut key = [0; 32];
     key[..8].copy_from_slice(&seed.to_le_bytes());
     let config =
         Config { cases: SEQUENCES, failure_persistence: None, max_shrink_iters: 200, ..Config::default() };
     let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &key));
-    let unpacked = aircraft().map(|model| (Unpacked::of(&model.to_bytes(), "a {b}"), guid(&model)));
-    let tally = RefCell::new(Operation::all().map(|function| (functions::name(function), [0; 2])).collect());
-    let played = runner.run(&vec(call(), CALLS), |calls| {
+    let archives = aircraft().map(|model| Archive::new(interface, &model));
+    let pools: [Pools; COMPONENTS] =
+        std::array::from_fn(|component| Pools::of(interface, &archives[aircraft_of(component)].model));
+    let names = Operation::ALL.iter().filter_map(|function| function.name(S::VERSION));
+    let tally = RefCell::new(names.map(|name| (name, [0; 2])).collect());
+    let played = runner.run(&vec(call(interface, Rc::new(pools)), CALLS), |calls| {
         let held = bytes_held();
-        let mut world = World {
-            unpacked: &unpacked,
+        let mut world = World::<S> {
+            archives: &archives,
             tally: &tally,
             fmus: Default::default(),
-            states: [null_mut(); STATES],
-            bytes: Vec::new(),
+            trims: Default::default(),
+            means: Means::default(),
         };
         for component in 0..COMPONENTS {
-            let choice = if component == 1 { 0b0110_0001 } else { 0b0110_0000 };
-            world.instantiate(&Call { component, choice, ..calls[0].clone() });
+            world.instantiate(&Call { component, choice: 0b0110_0000, ..calls[0].clone() });
         }
         calls.iter().for_each(|call| world.perform(call));
         world.instantiate(&Call { component: 0, choice: 0, ..calls[0].clone() });
@@ -288,27 +248,55 @@ fn a_hundred_thousand_random_calls_crash_nothing_hang_nothing_and_leave_nothing_
         panic!("{failure}");
     }
     let tally = tally.into_inner();
-    assert!(tally.values().flatten().sum::<u32>() >= 100_000, "{tally:?}");
-    for (function, [done, _]) in &tally {
-        assert_eq!(*done == 0, NEVER_DONE.contains(function), "{function}: {tally:?}");
+    assert!(tally.values().flatten().sum::<u32>() >= 15_000, "{tally:?}");
+    for (function, [done, refused]) in &tally {
+        assert_eq!(*done == 0, never_done.contains(function), "{function}: {tally:?}");
+        let is_always_right = ["Reset", "FreeFMUstate", "FreeFMUState"].contains(&&function[4..]);
+        assert_eq!(*refused == 0, is_always_right, "{function}: {tally:?}");
+    }
+    if std::env::var_os("RANDOM_TALLY").is_some() {
+        println!("{tally:#?}");
     }
 }
 
-/// What this FMU always refuses.
-const NEVER_DONE: [&str; 15] = [
-    "fmi2CancelStep",
-    "fmi2CompletedIntegratorStep",
-    "fmi2EnterContinuousTimeMode",
-    "fmi2EnterEventMode",
-    "fmi2GetContinuousStates",
-    "fmi2GetDerivatives",
-    "fmi2GetEventIndicators",
-    "fmi2GetIntegerStatus",
-    "fmi2GetNominalsOfContinuousStates",
-    "fmi2GetRealOutputDerivatives",
-    "fmi2GetStatus",
-    "fmi2GetStringStatus",
-    "fmi2NewDiscreteStates",
-    "fmi2SetContinuousStates",
-    "fmi2SetTime",
-];
+#[test]
+fn random_calls_over_fmi_2_co_simulation_crash_nothing_hang_nothing_and_leave_nothing_behind() {
+    play::<Fmu>(
+        Kind::CoSimulation,
+        &[
+            "fmi2CancelStep",
+            "fmi2CompletedIntegratorStep",
+            "fmi2EnterContinuousTimeMode",
+            "fmi2EnterEventMode",
+            "fmi2GetContinuousStates",
+            "fmi2GetDerivatives",
+            "fmi2GetEventIndicators",
+            "fmi2GetIntegerStatus",
+            "fmi2GetNominalsOfContinuousStates",
+            "fmi2GetRealOutputDerivatives",
+            "fmi2GetStatus",
+            "fmi2GetStringStatus",
+            "fmi2NewDiscreteStates",
+            "fmi2SetContinuousStates",
+            "fmi2SetTime",
+        ],
+    );
+}
+
+#[test]
+fn random_calls_over_fmi_2_model_exchange_crash_nothing_hang_nothing_and_leave_nothing_behind() {
+    play::<Fmu>(
+        Kind::ModelExchange,
+        &[
+            "fmi2CancelStep",
+            "fmi2DoStep",
+            "fmi2GetBooleanStatus",
+            "fmi2GetIntegerStatus",
+            "fmi2GetRealOutputDerivatives",
+            "fmi2GetRealStatus",
+            "fmi2GetStatus",
+            "fmi2GetStringStatus",
+            "fmi2SetRealInputDerivatives",
+        ],
+    );
+}

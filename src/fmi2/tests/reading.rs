@@ -1,6 +1,6 @@
 //! Outputs have the same bits whether they are read alone, one after the other in any order, or all at once.
 
-use super::state::Saved;
+use super::surface::Saved;
 use super::*;
 
 /// In flight with everything that stands between an importer and the aircraft: gust and turbulence, actuators at their limits, engines

@@ -1,56 +1,7 @@
 use super::endurance::{typical_section, wing};
-use super::random::fit_checksum;
+use super::surface::{Saved, fit_checksum};
 use super::*;
 use crate::sealed::HEADER;
-
-/// A saved state, freed in the end.
-pub(super) struct Saved<'a> {
-    fmu: &'a Fmu,
-    state: FmuState,
-}
-
-impl<'a> Saved<'a> {
-    pub(super) fn of(fmu: &'a Fmu) -> Self {
-        let mut state = null_mut();
-        // SAFETY: the component is alive.
-        assert_eq!(unsafe { fmi2GetFMUstate(fmu.component, &mut state) }, Status::Ok);
-        Saved { fmu, state }
-    }
-
-    pub(super) fn from_bytes(fmu: &'a Fmu, bytes: &[u8]) -> Result<Self, Status> {
-        let mut state = null_mut();
-        // SAFETY: the component is alive, the array is as long as said.
-        let status =
-            unsafe { fmi2DeSerializeFMUstate(fmu.component, bytes.as_ptr().cast(), bytes.len(), &mut state) };
-        if status == Status::Ok { Ok(Saved { fmu, state }) } else { Err(status) }
-    }
-
-    pub(super) fn bytes(&self) -> Vec<u8> {
-        let mut size = 0;
-        // SAFETY: component and state are alive.
-        let status = unsafe { fmi2SerializedFMUstateSize(self.fmu.component, self.state, &mut size) };
-        assert_eq!(status, Status::Ok);
-        let mut bytes = vec![0; size];
-        // SAFETY: component and state are alive, the array is as long as said.
-        let status =
-            unsafe { fmi2SerializeFMUstate(self.fmu.component, self.state, bytes.as_mut_ptr().cast(), size) };
-        assert_eq!(status, Status::Ok);
-        bytes
-    }
-
-    pub(super) fn restore(&self) -> Status {
-        // SAFETY: component and state are alive.
-        unsafe { fmi2SetFMUstate(self.fmu.component, self.state) }
-    }
-}
-
-impl Drop for Saved<'_> {
-    fn drop(&mut self) {
-        // SAFETY: component and state are alive; the state is not used after this.
-        assert_eq!(unsafe { fmi2FreeFMUstate(self.fmu.component, &mut self.state) }, Status::Ok);
-        assert!(self.state.is_null());
-    }
-}
 
 #[test]
 fn a_state_before_the_flight_brings_values_and_life_cycle_back() {
@@ -60,6 +11,17 @@ fn a_state_before_the_flight_brings_values_and_life_cycle_back() {
     assert_eq!(fmu.reset(), Status::Ok);
     assert_eq!(saved.restore(), Status::Ok);
     assert_eq!((fmu.get("elevator"), fmu.get("airspeed")), (0.1, 150.0));
+}
+
+/// Not even that the aircraft was trimmed for it.
+#[test]
+fn a_saved_state_tells_nothing_of_a_refused_call() {
+    let fmu = Fmu::initialising();
+    assert_eq!(fmu.set(&[("wind_north", 1e200)]), Status::Ok, "{:?}", fmu.log);
+    let before = Saved::of(&fmu).bytes();
+    assert_eq!(fmu.get_references(&[reference("loads.wing_root_right.bending")]), Err(Status::Error));
+    fmu.assert_refused(&["is not finite"]);
+    assert!(Saved::of(&fmu).bytes() == before);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Time and tolerance of an experiment.
 
-use super::state::Saved;
+use super::surface::Saved;
 use super::*;
 
 /// Set up as said, at its first communication point.

@@ -1,16 +1,19 @@
 //! One random call: what is random in it, and how it becomes arguments in C.
 
+use std::rc::Rc;
+
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 
-use super::instance;
-use crate::fmi::life_cycle::Operation;
+use super::references::Pools;
+use crate::fmi::operation::Operation;
+use crate::fmi2::tests::surface::instance;
 use crate::fmi2::tests::*;
 
 /// What a call does with its arrays.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Pointers {
+pub(crate) enum Pointers {
     Whole,
     Null,
     Misaligned,
@@ -18,9 +21,9 @@ pub enum Pointers {
     Absurd,
 }
 
-/// Which function: three of them must come in order for anything to happen, so they also come together.
+/// Which function: some of them must come in order for anything to happen, so they also come together.
 #[derive(Clone, Copy, Debug)]
-pub enum Action {
+pub(crate) enum Action {
     Instantiate,
     Free,
     TakeOff,
@@ -29,7 +32,7 @@ pub enum Action {
 
 /// One call; every function takes of it what it needs.
 #[derive(Clone, Debug)]
-pub struct Call {
+pub(crate) struct Call {
     pub action: Action,
     /// One of the components; the last is NULL.
     pub component: usize,
@@ -37,41 +40,60 @@ pub struct Call {
     pub state: usize,
     pub pointers: Pointers,
     pub references: Vec<u32>,
+    /// As many as references.
+    pub knowns: Vec<u32>,
     pub reals: Vec<f64>,
     pub integers: Vec<c_int>,
     /// Flags of all kinds.
     pub choice: u8,
+    /// Of counts that come twice one is wrong.
+    pub is_miscounted: bool,
     /// Bytes of a serialised state that are replaced.
     pub damage: Vec<(Index, u8)>,
 }
 
-pub const COMPONENTS: usize = 3;
-pub const STATES: usize = 4;
+pub(crate) const COMPONENTS: usize = 3;
+pub(crate) const STATES: usize = 4;
 
-fn action() -> impl Strategy<Value = Action> {
+/// Of those that are worth being called often, these.
+fn often(Interface { version, kind }: Interface) -> Vec<Operation> {
     use Operation as O;
-    let often = select(vec![
-        O::DoStep,
-        O::DoStep,
-        O::DoStep,
+    let mut often = vec![
         O::GetReal,
         O::GetReal,
         O::SetReal,
         O::SetReal,
         O::SetInteger,
-        O::SetRealInputDerivatives,
+        O::SetBoolean,
         O::GetDirectionalDerivative,
         O::GetFMUstate,
         O::SetFMUstate,
         O::SerializeFMUstate,
         O::DeSerializeFMUstate,
-    ]);
-    let any = select(Operation::all().collect::<Vec<_>>());
+    ];
+    often.extend(match kind {
+        Kind::CoSimulation => vec![O::DoStep, O::DoStep, O::DoStep, O::SetRealInputDerivatives],
+        Kind::ModelExchange => {
+            vec![O::SetTime, O::SetContinuousStates, O::GetDerivatives, O::GetContinuousStates]
+        }
+    });
+    often.retain(|operation| operation.name(version).is_some());
+    often
+}
+
+fn action(interface: Interface) -> impl Strategy<Value = Action> {
+    let has = |operation: &Operation| operation.name(interface.version).is_some();
+    let any = select(Operation::ALL.iter().copied().filter(has).collect::<Vec<_>>());
+    // A wrong call ends an instance of FMI 3.0.
+    let take_offs = match interface.version {
+        Version::V2 => 4,
+        Version::V3 => 12,
+    };
     prop_oneof![
-        1 => Just(Action::Instantiate),
+        2 => Just(Action::Instantiate),
         1 => Just(Action::Free),
-        6 => Just(Action::TakeOff),
-        60 => often.prop_map(Action::Call),
+        take_offs => Just(Action::TakeOff),
+        60 => select(often(interface)).prop_map(Action::Call),
         32 => any.prop_map(Action::Call),
     ]
 }
@@ -80,38 +102,51 @@ fn real() -> impl Strategy<Value = f64> {
     let usual = vec![0.0, 1e-3, -0.02, 0.1, 1.0, 5.0, 127.0, 160.0, 7620.0];
     let odd =
         vec![-0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN, 5e-324, 1e-300, 1e12];
-    prop_oneof![8 => select(usual), 2 => -1.0..1.0, 1 => select(odd), 1 => any::<f64>()]
+    prop_oneof![8 => select(usual), 12 => -0.1..0.1, 1 => select(odd), 1 => any::<f64>()]
 }
 
-pub fn call() -> impl Strategy<Value = Call> {
-    // Inputs, parameters, outputs, and what does not exist.
-    let reference = prop_oneof![8 => 0_u32..12, 5 => 12_u32..23, 9 => 23_u32..93, 1 => any::<u32>()];
-    let integer = prop_oneof![10 => 0..8, 1 => any::<c_int>()];
-    let pointers = prop_oneof![
-        24 => Just(Pointers::Whole),
-        1 => Just(Pointers::Null),
-        1 => Just(Pointers::Misaligned),
-        1 => Just(Pointers::Absurd),
-    ];
-    let count = prop_oneof![8 => 1..3_usize, 4 => 0..12_usize, 1 => 200..300_usize];
-    let arrays = count
-        .prop_flat_map(move |n| (vec(reference.clone(), n), vec(real(), n + 3), vec(integer.clone(), n)));
-    let damage = vec((any::<Index>(), any::<u8>()), 0..4);
+/// Of an interface; the components are of these aircraft.
+pub(crate) fn call(interface: Interface, pools: Rc<[Pools; COMPONENTS]>) -> impl Strategy<Value = Call> {
     let component = prop_oneof![30 => 0..COMPONENTS, 1 => Just(COMPONENTS)];
-    let numbers = (component, 0..STATES, any::<u8>());
-    (action(), numbers, pointers, arrays, damage).prop_map(
-        |(action, (component, state, choice), pointers, (references, reals, integers), damage)| Call {
-            action,
-            component,
-            state,
-            pointers,
-            references,
-            reals,
-            integers,
-            choice,
-            damage,
-        },
-    )
+    (action(interface), component).prop_flat_map(move |(action, component)| {
+        let pools = &pools[component % COMPONENTS];
+        let (reference, known) = match action {
+            Action::Call(function) => (pools.wanted_by(function), pools.knowns()),
+            _ => (pools.all(), pools.all()),
+        };
+        let integer = prop_oneof![10 => 0..8, 1 => any::<c_int>()];
+        let pointers = prop_oneof![
+            40 => Just(Pointers::Whole),
+            1 => Just(Pointers::Null),
+            1 => Just(Pointers::Misaligned),
+            1 => Just(Pointers::Absurd),
+        ];
+        let count = prop_oneof![8 => 1..3_usize, 4 => 0..12_usize, 1 => 200..300_usize];
+        let arrays = count.prop_flat_map(move |n| {
+            let (references, knowns) = (vec(reference.clone(), n), vec(known.clone(), n));
+            (references, knowns, vec(real(), n + 3), vec(integer.clone(), n))
+        });
+        let damage = vec((any::<Index>(), any::<u8>()), 0..4);
+        let is_miscounted = prop::bool::weighted(0.04);
+        (0..STATES, any::<u8>(), pointers, arrays, damage, is_miscounted).prop_map(
+            move |(state, choice, pointers, arrays, damage, is_miscounted)| {
+                let (references, knowns, reals, integers) = arrays;
+                Call {
+                    action,
+                    component,
+                    state,
+                    pointers,
+                    references,
+                    knowns,
+                    reals,
+                    integers,
+                    choice,
+                    is_miscounted,
+                    damage,
+                }
+            },
+        )
+    })
 }
 
 impl Call {
@@ -144,111 +179,65 @@ impl Call {
     pub fn place<T>(&self, place: &mut T) -> *mut T {
         if self.pointers == Pointers::Null { null_mut() } else { place }
     }
-}
 
-pub fn get(call: &Call, function: Operation, c: Component) -> Status {
-    let (references, count) = call.array(&call.references);
-    let room = call.references.len() + 1;
-    let (mut reals, mut integers, mut strings) = (vec![f64::NAN; room], vec![0; room], vec![null(); room]);
-    let (integer_places, _) = call.array_to_fill(&mut integers);
-    // SAFETY: arrays are as long as said or are refused for their length, alignment or being NULL.
-    let status = unsafe {
-        match function {
-            Operation::GetReal => fmi2GetReal(c, references, count, call.array_to_fill(&mut reals).0),
-            Operation::GetInteger => fmi2GetInteger(c, references, count, integer_places),
-            Operation::GetBoolean => fmi2GetBoolean(c, references, count, integer_places),
-            _ => fmi2GetString(c, references, count, call.array_to_fill(&mut strings).0),
+    /// A count that FMI 3.0 wants a second time.
+    pub fn second_count(&self, count: usize) -> usize {
+        if self.is_miscounted { count.wrapping_add(1) } else { count }
+    }
+
+    /// The integers as another type.
+    pub fn integers_as<T>(&self, convert: impl Fn(c_int) -> T) -> Vec<T> {
+        self.integers.iter().map(|number| convert(*number)).collect()
+    }
+
+    /// Communication point and size of a step.
+    pub fn step(&self, c: Component) -> [f64; 2] {
+        const SIZES: [f64; 12] =
+            [0.01, 0.005, 0.0123, 3e-5, 0.0, 1e-12, 0.05, -0.1, f64::NAN, f64::INFINITY, 1e300, 2e7];
+        let now = if c.is_null() { 0.0 } else { instance(c).time };
+        let point = if self.flag(7) && self.flag(6) { self.reals[0] } else { now };
+        [point, SIZES[usize::from(self.choice % 16).saturating_sub(4)]]
+    }
+
+    /// A time to go to.
+    pub fn time(&self, c: Component) -> f64 {
+        let now = if c.is_null() { 0.0 } else { instance(c).time };
+        if self.choice.is_multiple_of(8) { self.reals[0] } else { now + 0.005 * f64::from(self.choice % 4) }
+    }
+
+    /// States, most of them near these, and as many.
+    pub fn states(&self, trim: &[f64]) -> Vec<f64> {
+        let near = |change: f64| if change.is_finite() { 1e-3 * change.clamp(-1.0, 1.0) } else { 0.0 };
+        let change = |i: usize| match self.reals[i % self.reals.len()] {
+            change if self.choice.is_multiple_of(16) => change,
+            change => near(change),
+        };
+        let mut states: Vec<f64> = trim.iter().enumerate().map(|(i, x)| x + change(i)).collect();
+        if self.choice % 16 == 1 {
+            states.pop();
         }
-    };
-    reals.truncate(call.references.len());
-    if status == Status::Ok && function == Operation::GetReal {
-        assert!(reals.iter().all(|x| x.is_finite()), "{reals:?}: {call:?}");
+        states
     }
-    status
 }
 
-pub fn set(call: &Call, function: Operation, c: Component) -> Status {
-    let (references, count) = call.array(&call.references);
-    let (reals, integers) = (call.array(&call.reals).0, call.array(&call.integers).0);
-    // SAFETY: arrays are at least as long as said or are refused for their length, alignment or being NULL.
-    unsafe {
-        match function {
-            Operation::SetReal => fmi2SetReal(c, references, count, reals),
-            Operation::SetInteger => fmi2SetInteger(c, references, count, integers),
-            Operation::SetBoolean => fmi2SetBoolean(c, references, count, integers),
-            _ => fmi2SetString(c, references, count, null()),
+impl Call {
+    /// Names of log categories, perhaps one too many or NULL.
+    pub fn categories(&self) -> Vec<*const c_char> {
+        let names = [c"logStatusError", c"logAll", c"logEvents", c"logStatusWarning", c"%s#%n"];
+        let mut pointers: Vec<_> =
+            names[..usize::from(self.choice % 6)].iter().map(|name| name.as_ptr()).collect();
+        if self.flag(7) && self.flag(6) {
+            pointers.push(null());
         }
+        pointers
     }
-}
 
-pub fn set_debug_logging(call: &Call, c: Component) -> Status {
-    let names = [c"logStatusError", c"logAll", c"logEvents", c"logStatusWarning", c"%s%n"];
-    let mut pointers: Vec<_> =
-        names[..usize::from(call.choice % 6)].iter().map(|name| name.as_ptr()).collect();
-    if call.flag(7) && call.flag(6) {
-        pointers.push(null());
-    }
-    let (start, count) = call.array(&pointers);
-    // SAFETY: the array is as long as said or is refused, its strings are constants or NULL.
-    unsafe { fmi2SetDebugLogging(c, c_int::from(call.flag(0)), count, start) }
-}
-
-pub fn do_step(call: &Call, c: Component) -> Status {
-    const SIZES: [f64; 12] =
-        [0.01, 0.005, 0.0123, 3e-5, 0.0, 1e-12, 0.05, -0.1, f64::NAN, f64::INFINITY, 1e300, 2e7];
-    let now = if c.is_null() { 0.0 } else { instance(c).time };
-    let point = if call.flag(7) && call.flag(6) { call.reals[0] } else { now };
-    // SAFETY: the component is alive or NULL.
-    unsafe {
-        fmi2DoStep(
-            c,
-            point,
-            SIZES[usize::from(call.choice % 16).saturating_sub(4)],
-            c_int::from(call.flag(5)),
-        )
-    }
-}
-
-pub fn differentiate(call: &Call, function: Operation, c: Component) -> Status {
-    let (references, count) = call.array(&call.references);
-    let (reals, orders) = (
-        call.array(&call.reals).0,
-        vec![[1, 1, 2, 0][usize::from(call.choice % 4)]; call.references.len() + 1],
-    );
-    let inputs: Vec<u32> = call.references.iter().map(|reference| reference % 12).collect();
-    let mut results = vec![0.0; call.references.len() + 1];
-    let places = call.array_to_fill(&mut results).0;
-    // SAFETY: arrays are at least as long as said or are refused for their length, alignment or being NULL.
-    unsafe {
-        match function {
-            Operation::GetDirectionalDerivative => fmi2GetDirectionalDerivative(
-                c,
-                references,
-                count,
-                call.array(&inputs).0,
-                count,
-                reals,
-                places,
-            ),
-            Operation::SetRealInputDerivatives => {
-                fmi2SetRealInputDerivatives(c, references, count, call.array(&orders).0, reals)
-            }
-            _ => fmi2GetRealOutputDerivatives(c, references, count, call.array(&orders).0, places),
-        }
-    }
-}
-
-pub fn ask(call: &Call, function: Operation, c: Component) -> Status {
-    let kind = call.integers.first().copied().unwrap_or(2);
-    let (mut real, mut integer, mut status, mut text) = (0.0, 0, Status::Ok, null());
-    // SAFETY: the component is alive or NULL, the places are there or NULL.
-    unsafe {
-        match function {
-            Operation::GetStatus => fmi2GetStatus(c, kind, call.place(&mut status)),
-            Operation::GetRealStatus => fmi2GetRealStatus(c, kind, call.place(&mut real)),
-            Operation::GetIntegerStatus => fmi2GetIntegerStatus(c, kind, call.place(&mut integer)),
-            Operation::GetBooleanStatus => fmi2GetBooleanStatus(c, kind, call.place(&mut integer)),
-            _ => fmi2GetStringStatus(c, kind, call.place(&mut text)),
-        }
+    /// Derivatives are numbers unless the direction is beyond all reason.
+    pub fn assert_finite_slopes(&self, status: Status, slopes: &[f64]) {
+        let is_reasonable = self.reals.iter().all(|x| x.abs() < 1e100);
+        assert!(
+            !is_reasonable || status != Status::Ok || slopes.iter().all(|x| x.is_finite()),
+            "{slopes:?}: {self:?}"
+        );
     }
 }
