@@ -97,15 +97,18 @@ def test_co_simulation_of_fmi_3_has_the_bits_of_fmi_2(archive):
 
 @pytest.mark.parametrize("version", [2, 3])
 def test_fmpy_integrates_model_exchange_as_co_simulation_flies(archive, version):
-    """Inputs change slowly, for FMPy holds them over its own steps."""
-    input = signal(1.0, elevator=lambda t: -0.02 * np.sin(2.0 * t) ** 2)
-    flown = fly(archive(2, "co-simulation"), 1.0, input=input, output=OUTPUTS)
+    """Under inputs that are held from the start, for FMPy sets those that change before or after CVode's own steps, not within them."""
+    start = {"elevator": -0.01, "wind_down": -1.0}
+    flown = fly(archive(2, "co-simulation"), 1.0, start_values=start, output=OUTPUTS)
     path = archive(version, "model-exchange")
-    integrated = fly(path, 1.0, input=input, output=OUTPUTS, solver="CVode", relative_tolerance=1e-6)
+    options = {"start_values": start, "output": OUTPUTS, "solver": "CVode", "relative_tolerance": 1e-7}
+    integrated = fly(path, 1.0, **options)
     assert len(flown) == len(integrated)
     for name in OUTPUTS:
-        peak = np.abs(flown[name] - flown[name][0]).max()
-        assert np.abs(flown[name] - integrated[name]).max() < 5e-3 * peak, name
+        deviation = np.abs(flown[name] - integrated[name]).max() / np.abs(flown[name] - flown[name][0]).max()
+        # Accelerations show what is fast, where CVode is as exact as it is asked to be: measured 1.7e-3 of the load factor.
+        bound = 1e-2 if name.startswith(("load_factor", "station")) else 3e-4
+        assert deviation < bound, f"{name}: {deviation}"
 
 
 def test_model_exchange_of_both_versions_has_the_same_bits(archive):
