@@ -45,6 +45,7 @@ mod ssp;
 mod sweep;
 mod terminal;
 mod trim;
+mod view;
 mod watched;
 mod workspace;
 
@@ -92,6 +93,9 @@ enum Command {
 
     /// Find what sections of the airframe carry in a manoeuvre or in gusts: envelopes, tables and plots
     Loads(loads::LoadsOptions),
+
+    /// Show an aircraft in the browser: flights, gusts, trims and modes on one page that opens from disk
+    View(view::ViewOptions),
 
     /// Fly many points over parameters of the FMU and of the aircraft, on a grid or at random, and keep numbers of each (Parquet)
     Sweep(sweep::SweepOptions),
@@ -261,6 +265,7 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8
         Command::Converge(options) => converge::run(&options).map_err(|error| error.report()),
         Command::Gust(options) => gust::run(&options).map_err(|error| error.report()),
         Command::Loads(options) => loads::run(&options).map_err(|error| error.report()),
+        Command::View(options) => view::run(&options, home).map_err(|error| error.report()),
         Command::Sweep(options) => sweep::run(&options, home).map_err(|error| error.report()),
         Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
         Command::Ssp(options) => ssp::run(&options).map_err(|error| error.report()),
@@ -320,6 +325,7 @@ mod tests {
             "linearise",
             "bench",
             "reproduce",
+            "view",
         ];
         let jet = Home::of_program().aircraft_file("generic-business-jet");
         assert!(jet.is_file());

@@ -59,8 +59,7 @@ impl Aircraft {
         let digits = count.to_string().len().max(2);
         let station = |number: usize| {
             let attachment = self.place_along(found, (number as f64 - 0.5) / count as f64);
-            let twist_axis = twist_axis(attachment, self);
-            Station { name: format!("{component}_{number:0digits$}"), attachment, twist_axis }
+            self.station_at(format!("{component}_{number:0digits$}"), attachment)
         };
         let added: Vec<Station> = (1..=count).map(station).collect();
         let is_taken = |one: &&Station| self.stations.iter().any(|other| other.name == one.name);
@@ -69,6 +68,20 @@ impl Aircraft {
         }
         self.stations.extend(added);
         Ok(())
+    }
+
+    /// A station with a name at a place, with the axis about which twist counts there; it is not added.
+    ///
+    /// ```
+    /// # use flexible_aircraft::Aircraft;
+    /// # use flexible_aircraft::aircraft::Attachment;
+    /// let mut wing = Aircraft::read("aircraft/goland-wing.toml")?;
+    /// wing.stations.push(wing.station_at("first_strip", wing.strips[0].attachment));
+    /// assert_eq!(wing.stations[1].twist_axis, wing.strips[0].span);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn station_at(&self, name: impl Into<String>, attachment: Attachment) -> Station {
+        Station { name: name.into(), attachment, twist_axis: twist_axis(attachment, self) }
     }
 
     /// The place at a fraction of a component's length.

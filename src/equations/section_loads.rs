@@ -6,7 +6,6 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::air::MetAir;
 use crate::kinematics::{
     Carried, CarriesMass, GeneralisedVector, Kinematics, OfKind, RigidMotion, Sections, by_kind,
 };
@@ -46,8 +45,6 @@ impl EquationsOfMotion {
         loads: &mut [SectionLoads],
     ) {
         let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
-        let gust = self.gust_seen(state, &attitude, controls).map(|_| &workspace.gust);
-        let around = Surroundings { gust, ..self.surroundings(state, &attitude, controls) };
         let instant = Instant {
             controls,
             motion: self.motion(state),
@@ -56,32 +53,40 @@ impl EquationsOfMotion {
             gravity: attitude.body_from_inertial * Vector3::new(0.0, 0.0, self.gravity),
         };
         loads.fill(SectionLoads::default());
+        self.tell_strip_loads(state, controls, workspace, |strip, resultant| {
+            self.cuts.add(loads, |outboard| &outboard.strips, strip, &resultant);
+        });
         let at = self.coordinates(state);
         by_kind!(self.kinematics.as_ref().with(workspace.kinematics().as_ref()), |(kinematics, memory)| {
             let sections = kinematics.sections(at, memory);
-            self.add_air(&sections, &around, state, &instant, loads);
             self.add_masses(&sections, &instant, loads);
             self.add_thrusts_and_station_loads(&sections, &instant, loads);
             self.cuts.resolve(sections.cuts(at.q), loads);
         });
     }
 
-    fn add_air(
+    /// Tells what the air does to each strip in the state and under the controls of the last evaluation, in their order, those edge-on
+    /// left out.
+    pub(crate) fn tell_strip_loads(
         &self,
-        sections: &impl Sections,
-        around: &Surroundings<impl MetAir>,
         state: &[f64],
-        instant: &Instant,
-        loads: &mut [SectionLoads],
+        controls: &Controls,
+        workspace: &Workspace,
+        mut tell: impl FnMut(usize, Resultant),
     ) {
-        let at = Accelerated {
+        let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
+        let gust = self.gust_seen(state, &attitude, controls).map(|_| &workspace.gust);
+        let around = Surroundings { gust, ..self.surroundings(state, &attitude, controls) };
+        let accelerated = Accelerated {
             state,
             layout: self.layout.inflow_layout(),
-            accelerations: instant.accelerations,
-            angles: &instant.controls.angles,
+            accelerations: GeneralisedVector::of(workspace.accelerations()),
+            angles: &controls.angles,
         };
-        self.strips.tell_resultants(sections, around, &at, |strip, resultant| {
-            self.cuts.add(loads, |outboard| &outboard.strips, strip, &resultant);
+        let at = self.coordinates(state);
+        by_kind!(self.kinematics.as_ref().with(workspace.kinematics().as_ref()), |(kinematics, memory)| {
+            let sections = kinematics.sections(at, memory);
+            self.strips.tell_resultants(&sections, &around, &accelerated, &mut tell);
         });
     }
 

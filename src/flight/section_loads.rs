@@ -1,5 +1,7 @@
 //! Section loads of a flight, for who asks for them [theory: section-loads.summation].
 
+use crate::strips::Resultant;
+
 use super::inputs::Inputs;
 use super::instant::Instant;
 use super::simulation::Simulation;
@@ -26,6 +28,24 @@ impl Simulation {
             flying.write_loads(&path.present.state, controls, &mut instant.outputs);
         }
         &self.instant
+    }
+
+    /// What the air does to each strip at the present time under the present inputs, in the order of the model's strips. Allocates.
+    ///
+    /// ```
+    /// # use std::sync::Arc;
+    /// # use flexible_aircraft::flight::{Settings, Simulation};
+    /// # let jet = Arc::new(flexible_aircraft::Aircraft::read("aircraft/generic-business-jet.toml")?.reduce()?);
+    /// let mut flight = Simulation::new(Arc::clone(&jet), &Settings::of(&jet), 0.0)?;
+    /// let lift: f64 = flight.strip_loads().iter().map(|load| -load.force.z).sum();
+    /// assert!((lift / (jet.integrals.mass * jet.gravity) - 1.0).abs() < 0.02);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn strip_loads(&mut self) -> Vec<Resultant> {
+        // The controls are those of the outputs.
+        self.instant();
+        let Simulation { flying, path, controls, .. } = self;
+        flying.strip_loads(&path.present.state, controls)
     }
 
     /// What is read as it would be at the present time and state under other inputs, section loads among it. Allocates.

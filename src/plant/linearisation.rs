@@ -225,7 +225,7 @@ impl Plant {
     }
 
     /// Adds a departure to one unknown of a state.
-    pub(super) fn displace(&self, unknown: Unknown, departure: f64, state: &mut [f64]) {
+    pub fn displace(&self, unknown: Unknown, departure: f64, state: &mut [f64]) {
         let layout = self.layout();
         let mut turn = |axis: usize| {
             let mut angles = Attitude::from_quaternion(&state[layout.attitude()]).euler_angles();

@@ -26,7 +26,8 @@ pub(crate) use gust_at_strips::GustAtStrips;
 pub use inflow::{InflowStates, PetersInflow};
 pub use inflow_layout::{GroupInflow, InflowLayout};
 pub(crate) use penetration::Penetrate;
-pub(crate) use resultants::{Accelerated, Resultant};
+pub(crate) use resultants::Accelerated;
+pub use resultants::Resultant;
 pub(crate) use sums::StripSums;
 pub(crate) use surroundings::Surroundings;
 

@@ -2,6 +2,7 @@
 
 use crate::equations::{Controls, Workspace};
 use crate::plant::{Course, Outputs, PackagedStrip, Plant, Trim};
+use crate::strips::Resultant;
 
 use super::actions::Actions;
 use super::forms::{Form, Forms};
@@ -153,6 +154,12 @@ impl<M> FlyingPlant<M> {
     /// Adds them to outputs. Allocates.
     pub fn add_loads(&self, state: &[f64], controls: &Controls, outputs: &mut Outputs) {
         self.plants.add_loads(self.form, state, controls, outputs);
+    }
+
+    /// What the air does to each strip of the whole aircraft at a state of the plant that flies. Allocates.
+    pub fn strip_loads(&mut self, state: &[f64], controls: &Controls) -> Vec<Resultant> {
+        let state = self.plants.unfolded(self.form, state, &mut self.elsewhere[0]);
+        self.plants.whole().strip_loads_at(state, controls, &mut self.seats.of_mut(Form::WHOLE).workspace)
     }
 
     /// Keeps in mind which plant flies.

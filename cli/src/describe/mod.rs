@@ -18,10 +18,10 @@ use crate::{terminal, workspace};
 mod balance;
 mod drawing;
 mod facts;
-mod frame;
+pub mod frame;
 mod json;
-mod modes;
-mod surfaces;
+pub mod modes;
+pub mod surfaces;
 mod text;
 mod warnings;
 

@@ -26,7 +26,7 @@ mod labels;
 mod linearised;
 mod locus;
 mod mat;
-mod modes;
+pub mod modes;
 mod npz;
 mod tables;
 mod wake;

@@ -23,7 +23,7 @@ use crate::{terminal, workspace};
 mod flight;
 pub mod given;
 mod header;
-mod plot;
+pub mod plot;
 pub mod schedule;
 mod shape;
 

@@ -28,3 +28,5 @@ mod support;
 mod sweep;
 #[cfg(test)]
 mod trim;
+#[cfg(test)]
+mod view;

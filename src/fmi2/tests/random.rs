@@ -31,6 +31,9 @@ use crate::fmi::life_cycle::State;
 use crate::fmi::operation::Operation;
 use crate::structure::ReducedModel;
 
+/// Calls of a function of which some must do what they ask for.
+const OFTEN: u32 = 300;
+
 const SEQUENCES: u32 = 80;
 const CALLS: usize = 360;
 
@@ -250,9 +253,13 @@ pub(crate) fn play<S: Random>(kind: Kind, never_done: &[&str]) {
     let tally = tally.into_inner();
     assert!(tally.values().flatten().sum::<u32>() >= 15_000, "{tally:?}");
     for (function, [done, refused]) in &tally {
-        assert_eq!(*done == 0, never_done.contains(function), "{function}: {tally:?}");
+        assert!(*done == 0 || !never_done.contains(function), "{function}: {tally:?}");
+        // What is asked rarely may have been refused by chance each time; the tables of the life cycle are tried one by one.
+        let is_asked_often = done + refused >= OFTEN;
+        assert!(*done > 0 || !is_asked_often || never_done.contains(function), "{function}: {tally:?}");
         let is_always_right = ["Reset", "FreeFMUstate", "FreeFMUState"].contains(&&function[4..]);
-        assert_eq!(*refused == 0, is_always_right, "{function}: {tally:?}");
+        assert!(*refused == 0 || !is_always_right, "{function}: {tally:?}");
+        assert!(*refused > 0 || is_always_right || !is_asked_often, "{function}: {tally:?}");
     }
     if std::env::var_os("RANDOM_TALLY").is_some() {
         println!("{tally:#?}");

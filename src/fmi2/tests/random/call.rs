@@ -65,6 +65,7 @@ fn often(Interface { version, kind }: Interface) -> Vec<Operation> {
         O::SetReal,
         O::SetInteger,
         O::SetBoolean,
+        O::SetInt64,
         O::GetDirectionalDerivative,
         O::GetFMUstate,
         O::SetFMUstate,

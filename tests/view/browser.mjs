@@ -1,0 +1,87 @@
+/** Chromium for the tests of the page of `flexair view`, and what they ask of a page. */
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readdirSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const web = resolve(import.meta.dirname, "../../web");
+const SOFTWARE = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+
+/** Chromium of the environment, or the first on the path. */
+function findChromium() {
+  if (process.env.CHROMIUM) return process.env.CHROMIUM;
+  for (const name of ["chromium", "chromium-browser", "google-chrome"]) {
+    try {
+      return execFileSync("which", [name], { encoding: "utf8" }).trim();
+    } catch {
+      continue;
+    }
+  }
+  return undefined;
+}
+
+function findDriver() {
+  try {
+    return createRequire(join(web, "package.json"))("playwright-core").chromium;
+  } catch {
+    return undefined;
+  }
+}
+
+const chromium = findChromium();
+const driver = findDriver();
+
+/** Why the tests cannot run, if they cannot. */
+export const missing =
+  (!chromium && "no Chromium: name one in CHROMIUM, or apt-get install chromium") ||
+  (!driver && "no playwright-core: run `npm ci` in web/") ||
+  undefined;
+
+export function launch(args = SOFTWARE) {
+  return driver.launch({ executablePath: chromium, args: ["--no-sandbox", ...args] });
+}
+
+/** Addresses of the pages in the folder VIEW_PAGES, and of the made-up sample. */
+export async function pages() {
+  const { writeSample } = await import(pathToFileURL(join(web, "test/sample.mjs")));
+  const sample = join(mkdtempSync(join(tmpdir(), "flexair-view-")), "sample.html");
+  await writeSample(sample);
+  const folder = process.env.VIEW_PAGES;
+  const others = folder ? readdirSync(folder).filter((name) => name.endsWith(".html")) : [];
+  return {
+    sample: pathToFileURL(sample).href,
+    others: others.map((name) => ({ name, address: pathToFileURL(join(resolve(folder), name)).href })),
+  };
+}
+
+/** Opens an address; `messages` gathers all that the console says. */
+export async function open(browser, address, options = {}) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 720 }, ...options });
+  // Generous, for machines that are busy with other work.
+  page.setDefaultTimeout(120_000);
+  const messages = [];
+  page.on("console", (message) => messages.push(`${message.type()}: ${message.text()}`));
+  page.on("pageerror", (error) => messages.push(String(error)));
+  await page.goto(address);
+  if (options.javaScriptEnabled !== false) await page.evaluate(() => flexair.ready.catch(() => undefined));
+  return { page, messages };
+}
+
+/** What is drawn: a hash of all pixels, and how many colours there are. */
+export function pixels(page) {
+  return page.evaluate(() => {
+    const drawn = document.querySelector("#stage canvas");
+    const copy = Object.assign(document.createElement("canvas"), { width: drawn.width, height: drawn.height });
+    const context = copy.getContext("2d");
+    flexair.renderOnce();
+    context.drawImage(drawn, 0, 0);
+    const data = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+    let hash = 2166136261;
+    for (const pixel of data) hash = Math.imul(hash ^ pixel, 16777619);
+    return { hash, colours: new Set(data).size };
+  });
+}
+
+export const state = (page) => page.evaluate(() => flexair.state());
