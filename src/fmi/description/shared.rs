@@ -13,6 +13,8 @@ use crate::variables::{
     ArchiveTable, DisplayUnit, EnumerationType, Place, Slot, Type, Unit, Value, Variability, Variable,
 };
 
+use super::source::Source;
+
 /// `modelName` and `modelIdentifier`; the shared libraries of the archive are named after it.
 pub const MODEL_IDENTIFIER: &str = "FlexibleAircraft";
 
@@ -25,7 +27,7 @@ const STEP_SIZE: f64 = 0.01;
 pub type Xml = Writer<Vec<u8>>;
 
 /// Of the whole FMU, for people.
-pub fn description(model: &ReducedModel) -> String {
+fn description(model: &ReducedModel) -> String {
     format!("Nonlinear flight dynamics of the flexible aircraft {}", model.name)
 }
 
@@ -85,12 +87,42 @@ pub fn items(xml: &mut Xml, enumeration: EnumerationType) -> io::Result<()> {
     Ok(())
 }
 
-/// The categories of the log; what falls into each, in words of the version.
-pub fn log_categories(xml: &mut Xml, contents: impl Fn(Category) -> &'static str) -> io::Result<()> {
+/// The root of a description, with what is in it. Versions call the token differently, and some say more.
+pub fn root(
+    xml: &mut Xml,
+    Source { interface, model, token, .. }: Source,
+    (name_of_token, further): (&str, Option<(&str, &str)>),
+    contents: impl FnOnce(&mut Xml) -> io::Result<()>,
+) -> io::Result<()> {
+    xml.create_element("fmiModelDescription")
+        .with_attributes([
+            ("fmiVersion", interface.version.number()),
+            ("modelName", MODEL_IDENTIFIER),
+            (name_of_token, token),
+            ("description", &description(model)),
+            ("version", env!("CARGO_PKG_VERSION")),
+            ("license", env!("CARGO_PKG_LICENSE")),
+            ("generationTool", concat!("flexible-aircraft ", env!("CARGO_PKG_VERSION"))),
+            ("variableNamingConvention", "structured"),
+        ])
+        .with_attributes(further)
+        .write_inner_content(contents)?;
+    Ok(())
+}
+
+/// The categories of the log, and what falls into each: reasons of statuses, whose names begin with a prefix.
+pub fn log_categories(xml: &mut Xml, prefix: &str) -> io::Result<()> {
+    let contents = |category| match category {
+        Category::Events => "Instantiation, initialisation, trim, reset and termination".to_owned(),
+        Category::StatusWarning => format!("Reasons of {prefix}Warning and {prefix}Discard"),
+        Category::StatusError => format!("Reasons of {prefix}Error"),
+        Category::StatusFatal => format!("Reasons of {prefix}Fatal"),
+        Category::All => "All messages".to_owned(),
+    };
     xml.create_element("LogCategories").write_inner_content(|xml| {
         for category in Category::ALL {
             xml.create_element("Category")
-                .with_attributes([("name", category.name()), ("description", contents(category))])
+                .with_attributes([("name", category.name()), ("description", &contents(category))])
                 .write_empty()?;
         }
         Ok(())

@@ -3,55 +3,29 @@
 use std::io;
 
 use crate::fmi::interface::Kind;
-use crate::fmi::log::Category;
 use crate::variables::{ArchiveTable, EnumerationType, Place, Type, Variable};
 
 use super::shared::{
-    MODEL_IDENTIFIER, Xml, causality, default_experiment, description, document, initial_unknowns, items,
-    list, log_categories, outputs_of, unit_definitions, value_attributes, variability,
+    MODEL_IDENTIFIER, Xml, causality, default_experiment, document, initial_unknowns, items, list,
+    log_categories, outputs_of, root, unit_definitions, value_attributes, variability,
 };
 use super::source::Source;
 
 /// The description with a token; the real one is a hash of this with none.
 pub fn text(source: Source) -> String {
-    document(|xml| root(xml, source))
-}
-
-fn root(xml: &mut Xml, source: Source) -> io::Result<()> {
-    let Source { interface, model, starts, table, token } = source;
-    xml.create_element("fmiModelDescription")
-        .with_attributes([
-            ("fmiVersion", interface.version.number()),
-            ("modelName", MODEL_IDENTIFIER),
-            ("instantiationToken", token),
-            ("description", &description(model)),
-            ("version", env!("CARGO_PKG_VERSION")),
-            ("license", env!("CARGO_PKG_LICENSE")),
-            ("generationTool", concat!("flexible-aircraft ", env!("CARGO_PKG_VERSION"))),
-            ("variableNamingConvention", "structured"),
-        ])
-        .write_inner_content(|xml| {
+    let Source { interface, starts, table, .. } = source;
+    document(|xml| {
+        root(xml, source, ("instantiationToken", None), |xml| {
             kind(xml, interface.kind)?;
             unit_definitions(xml, table)?;
             type_definitions(xml)?;
-            log_categories(xml, log_contents)?;
+            log_categories(xml, "fmi3")?;
             default_experiment(xml, interface, starts)?;
             xml.create_element("ModelVariables")
                 .write_inner_content(|xml| table.iter().try_for_each(|row| variable(xml, table, row)))?;
             model_structure(xml, table)
-        })?;
-    Ok(())
-}
-
-/// What falls into a category of the log.
-fn log_contents(category: Category) -> &'static str {
-    match category {
-        Category::Events => "Instantiation, initialisation, trim, reset and termination",
-        Category::StatusWarning => "Reasons of fmi3Warning and fmi3Discard",
-        Category::StatusError => "Reasons of fmi3Error",
-        Category::StatusFatal => "Reasons of fmi3Fatal",
-        Category::All => "All messages",
-    }
+        })
+    })
 }
 
 /// Only what is true is said; what is left out is false.
