@@ -87,6 +87,7 @@ impl<Place> Variable<Place> {
             Some(unit) => format!(" {}", unit.name()),
         };
         match (self.min, self.max) {
+            (Some(min), Some(max)) if min == max => format!("{min}{unit}"),
             (Some(min), Some(max)) => match self.min_beside_none {
                 Some(beside) => format!("{min} or {beside} to {max}{unit}"),
                 None => format!("{min} to {max}{unit}"),

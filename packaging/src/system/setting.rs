@@ -125,6 +125,7 @@ fn allowed(variable: &Variable) -> String {
         ("", "") => format!("{of}{in_unit} is allowed"),
         (min, "") => format!("allowed is {min}{unit} and above"),
         ("", max) => format!("allowed is {max}{unit} and below"),
+        (min, max) if min == max => format!("allowed is {min}{unit}"),
         (min, max) => format!("allowed is {min} to {max}{unit}"),
     }
 }

@@ -25,6 +25,17 @@ fn lagging() -> (Settings, Vec<(&'static str, f64)>) {
     (settings, values)
 }
 
+/// The jet with load modes, as it starts.
+fn strained() -> (ReducedModel, Settings) {
+    let text = include_str!("../../../../aircraft/generic-business-jet.toml");
+    let aircraft = Aircraft::parse(text, "generic-business-jet.toml").unwrap();
+    let model = ReducedModel::new(&Aircraft { load_modes: true, ..aircraft }, 8).unwrap();
+    let mut settings = Settings::of(&model);
+    settings.plant.mode_count = model.natural_modes();
+    assert!(settings.plant.load_modes && model.modes.len() > model.natural_modes());
+    (model, settings)
+}
+
 /// Bounds each entry by a share of the largest of its row.
 fn assert_alike(found: &DMatrix<f64>, expected: &DMatrix<f64>, what: &str, names: impl Fn(usize) -> String) {
     assert_eq!(found.shape(), expected.shape());
@@ -46,8 +57,15 @@ fn assert_alike(found: &DMatrix<f64>, expected: &DMatrix<f64>, what: &str, names
 #[test]
 fn the_jacobian_is_the_linear_model_of_the_library() {
     let (settings, values) = lagging();
-    let exchange = Exchange::flying(jet(), &values);
-    let model = LinearModel::new(jet().clone(), &settings, Inflow::Kept).unwrap();
+    assert_linear_model(jet(), &settings, &values);
+    let (model, settings) = strained();
+    assert_linear_model(&model, &settings, &[]);
+}
+
+/// That the directional derivatives in trim are the library's linear model.
+fn assert_linear_model(aircraft: &ReducedModel, settings: &Settings, values: &[(&str, f64)]) {
+    let exchange = Exchange::flying(aircraft, values);
+    let model = LinearModel::new(aircraft.clone(), settings, Inflow::Kept).unwrap();
     let references =
         |names: Vec<String>| -> Vec<u32> { names.iter().map(|name| exchange.reference(name)).collect() };
     let own =
@@ -146,5 +164,34 @@ fn several_directions_at_once_add_up_and_states_give_their_own_component() {
             .map(|(known, component)| component * exchange.derivatives(&unknowns, *known)[row])
             .sum();
         assert!((together - sum).abs() < 1e-7 * (1.0 + sum.abs()), "{row}: {together} {sum}");
+    }
+}
+
+#[test]
+fn with_load_modes_all_natural_ones_take_part_and_either_family_is_at_rest_in_trim() {
+    let (model, _) = strained();
+    let exchange = Exchange::new(&model);
+    let count = exchange.reference("mode_count");
+    // SAFETY: the component is alive, the arrays have one element.
+    assert_eq!(unsafe { fmi2SetInteger(exchange.fmu.component, &count, 1, &2) }, Status::Error);
+    exchange.fmu.assert_refused(&["`mode_count`: found 2, allowed is 8"]);
+    assert!(exchange.fmu.last_message().format.ends_with("is 8"), "{}", exchange.fmu.last_message().format);
+    let symmetric = ModeSelection::Symmetric as i32 + 1;
+    for values in [vec![], vec![("mode_family", f64::from(symmetric))], vec![("load_modes", 0.0)]] {
+        let exchange = Exchange::flying(&model, &values);
+        let rates = exchange.rates();
+        let mut strained = 0;
+        for (place, (state, reference)) in exchange.table.states().iter().enumerate() {
+            use crate::flight::ContinuousState as S;
+            assert!(
+                matches!(state, S::Position(_) | S::Drift(_)) || rates[place].abs() < 1e-8,
+                "{values:?}, {}: {}",
+                exchange.name(*reference),
+                rates[place]
+            );
+            let of_loads = matches!(*state, S::Coordinate(mode) if model.modes[mode].of_loads);
+            strained += usize::from(of_loads && exchange.states()[place] != 0.0);
+        }
+        assert_eq!(strained > 0, values != [("load_modes", 0.0)], "{values:?}: {strained}");
     }
 }
