@@ -17,6 +17,9 @@ const TIP: f64 = 0.12;
 const OF_LENGTH: f64 = 0.09;
 const OF_SIZE: f64 = 0.045;
 
+/// Parts of the airframe's size within which two places are one.
+const TOGETHER: f64 = 1e-6;
+
 /// A body.
 pub struct Body {
     pub component: String,
@@ -27,8 +30,11 @@ pub struct Body {
 /// Of all components that are no lifting surfaces, and what was assumed of them.
 pub fn bodies(airframe: &Airframe) -> (Vec<Body>, Option<String>) {
     let aircraft = &airframe.aircraft;
-    let components = (0..aircraft.components.len()).filter(|&one| !surfaces::is_lifting(aircraft, one));
-    let bodies: Vec<Body> = components.map(|component| body(airframe, component)).collect();
+    let is_body = |component: &usize| !surfaces::is_lifting(aircraft, *component);
+    let components: Vec<usize> = (0..aircraft.components.len()).filter(is_body).collect();
+    let radii = radii(airframe, &components);
+    let bodies: Vec<Body> =
+        components.iter().zip(radii).map(|(&component, radii)| body(airframe, component, radii)).collect();
     let names: Vec<&str> = bodies.iter().map(|body| body.component.as_str()).collect();
     let note = (!names.is_empty()).then(|| {
         format!(
@@ -39,7 +45,33 @@ pub fn bodies(airframe: &Airframe) -> (Vec<Body>, Option<String>) {
     (bodies, note)
 }
 
-fn body(airframe: &Airframe, component: usize) -> Body {
+/// The radii of bodies where they begin, m: those that begin at one place are one body, as wide as the widest.
+fn radii(airframe: &Airframe, components: &[usize]) -> Vec<[f64; 2]> {
+    let own: Vec<[f64; 2]> = components.iter().map(|&component| own_radii(airframe, component)).collect();
+    let root = |component: usize| airframe.sections[airframe.nodes[component][0]].position;
+    let meet = |one: usize, other: usize| (root(one) - root(other)).norm() < TOGETHER * airframe.size();
+    let of_all = |&one: &usize| {
+        let met = components.iter().zip(&own).filter(|(other, _)| meet(one, **other));
+        met.fold([0.0_f64; 2], |[wide, high], (_, radii)| [wide.max(radii[0]), high.max(radii[1])])
+    };
+    components.iter().map(of_all).collect()
+}
+
+/// What strips across a body say of its radii, m, or else what is assumed.
+fn own_radii(airframe: &Airframe, component: usize) -> [f64; 2] {
+    let places: Vec<Vector3<f64>> =
+        airframe.nodes[component].iter().map(|&node| airframe.sections[node].position).collect();
+    let length: f64 = places.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+    let assumed = (OF_LENGTH * length).min(OF_SIZE * airframe.size());
+    let widths = |is_level: bool| widest(&airframe.aircraft, component, is_level).map(|width| 0.5 * width);
+    match [widths(true), widths(false)] {
+        [Some(horizontal), Some(vertical)] => [horizontal, vertical],
+        [Some(one), None] | [None, Some(one)] => [one; 2],
+        [None, None] => [assumed; 2],
+    }
+}
+
+fn body(airframe: &Airframe, component: usize, radii: [f64; 2]) -> Body {
     let aircraft = &airframe.aircraft;
     let nodes = &airframe.nodes[component];
     let places: Vec<Vector3<f64>> = nodes.iter().map(|&node| airframe.sections[node].position).collect();
@@ -48,13 +80,6 @@ fn body(airframe: &Airframe, component: usize) -> Body {
         distances.push(distances[distances.len() - 1] + (pair[1] - pair[0]).norm());
     }
     let length = distances[distances.len() - 1];
-    let assumed = (OF_LENGTH * length).min(OF_SIZE * airframe.size());
-    let widths = |is_level: bool| widest(aircraft, component, is_level).map(|width| 0.5 * width);
-    let radii = match [widths(true), widths(false)] {
-        [Some(horizontal), Some(vertical)] => [horizontal, vertical],
-        [Some(one), None] | [None, Some(one)] => [one; 2],
-        [None, None] => [assumed; 2],
-    };
     let carries = is_carrying(aircraft, component);
     let ring = |(&node, distance): (&usize, &f64)| {
         let free = if carries { 0.0 } else { (distance / length - (1.0 - TAPER)) / TAPER };
@@ -98,5 +123,7 @@ mod tests {
                 body.rings.iter().flat_map(|(_, radii)| radii).all(|radius| (0.05..3.0).contains(radius))
             );
         }
+        let [forward, aft] = bodies.as_slice() else { panic!("the jet has two fuselages") };
+        assert_eq!(forward.rings[0].1, aft.rings[0].1, "they meet with a step");
     }
 }
