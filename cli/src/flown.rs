@@ -69,7 +69,8 @@ impl FlownOptions {
         Ok(assignment::settings(&self.set, variables, model, self.count())?)
     }
 
-    fn count(&self) -> ModeCount {
+    /// How many natural modes there are.
+    pub fn count(&self) -> ModeCount {
         ModeCount::asked_or_usual(self.modes, ReducedModel::USUAL_MODES)
     }
 }

@@ -10,6 +10,7 @@ use clap::{Arg, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use flexible_aircraft_packaging::{Platform, remove_temporary_files};
 
 mod aircraft;
+mod aircraft_file;
 mod analysis;
 pub mod answer;
 mod axis;
@@ -153,6 +154,10 @@ struct PackageOptions {
     /// that came with it]
     #[arg(long, value_name = "PLATFORM=FILE", value_parser = platform_and_file)]
     binary: Vec<(Platform, PathBuf)>,
+
+    /// Leave out of its documentation the page on which the aircraft is seen in its trim and its modes, a quarter of a megabyte
+    #[arg(long)]
+    no_scene: bool,
 
     /// Do not load and fly the FMU afterwards
     #[arg(long)]

@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
+use flexible_aircraft::flight::Settings;
 use flexible_aircraft::fmi::Interface;
 use flexible_aircraft::structure::{ModeCount, ReducedModel};
 use flexible_aircraft_packaging::c_abi::Fmu;
-use flexible_aircraft_packaging::{Draft, FileError, FmuError, Package, PackageError, Platform};
+use flexible_aircraft_packaging::{Draft, FileError, FmuError, Package, PackageError, Platform, Reduction};
 
 use crate::answer::Answer;
 use crate::check::CheckFlight;
@@ -16,6 +17,7 @@ use crate::files::{Drafts, Overwriting, refuse_overwriting};
 use crate::home::Home;
 use crate::interfaces::{OneFile, places};
 use crate::progress::Audience;
+use crate::view::{self, archive};
 use crate::{PackageOptions, diagnostics, terminal, workspace};
 
 /// Why `flexair package` did not succeed.
@@ -31,6 +33,8 @@ pub enum Error {
     Output(#[from] OneFile),
     #[error(transparent)]
     File(#[from] FileError),
+    #[error("the page of the documentation on which the aircraft is seen: {0}")]
+    Scene(#[from] view::Error),
     #[error("FMI has no name for this platform: give the library of another one with --binary")]
     NoPlatform,
     #[error("no shared libraries came with this program: looked for them in {}; give one with --binary", .0.display())]
@@ -94,17 +98,25 @@ fn package(options: PackageOptions, home: &Home, audience: &Audience) -> Result<
         stations_along: options.stations_along,
         binaries: options.binary,
         licences: home.licences(),
+        scene: None,
     };
     let reduction = package.reduce()?;
-    let mut level = "";
+    let mut starts = Vec::new();
     for &interface in &interfaces {
         package.interface = interface;
-        level = package.starts(&reduction)?.plant.fidelity.name();
+        starts.push(package.starts(&reduction)?);
     }
     add_libraries(&mut package.binaries, home, audience)?;
 
     let file = package.aircraft.display();
-    audience.note(&format!("Packaging {} ({file}), which flies with model = {level}", aircraft.name));
+    audience.note(&format!(
+        "Packaging {} ({file}), which flies with model = {}",
+        aircraft.name,
+        starts[0].plant.fidelity.name()
+    ));
+    if !options.no_scene {
+        package.scene = scene(&package, &reduction, &starts[0], audience)?;
+    }
     // Good FMUs are replaced only by ones that fly.
     let (mut drafts, mut packaged) = (Drafts::none(), Vec::new());
     for (interface, output) in interfaces.into_iter().zip(outputs) {
@@ -117,6 +129,21 @@ fn package(options: PackageOptions, home: &Home, audience: &Audience) -> Result<
     }
     drafts.keep_written()?;
     Ok(packaged)
+}
+
+/// The page on which the aircraft is seen in the documentation of all archives.
+fn scene(
+    package: &Package,
+    reduction: &Reduction,
+    starts: &Settings,
+    audience: &Audience,
+) -> Result<Option<String>, Error> {
+    let scene = archive::scene(reduction.aircraft(), package.mode_count, starts)?;
+    let without_trim = scene.as_ref().and_then(|scene| scene.without_trim.as_ref());
+    if let Some(error) = without_trim {
+        audience.note(&format!("The documentation shows no trim, for there is none: {error}"));
+    }
+    Ok(scene.map(|scene| scene.page))
 }
 
 /// Flies what has been written.

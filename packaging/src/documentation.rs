@@ -9,7 +9,7 @@ use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::{ArchiveTable, Place, Slot, Type, Value, Variable};
 use quick_xml::escape::escape;
 
-use crate::plan_view;
+use crate::{Reduction, plan_view};
 
 mod exchange;
 mod interface;
@@ -20,6 +20,12 @@ mod tests;
 type Row = Variable<Place>;
 
 const TEMPLATE: &str = include_str!("../../modelDescription/documentation.html");
+
+/// Where its shapes are seen.
+const SHAPES: &str = "<figure>\n<iframe src=\"scene.html\" title=\"The aircraft in its trim and its modes\" \
+     style=\"width: 100%; height: 34em; border: 1px solid #d6dbe1\"></iframe>\n\
+     <figcaption>As it stands in its trim, and how its modes move: choose under <i>Show</i>, drag to look around. \
+     <a href=\"scene.html\">Alone on a page</a>.</figcaption>\n</figure>\n";
 
 /// How a flight begins otherwise than straight and level.
 const CONDITIONS: &str = "<p>The parameters <code>condition.*</code> have the flight begin otherwise than straight and level: in a climb \
@@ -74,12 +80,15 @@ struct Group<'a> {
     variables: Vec<&'a Row>,
 }
 
-/// The page, which needs no other file.
+/// The file beside the page in which shapes are seen.
+pub(crate) const SCENE: &str = "scene.html";
+
+/// The page, which needs no other file but the scene where there is one.
 pub(crate) fn page(
     interface: Interface,
-    aircraft: &Aircraft,
-    model: &ReducedModel,
+    Reduction { aircraft, model }: &Reduction,
     starts: &Settings,
+    has_scene: bool,
 ) -> String {
     let table = ArchiveTable::new(model, starts, interface.extent());
     let groups = groups(&table);
@@ -99,6 +108,7 @@ pub(crate) fn page(
         .replace("{{level}}", starts.plant.fidelity.name())
         .replace("{{facts}}", &facts(aircraft, model))
         .replace("{{plan_view}}", &plan_view::svg(aircraft))
+        .replace("{{scene}}", if has_scene { SHAPES } else { "" })
         .replace("{{contents}}", &contents(&groups))
         .replace("{{variables}}", &groups.iter().map(section).collect::<String>())
         .replace("{{aircraft}}", &escape(aircraft.name.as_str()))

@@ -61,6 +61,8 @@ pub struct Package {
     pub binaries: Vec<(Platform, PathBuf)>,
     /// Where the licences of what is linked come from.
     pub licences: Licences,
+    /// A page that shows the aircraft's shapes, which the documentation then has in it.
+    pub scene: Option<String>,
 }
 
 /// An aircraft with all its stations, and what it is reduced to: what the FMUs of one aircraft share, whatever their
@@ -69,6 +71,13 @@ pub struct Package {
 pub struct Reduction {
     aircraft: Aircraft,
     model: ReducedModel,
+}
+
+impl Reduction {
+    /// The aircraft with all its stations.
+    pub fn aircraft(&self) -> &Aircraft {
+        &self.aircraft
+    }
 }
 
 impl Package {
@@ -124,8 +133,11 @@ impl Package {
         );
         entries.push(Entry::new("resources/aircraft.toml", read(&self.aircraft)?));
         entries.extend(pictures::entries(interface.version, aircraft)?);
-        let page = documentation::page(interface, aircraft, model, &starts);
+        let page = documentation::page(interface, reduction, &starts, self.scene.is_some());
         entries.push(Entry::new("documentation/index.html", page));
+        let scene = self.scene.as_deref();
+        entries
+            .extend(scene.map(|scene| Entry::new(format!("documentation/{}", documentation::SCENE), scene)));
         entries.extend(self.licences.entries(interface.version)?);
         Ok(archive::to_bytes(entries)?)
     }

@@ -19,7 +19,7 @@ def test_the_archive_has_what_importers_and_people_look_for(fmu):
     names = zipfile.ZipFile(fmu).namelist()
     assert names[0] == "modelDescription.xml"
     assert any(name.startswith(f"binaries/{fmpy.platform}/FlexibleAircraft.") for name in names)
-    for name in ["model.png", "resources/aircraft.toml", "documentation/index.html"]:
+    for name in ["model.png", "resources/aircraft.toml", "documentation/index.html", "documentation/scene.html"]:
         assert name in names
     assert "documentation/licenses/flexible-aircraft-0.1.0/LICENSE-MIT" in names
 

@@ -35,6 +35,7 @@ fn package() -> Package {
         stations_along: Vec::new(),
         binaries: vec![(Platform::host().unwrap(), library)],
         licences: Licences::Workspace(env!("CARGO_MANIFEST_DIR").into()),
+        scene: None,
     }
 }
 

@@ -39,6 +39,7 @@ fn jet() -> (tempfile::TempDir, Fmu) {
         stations_along: Vec::new(),
         binaries,
         licences: Licences::Workspace(workspace),
+        scene: None,
     }
     .write(&output)
     .unwrap();

@@ -38,6 +38,7 @@ fn jet_as(interface: Interface, support: Support) -> CheckFlight {
         stations_along: Vec::new(),
         binaries,
         licences: Licences::Workspace(workspace),
+        scene: None,
     }
     .write(&fmu)
     .unwrap();

@@ -10,10 +10,11 @@ use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::FileError;
 use nalgebra::DMatrix;
 
+use crate::aircraft_file::AircraftFile;
 use crate::answer::Answer;
 use crate::files::{Drafts, Overwriting, STANDARD, picture, refuse_overwriting};
 use crate::flown::{self, FlownOptions};
-use crate::{terminal, workspace};
+use crate::terminal;
 
 mod balance;
 mod drawing;
@@ -46,13 +47,8 @@ Examples: the jet; another aircraft with a picture of its 6 lowest modes
   flexair describe my-aircraft.toml --modes 6 --plot modes.svg"
 )]
 pub struct DescribeOptions {
-    /// The aircraft file (TOML), as --aircraft has it
-    #[arg(value_name = "AIRCRAFT", conflicts_with = "aircraft")]
-    file: Option<PathBuf>,
-
-    /// The aircraft file (TOML)
-    #[arg(long, value_name = "FILE", default_value_os_t = workspace::aircraft())]
-    aircraft: PathBuf,
+    #[command(flatten)]
+    file: AircraftFile,
 
     #[command(flatten)]
     flown: FlownOptions,
@@ -94,12 +90,12 @@ struct Description {
 /// Describes an aircraft; what is unusual is no failure.
 pub fn run(options: &DescribeOptions) -> Result<(), Error> {
     let outputs: Vec<&Path> = options.json.iter().chain(&options.plot).map(PathBuf::as_path).collect();
-    refuse_overwriting(&outputs, [options.file()])?;
+    refuse_overwriting(&outputs, [options.file.path()])?;
     let is_standard = |path: &&PathBuf| path.as_path() == Path::new(STANDARD);
     let files = options.json.iter().filter(|path| !is_standard(path)).chain(&options.plot);
     let drafts = Drafts::new(files.map(PathBuf::as_path))?;
 
-    let aircraft = options.flown.read(options.file())?;
+    let aircraft = options.flown.read(options.file.path())?;
     let Described { structure, shapes, description } = options.describe(&aircraft)?;
     if options.plot.is_some() && description.modes.is_empty() {
         return Err(Error::NoModes);
@@ -117,7 +113,7 @@ pub fn run(options: &DescribeOptions) -> Result<(), Error> {
 
 /// All of it as the text of a JSON object.
 pub fn answer(options: &DescribeOptions) -> Result<Answer, Error> {
-    let aircraft = options.flown.read(options.file())?;
+    let aircraft = options.flown.read(options.file.path())?;
     let json = json::text(&options.describe(&aircraft)?.description);
     Ok(Answer::named([("json", Answer::Text(json))]))
 }
@@ -130,10 +126,6 @@ struct Described<'a> {
 }
 
 impl DescribeOptions {
-    fn file(&self) -> &Path {
-        self.file.as_deref().unwrap_or(&self.aircraft)
-    }
-
     fn describe<'a>(&self, aircraft: &'a Aircraft) -> Result<Described<'a>, Error> {
         let structure = Structure::new(aircraft)?;
         let basis = self.flown.basis(&structure)?;

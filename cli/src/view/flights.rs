@@ -59,11 +59,15 @@ pub fn flight(
 
 /// The trim with which flights begin.
 pub fn trim(view: &View) -> Result<Show, SimulationError> {
-    let mut simulation = trimmed(&view.model, &view.settings, 0.0)?;
+    Ok(beginning(view, trimmed(&view.model, &view.settings, 0.0)?))
+}
+
+/// How a flight begins.
+pub fn beginning(view: &View, mut simulation: Simulation) -> Show {
     let mut recording = Recording::default();
     recording.look(&view.airframe, &[], &mut simulation);
     let fidelity = view.settings.plant.fidelity;
-    Ok(Show {
+    Show {
         kind: Kind::Trim,
         name: "trim".to_owned(),
         level: fidelity.name(),
@@ -75,7 +79,7 @@ pub fn trim(view: &View) -> Result<Show, SimulationError> {
         charted: Vec::new(),
         gust: None,
         ghost: None,
-    })
+    }
 }
 
 /// The same settings at another level.

@@ -6,22 +6,26 @@ use std::sync::Arc;
 
 use clap::Args;
 use flexible_aircraft::air::{GustShape, TurbulenceSettings};
-use flexible_aircraft::aircraft::Fidelity;
+use flexible_aircraft::aircraft::{Aircraft, Fidelity};
 use flexible_aircraft::flight::{Settings, SimulationError};
-use flexible_aircraft::structure::{ModeMotion, ReducedModel, Structure, StructureError};
+use flexible_aircraft::structure::{
+    ModalBasis, ModeCount, ModeKind, ModeMotion, ReducedModel, Structure, StructureError,
+};
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::FileError;
 
+use crate::aircraft_file::AircraftFile;
 use crate::files::{Drafts, Overwriting, named, picture, refuse_overwriting};
 use crate::flown::{self, FlownOptions, seconds};
 use crate::home::Home;
 use crate::simulate::given::{self, Given};
 use crate::simulate::schedule::{Mistake, Schedule};
 use crate::simulate::{self, plot};
+use crate::terminal;
 use crate::watched::{NoSuchOutput, Watched};
-use crate::{terminal, workspace};
 
 mod airframe;
+pub mod archive;
 mod body;
 mod data;
 mod flights;
@@ -68,13 +72,8 @@ Examples: trim and modes; a gust; two levels of fidelity in an elevator 2-3-1-1;
   flexair view --input elevator=2311:-0.05 --compare exact,geometrically_exact
   flexair view --root phugoid --root \"Dutch roll\"")]
 pub struct ViewOptions {
-    /// The aircraft file (TOML), as --aircraft has it
-    #[arg(value_name = "AIRCRAFT", conflicts_with = "aircraft")]
-    file: Option<PathBuf>,
-
-    /// The aircraft file (TOML)
-    #[arg(long, value_name = "FILE", default_value_os_t = workspace::aircraft())]
-    aircraft: PathBuf,
+    #[command(flatten)]
+    file: AircraftFile,
 
     #[command(flatten)]
     flown: FlownOptions,
@@ -161,10 +160,12 @@ pub enum Error {
 }
 
 /// What is viewed.
-pub struct View {
+struct View {
     airframe: Airframe,
     /// Of the airframe, with its stations and cuts.
     model: Arc<ReducedModel>,
+    /// Of its modes.
+    motions: Vec<ModeMotion>,
     /// The variables of the aircraft as its file has it, and of the airframe.
     variables: [VariableTable; 2],
     settings: Settings,
@@ -174,17 +175,12 @@ pub struct View {
 pub fn run(options: &ViewOptions, home: &Home) -> Result<(), Error> {
     let output = options.output(home);
     let table = options.flight.as_deref();
-    refuse_overwriting(&[&output], [Some(options.file()), table].into_iter().flatten())?;
+    refuse_overwriting(&[&output], [Some(options.file.path()), table].into_iter().flatten())?;
     let draft = Drafts::new([output.as_path()])?;
-    let aircraft = options.flown.read(options.file())?;
-    let airframe = Airframe::new(&aircraft);
-    let watched = airframe.aircraft.clone();
-    let structure = Structure::new(&watched)?;
-    let basis = options.flown.basis(&structure)?;
-    let motions = ModeMotion::of_modes(&structure, &basis.shapes);
-    let model = Arc::new(ReducedModel::of_basis(&structure, basis)?);
-    let view = View::new(options, airframe, model)?;
-    let shows = options.shows(&view, &motions)?;
+    let aircraft = options.flown.read(options.file.path())?;
+    let settings = |variables: &VariableTable, model: &ReducedModel| options.flown.settings(variables, model);
+    let view = View::new(&aircraft, options.flown.count(), settings)?;
+    let shows = options.shows(&view)?;
     let levels = shows.iter().filter(|show| show.kind == Kind::Flight).count().max(1);
     let page = view.page(&shows)?;
     if let Some(note) = page::check(page.len(), levels, options.rate)? {
@@ -201,12 +197,8 @@ pub fn run(options: &ViewOptions, home: &Home) -> Result<(), Error> {
 }
 
 impl ViewOptions {
-    fn file(&self) -> &Path {
-        self.file.as_deref().unwrap_or(&self.aircraft)
-    }
-
     fn output(&self, home: &Home) -> PathBuf {
-        let name = self.file().file_stem().unwrap_or_default().to_string_lossy();
+        let name = self.file.path().file_stem().unwrap_or_default().to_string_lossy();
         let usual = || home.output("view", &Path::new("target/view").join(format!("{name}.html")));
         self.output.clone().unwrap_or_else(usual)
     }
@@ -222,7 +214,7 @@ impl ViewOptions {
     }
 
     /// All that is asked for, flights first.
-    fn shows(&self, view: &View, motions: &[ModeMotion]) -> Result<Vec<Show>, Error> {
+    fn shows(&self, view: &View) -> Result<Vec<Show>, Error> {
         let flies = self.flies(&view.settings);
         let is_asked = flies || self.trim || self.mode_shapes || !self.root.is_empty();
         let mut shows = if flies { self.flights(view)? } else { Vec::new() };
@@ -231,7 +223,7 @@ impl ViewOptions {
         }
         shows.extend(roots::shows(view, &self.root)?);
         if self.mode_shapes || !is_asked {
-            shows.extend(shapes::shows(view, motions).map_err(SimulationError::from)?);
+            shows.extend(shapes::shows(view).map_err(SimulationError::from)?);
         }
         if shows.is_empty() {
             // No mode flies.
@@ -288,13 +280,23 @@ impl ViewOptions {
 }
 
 impl View {
-    fn new(options: &ViewOptions, airframe: Airframe, model: Arc<ReducedModel>) -> Result<Self, Error> {
+    /// An aircraft with so many natural modes, that flies as its settings say.
+    fn new(
+        aircraft: &Aircraft,
+        modes: ModeCount,
+        settings: impl FnOnce(&VariableTable, &ReducedModel) -> Result<Settings, flown::Error>,
+    ) -> Result<Self, Error> {
+        let airframe = Airframe::new(aircraft);
+        let structure = Structure::new(&airframe.aircraft)?;
+        let basis = ModalBasis::with(&structure, modes, ModeKind::All)?;
+        let motions = ModeMotion::of_modes(&structure, &basis.shapes);
+        let model = Arc::new(ReducedModel::of_basis(&structure, basis)?);
         let mut own = ReducedModel::clone(&model);
         own.stations.truncate(airframe.named[0]);
         own.cuts.truncate(airframe.named[1]);
         let variables = [&own, &model].map(VariableTable::new);
-        let settings = options.flown.settings(&variables[0], &own)?;
-        Ok(View { airframe, model, variables, settings })
+        let settings = settings(&variables[0], &own)?;
+        Ok(View { airframe, model, motions, variables, settings })
     }
 
     /// The page with some shows.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use flexible_aircraft::plant::SettingError;
-use flexible_aircraft::structure::{Mode, ModeMotion, ReducedModel};
+use flexible_aircraft::structure::{Mode, ReducedModel};
 use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::describe::modes::{self, family_name};
@@ -23,8 +23,8 @@ const PERIOD: f64 = 2.0;
 const AMPLITUDE: f64 = 0.05;
 
 /// Of all modes that fly, natural ones first.
-pub fn shows(view: &View, motions: &[ModeMotion]) -> Result<Vec<Show>, SettingError> {
-    let View { airframe, model, settings, .. } = view;
+pub fn shows(view: &View) -> Result<Vec<Show>, SettingError> {
+    let View { airframe, model, motions, settings, .. } = view;
     let named = modes::name(&airframe.aircraft, &model.modes, motions, &settings.plant);
     let mut shows: Vec<Show> = named
         .iter()
@@ -76,7 +76,7 @@ fn show(
     let mut recording = Recording::default();
     for frame in 0..=FRAMES {
         // The last frame is the first.
-        let swing = amplitude * (TAU * (frame % FRAMES) as f64 / FRAMES as f64).sin();
+        let swing = amplitude * libm::sin(TAU * (frame % FRAMES) as f64 / FRAMES as f64);
         for (section, [translation, rotation]) in airframe.sections.iter().zip(&shapes) {
             let turn = UnitQuaternion::from_scaled_axis(rotation * swing).coords;
             recording.poses.extend((section.position + translation * swing).iter());

@@ -53,7 +53,7 @@ fn an_own_aircraft_is_packaged_without_cargo_and_sources_as_with_them() {
     let installed = Installed::new();
     let own = installed.work().join("own.toml");
     std::fs::copy(workspace("aircraft/goland-wing.toml"), &own).unwrap();
-    let run = installed.run("package --aircraft own.toml --modes 2");
+    let run = installed.run("package --aircraft own.toml --modes 2 --no-scene");
     assert!(run.status.success(), "{}", text(&run.stderr));
     assert!(text(&run.stdout).starts_with("FlexibleAircraft.fmu: "), "{}", text(&run.stdout));
     let package = Package {
@@ -65,6 +65,7 @@ fn an_own_aircraft_is_packaged_without_cargo_and_sources_as_with_them() {
         stations_along: Vec::new(),
         binaries: vec![host_library()],
         licences: Licences::Workspace(workspace(".")),
+        scene: None,
     };
     let packaged = std::fs::read(installed.work().join("FlexibleAircraft.fmu")).unwrap();
     assert!(packaged == package.to_bytes().unwrap(), "other bytes than from the workspace");

@@ -1,5 +1,8 @@
 //! What `flexair package` says.
 
+use std::io::Read;
+use std::path::Path;
+
 use crate::support::{flexair, library, names, run, text, workspace};
 
 /// Before it finds that there is no such library.
@@ -71,6 +74,54 @@ fn all_pairs_of_versions_and_kinds_are_written_into_a_folder() {
     assert!(alone.status.success(), "{}", text(&alone.stderr));
     let bytes = |path: &str| std::fs::read(folder.path().join(path)).unwrap();
     assert!(bytes("alone.fmu") == bytes("fmus/FlexibleAircraft.fmi3.me.fmu"));
+}
+
+/// A file of the documentation of an FMU, if it has it.
+fn documentation(fmu: &Path, file: &str) -> Option<String> {
+    let mut archive = zip::ZipArchive::new(std::fs::File::open(fmu).unwrap()).unwrap();
+    let mut page = String::new();
+    archive.by_name(&format!("documentation/{file}")).ok()?.read_to_string(&mut page).unwrap();
+    Some(page)
+}
+
+#[test]
+fn the_documentation_shows_the_aircraft_in_its_trim_and_its_modes_unless_it_should_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |options: &str| {
+        let packaged = run(folder.path(), &quickly(&format!("{options} --output a.fmu")));
+        assert!(packaged.status.success(), "{}", text(&packaged.stderr));
+        let size = std::fs::metadata(folder.path().join("a.fmu")).unwrap().len();
+        let page = |file| documentation(&folder.path().join("a.fmu"), file);
+        (page("index.html").unwrap(), page("scene.html"), size, text(&packaged.stderr))
+    };
+    let (index, scene, with_scene, _) = write("");
+    let scene = scene.unwrap();
+    assert!(index.contains("<iframe src=\"scene.html\""));
+    assert_eq!(scene.matches("\"kind\":\"trim\"").count(), 1);
+    assert_eq!(scene.matches("\"kind\":\"mode\"").count(), 2);
+    let (index, scene, without_scene, _) = write("--no-scene");
+    assert!(!index.contains("scene.html") && scene.is_none());
+    // Measured: 0.21 MB for the small scene of two modes.
+    assert!((1..1_200_000).contains(&(with_scene - without_scene)), "{with_scene} {without_scene}");
+    // Slower than it can fly.
+    let (_, scene, _, said) = write("--set airspeed=30");
+    assert!(said.contains("The documentation shows no trim, for there is none: "), "{said}");
+    let scene = scene.unwrap();
+    assert!(!scene.contains("\"kind\":\"trim\"") && scene.contains("\"kind\":\"mode\""));
+}
+
+#[test]
+fn names_stay_text_in_the_documentation() {
+    let folder = tempfile::tempdir().unwrap();
+    let shipped = std::fs::read_to_string(workspace("tests/data/small-aircraft.toml")).unwrap();
+    let odd = shipped.replacen("Small aircraft", "</script><img src=x onerror=alert(1)>", 1);
+    std::fs::write(folder.path().join("odd.toml"), odd).unwrap();
+    let packaged = run(folder.path(), &quickly("--aircraft odd.toml --output a.fmu"));
+    assert!(packaged.status.success(), "{}", text(&packaged.stderr));
+    for file in ["index.html", "scene.html"] {
+        let page = documentation(&folder.path().join("a.fmu"), file).unwrap();
+        assert!(!page.contains("<img") && page.contains("onerror=alert(1)"), "{file}");
+    }
 }
 
 #[test]

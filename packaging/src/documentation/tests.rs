@@ -10,9 +10,13 @@ fn jet() -> Aircraft {
     Aircraft::parse(text, "jet").unwrap()
 }
 
+fn reduced(aircraft: &Aircraft) -> Reduction {
+    Reduction { aircraft: aircraft.clone(), model: ReducedModel::new(aircraft, 4).unwrap() }
+}
+
 fn page_of(aircraft: &Aircraft) -> String {
-    let model = ReducedModel::new(aircraft, 4).unwrap();
-    page(Interface::USUAL, aircraft, &model, &Settings::of(&model))
+    let reduction = reduced(aircraft);
+    page(Interface::USUAL, &reduction, &Settings::of(&reduction.model), false)
 }
 
 #[test]
@@ -76,7 +80,7 @@ fn every_variable_stands_once_in_the_table_of_its_group() {
     for name in &names[2..] {
         assert!(OUTPUT_GROUPS.iter().any(|(known, _)| known == name), "{name}");
     }
-    let page = page(Interface::USUAL, &jet(), &model, &Settings::of(&model));
+    let page = page_of(&jet());
     for name in names {
         assert_eq!(page.matches(&format!("id=\"{name}\"")).count(), 1, "{name}");
         assert_eq!(page.matches(&format!("href=\"#{name}\"")).count(), 1, "{name}");
@@ -102,8 +106,12 @@ fn a_row_has_unit_start_limits_and_the_numbers_and_names_of_an_enumeration() {
 }
 
 #[test]
-fn the_page_fits_a_phone_and_needs_no_other_file() {
+fn the_page_fits_a_phone_and_needs_no_other_file_but_the_scene() {
     let page = page_of(&jet());
+    let reduction = reduced(&jet());
+    let with_scene = super::page(Interface::USUAL, &reduction, &Settings::of(&reduction.model), true);
+    assert_eq!(with_scene.matches("src=").count(), 1);
+    assert!(with_scene.contains(&format!("<iframe src=\"{SCENE}\"")) && !with_scene.contains("{{"));
     assert!(page.contains("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"));
     assert!(page.contains("@media (max-width:"));
     for external in ["src=", "url(http", "@import", "<link", "href=\"http"] {
@@ -113,9 +121,9 @@ fn the_page_fits_a_phone_and_needs_no_other_file() {
 
 #[test]
 fn the_page_says_what_importers_take_the_fmu_as_and_names_no_function_of_another_version() {
-    let model = ReducedModel::new(&jet(), 4).unwrap();
+    let reduction = reduced(&jet());
     for interface in Interface::ALL {
-        let page = page(interface, &jet(), &model, &continuous_settings::usual(&model));
+        let page = page(interface, &reduction, &continuous_settings::usual(&reduction.model), false);
         assert!(page.contains(&format!("An {interface} unit, written by")), "{interface}");
         assert!(!page.contains("{{"), "{interface}");
         let (own, other) = match interface.version {

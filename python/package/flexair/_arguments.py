@@ -48,7 +48,7 @@ ALLOWED = {
 }
 TEXT = "a text or a path, not empty"
 MAPPINGS = {"parameters", "stations_along", "binary"}
-SWITCHES = {"turn", "pull_up", "ignore_limits", "load_modes", "all_states", "continuous", "no_check"}
+SWITCHES = {"turn", "pull_up", "ignore_limits", "load_modes", "all_states", "continuous", "no_scene", "no_check"}
 #: Options that are called otherwise than their arguments.
 ARGUMENTS = {"set": "parameters", "input": "inputs"}
 

@@ -60,6 +60,7 @@ def package(
     parameters: Parameters | None = None,
     stations_along: Mapping[str, int] | None = None,
     binary: Mapping[str, File] | None = None,
+    scene: bool = True,
     check: bool = True,
     progress: bool = False,
 ) -> Packaged:
@@ -70,7 +71,8 @@ def package(
     `FlexibleAircraft.fmi3.fmu`, `FlexibleAircraft.me.fmu` and `FlexibleAircraft.fmi3.me.fmu`; the result is the first, with the `others`.
 
     `parameters` are where parameters of the FMU start, `stations_along` further stations (component: count), `binary` libraries
-    in place of those that come with the package (platform: file).
+    in place of those that come with the package (platform: file). Without `scene` the documentation has no page on which the
+    aircraft is seen in its trim and its modes, a quarter of a megabyte.
     """
     written = options(
         aircraft=aircraft,
@@ -82,6 +84,7 @@ def package(
         set=parameters,
         stations_along=stations_along,
         binary=binary,
+        no_scene=not scene,
         no_check=not check,
     )
     answer = _call("package", written, {}, progress)
