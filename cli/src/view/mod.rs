@@ -51,6 +51,10 @@ use show::{Kind, Show};
 /// Seconds that are flown without a table unless the user says otherwise.
 const USUAL_DURATION: f64 = 10.0;
 
+/// Poses a second.
+const LEAST_RATE: f64 = 0.1;
+const MOST_RATE: f64 = 1000.0;
+
 /// Numbers that are kept at once: a gigabyte.
 const MOST_NUMBERS: f64 = 1.2e8;
 
@@ -145,10 +149,8 @@ pub enum Error {
     Flight(#[from] SimulationError),
     #[error(transparent)]
     Root(#[from] RootError),
-    #[error(
-        "--rate: found {rate}, which makes {frames:.0} frames, allowed are {most:.0} of this aircraft; {fits:.1} poses a second would fit"
-    )]
-    Frames { rate: f64, frames: f64, most: f64, fits: f64 },
+    #[error("found {frames:.0} frames with --rate {rate}, allowed are {most:.0} of this aircraft: {}", fitting(*rate, *frames, *most))]
+    Frames { rate: f64, frames: f64, most: f64 },
     #[error(transparent)]
     TooLarge(#[from] TooLarge),
     #[error("the page could not be compressed: {0}")]
@@ -264,7 +266,7 @@ impl ViewOptions {
         if frames <= most {
             return Ok(());
         }
-        Err(Error::Frames { rate: self.rate, frames, most, fits: self.rate * most / frames })
+        Err(Error::Frames { rate: self.rate, frames, most })
     }
 
     /// The outputs that are charted, as the airframe's model has them.
@@ -323,9 +325,20 @@ impl View {
     }
 }
 
+/// The rate at which frames would be as many as allowed, if there is one, or how long they may last.
+fn fitting(rate: f64, frames: f64, most: f64) -> String {
+    let fits = (10.0 * rate * most / frames).floor() / 10.0;
+    let shorter = format!("a flight of {:.0} s", (most / rate).floor());
+    if fits < LEAST_RATE {
+        format!("{shorter} would fit")
+    } else {
+        format!("--rate {fits} or {shorter} would fit")
+    }
+}
+
 fn rate(text: &str) -> Result<f64, String> {
-    let rate = text.parse().ok().filter(|rate| (0.1..=1000.0).contains(rate));
-    rate.ok_or_else(|| "allowed is a number of poses a second, 0.1 to 1000".to_owned())
+    let rate = text.parse().ok().filter(|rate| (LEAST_RATE..=MOST_RATE).contains(rate));
+    rate.ok_or_else(|| format!("allowed is a number of poses a second, {LEAST_RATE} to {MOST_RATE}"))
 }
 
 fn two_levels(text: &str) -> Result<[Fidelity; 2], String> {
@@ -340,6 +353,12 @@ fn two_levels(text: &str) -> Result<[Fidelity; 2], String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn too_many_frames_are_refused_with_what_would_fit() {
+        assert_eq!(fitting(50.0, 1e5 + 1.0, 37128.0), "--rate 18.5 or a flight of 742 s would fit");
+        assert_eq!(fitting(50.0, 5e10 + 1.0, 37128.0), "a flight of 742 s would fit");
+    }
 
     #[test]
     fn levels_are_two_and_rates_are_numbers() {

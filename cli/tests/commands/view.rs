@@ -211,7 +211,7 @@ fn what_cannot_be_shown_is_refused_before_work() {
         ("view --rate 0", 2, "allowed is a number of poses a second"),
         ("view --compare exact,soft", 2, "allowed are two different levels"),
         ("view --output-name nothing --duration 1", 1, "--output-name nothing: there is no such output"),
-        ("view --duration 1e6", 1, "poses a second would fit"),
+        ("view --duration 1e6", 1, "a flight of "),
         ("view --input elevon=step:0.1", 1, "--input elevon=step:0.1"),
         ("view --flight no.csv", 1, "no.csv"),
     ] {
