@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::Args;
+use flexible_aircraft::aircraft::Support;
 use flexible_aircraft::flight::SimulationError;
 use flexible_aircraft::variables::{Unit, VariableTable};
 use flexible_aircraft_packaging::FileError;
@@ -163,9 +164,14 @@ impl SimulateOptions {
     }
 
     /// What is to be drawn.
-    fn recorded(&self, variables: &VariableTable, rows: f64) -> Result<Option<Recorded>, Error> {
+    fn recorded(
+        &self,
+        variables: &VariableTable,
+        support: Support,
+        rows: f64,
+    ) -> Result<Option<Recorded>, Error> {
         let outputs = match self.plot_names.as_slice() {
-            [] => plot::usual(variables),
+            [] => plot::usual(variables, support),
             names => Watched::choose("--plot-names", names, variables)?,
         };
         Ok(self.plot.as_ref().map(|_| Recorded::new(outputs, rows)))
@@ -188,7 +194,7 @@ pub fn run(options: &SimulateOptions) -> Result<(), Error> {
     let settings = options.flown.settings(&variables, &model)?;
     let schedule = options.schedule(None, &variables)?;
     let rows = schedule.point_count(options.step());
-    let mut recorded = options.recorded(&variables, rows)?;
+    let mut recorded = options.recorded(&variables, model.support, rows)?;
     let mut flight = Flight::new(Arc::clone(&model), &settings, &schedule, &variables)?;
     let progress = if output == Path::new(STANDARD) && io::stdout().is_terminal() {
         Progress::hidden()

@@ -1,5 +1,6 @@
 //! What a flight looks like: outputs and inputs over time, those of a kind and a unit in one chart.
 
+use flexible_aircraft::aircraft::Support;
 use flexible_aircraft::flight::{Instant, Settings};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::variables::{Unit, VariableTable};
@@ -27,12 +28,18 @@ pub struct Recorded {
     values: Vec<Vec<f64>>,
 }
 
-/// Pitch, load factor and the deflections of the first stations.
-pub fn usual(variables: &VariableTable) -> Vec<Watched> {
-    let motion = |output: &Watched| ["attitude.pitch", "load_factor.z"].contains(&output.name.as_str());
+/// Pitch and load factor of what moves as a whole, and the deflections of the first stations; modes where there is nothing of these.
+pub fn usual(variables: &VariableTable, support: Support) -> Vec<Watched> {
+    let motion = |output: &Watched| {
+        support == Support::Free && ["attitude.pitch", "load_factor.z"].contains(&output.name.as_str())
+    };
     let is_up = |output: &Watched| output.name.starts_with("deflection.") && output.name.ends_with(".up");
     let deflections = Watched::all(variables).filter(is_up).take(STATIONS);
-    Watched::all(variables).filter(motion).chain(deflections).collect()
+    let chosen: Vec<Watched> = Watched::all(variables).filter(motion).chain(deflections).collect();
+    if !chosen.is_empty() {
+        return chosen;
+    }
+    Watched::all(variables).filter(|output| output.name.starts_with("modal.q[")).take(STATIONS).collect()
 }
 
 impl Recorded {

@@ -13,9 +13,11 @@ const TAPER: f64 = 0.35;
 /// The radius at a free end, in parts of the largest.
 const TIP: f64 = 0.12;
 
-/// The radius of a body of which nothing is known, in parts of its length and of the airframe's size.
-const OF_LENGTH: f64 = 0.09;
+/// The radius of a body of which nothing is known, in parts of its length and of the airframe's size; of one that hangs on another
+/// component, such as a boom.
+const OF_LENGTH: f64 = 0.07;
 const OF_SIZE: f64 = 0.045;
+const OF_LENGTH_HANGING: f64 = 0.025;
 
 /// Parts of the airframe's size within which two places are one.
 const TOGETHER: f64 = 1e-6;
@@ -62,7 +64,9 @@ fn own_radii(airframe: &Airframe, component: usize) -> [f64; 2] {
     let places: Vec<Vector3<f64>> =
         airframe.nodes[component].iter().map(|&node| airframe.sections[node].position).collect();
     let length: f64 = places.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
-    let assumed = (OF_LENGTH * length).min(OF_SIZE * airframe.size());
+    let hangs = airframe.aircraft.components[component].parent.is_some();
+    let of_length = if hangs { OF_LENGTH_HANGING } else { OF_LENGTH };
+    let assumed = (of_length * length).min(OF_SIZE * airframe.size());
     let widths = |is_level: bool| widest(&airframe.aircraft, component, is_level).map(|width| 0.5 * width);
     match [widths(true), widths(false)] {
         [Some(horizontal), Some(vertical)] => [horizontal, vertical],

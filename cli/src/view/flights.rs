@@ -7,7 +7,6 @@ use flexible_aircraft::flight::{Settings, Simulation, SimulationError};
 use flexible_aircraft::plant::PlantSettings;
 
 use crate::flown::{condition, trimmed};
-use crate::numbers::rounded;
 use crate::progress::Audience;
 use crate::simulate::schedule::Schedule;
 use crate::watched::Watched;
@@ -90,7 +89,7 @@ fn at_level(settings: &Settings, fidelity: Fidelity) -> Settings {
 /// What is said of a trim.
 fn facts(view: &View, settings: &Settings, simulation: &Simulation) -> Vec<(String, String)> {
     let trim = simulation.trim();
-    let degrees = |angle: f64| format!("{}°", rounded(angle.to_degrees()));
+    let degrees = |angle: f64| format!("{:.2}°", angle.to_degrees() + 0.0);
     let mut facts = vec![
         ("condition", condition(&view.model, settings)),
         ("pitch in the trim", degrees(trim.pitch)),
@@ -104,7 +103,7 @@ fn facts(view: &View, settings: &Settings, simulation: &Simulation) -> Vec<(Stri
         ));
     }
     if !model.engines.is_empty() {
-        facts.push(("thrust of each engine", format!("{} N", rounded(trim.thrust))));
+        facts.push(("thrust of each engine", format!("{:.0} N", trim.thrust + 0.0)));
     }
     facts.into_iter().map(|(label, text)| (label.to_owned(), text)).collect()
 }

@@ -273,7 +273,7 @@ impl ViewOptions {
     fn charted(&self, view: &View) -> Result<Vec<Watched>, Error> {
         let [own, all] = &view.variables;
         let chosen = match self.output_name.as_slice() {
-            [] => plot::usual(own),
+            [] => plot::usual(own, view.model.support),
             names => Watched::choose("--output-name", names, own)?,
         };
         let in_airframe = |chosen: Watched| Watched::all(all).find(|output| output.name == chosen.name);
