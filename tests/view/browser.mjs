@@ -1,6 +1,6 @@
 /** Chromium for the tests of the page of `flexair view`, and what they ask of a page. */
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readdirSync } from "node:fs";
+import { mkdtempSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
@@ -43,17 +43,12 @@ export function launch(args = SOFTWARE) {
   return driver.launch({ executablePath: chromium, args: ["--no-sandbox", ...args] });
 }
 
-/** Addresses of the pages in the folder VIEW_PAGES, and of the made-up sample. */
-export async function pages() {
+/** Writes the made-up sample, and gives its address. */
+export async function sample() {
   const { writeSample } = await import(pathToFileURL(join(web, "test/sample.mjs")));
-  const sample = join(mkdtempSync(join(tmpdir(), "flexair-view-")), "sample.html");
-  await writeSample(sample);
-  const folder = process.env.VIEW_PAGES;
-  const others = folder ? readdirSync(folder).filter((name) => name.endsWith(".html")) : [];
-  return {
-    sample: pathToFileURL(sample).href,
-    others: others.map((name) => ({ name, address: pathToFileURL(join(resolve(folder), name)).href })),
-  };
+  const file = join(mkdtempSync(join(tmpdir(), "flexair-view-")), "sample.html");
+  await writeSample(file);
+  return pathToFileURL(file).href;
 }
 
 /** Opens an address; `messages` gathers all that the console says. */

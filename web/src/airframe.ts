@@ -4,6 +4,7 @@ import { addBody } from "./bodies";
 import { addArrow, addCut, addEngine, addMarker } from "./fittings";
 import { FRAME, writePoint, writeRotation } from "./frames";
 import { HungMesh } from "./hung";
+import { closings, type Closing } from "./joints";
 import { paintedMaterial } from "./light";
 import type { Motion } from "./motion";
 import type { Scene, Vec } from "./scene";
@@ -34,6 +35,8 @@ export class Airframe {
   constructor(
     private readonly scene: Scene,
     material: Material = paintedMaterial(),
+    /** How ends of strips are closed where they meet. */
+    private readonly joined: Closing = "coarse",
   ) {
     const { sections, strips, engines, size } = scene;
     strips.forEach((strip, i) => {
@@ -140,7 +143,8 @@ export class Airframe {
   private stripShape(): Shape {
     const shape = new Shape();
     const frameOf = new Map(this.flaps.map(({ strip, frame }) => [strip, frame]));
-    this.scene.strips.forEach((strip, i) => addStrip(shape, strip, i, frameOf.get(i)));
+    const ends = closings(this.scene.strips, this.scene.sections, this.joined);
+    this.scene.strips.forEach((strip, i) => addStrip(shape, strip, i, frameOf.get(i), ends[i]));
     return shape;
   }
 

@@ -35,26 +35,26 @@ const lineVertex = /* glsl */ `
 uniform vec3 eye;
 uniform vec2 middle;
 uniform float cell, depth, reach;
-varying float seen;
+varying vec2 away;
 void main() {
   vec2 at = middle + cell * position.xy;
-  float share = clamp(length(at - eye.xy) / reach, 0.0, 1.0);
-  seen = 1.0 - share;
+  away = (at - eye.xy) / reach;
   gl_Position = projectionMatrix * (viewMatrix * vec4(at, depth, 1.0));
 }`;
 const lineFragment = /* glsl */ `
 uniform vec3 line;
 uniform float strength;
-varying float seen;
-void main() { gl_FragColor = vec4(line, strength * seen); }`;
+varying vec2 away;
+void main() { gl_FragColor = vec4(line, strength * max(1.0 - length(away), 0.0)); }`;
 
-/** Lines to each side of the middle, and pieces of each, so that it fades along its way. */
+/** Lines to each side of the middle. */
 const LINES = 16;
-const PIECES = 8;
 
 export class Backdrop {
   readonly group = new Group();
   readonly cell: number;
+  /** What the picture is cleared with. */
+  readonly ground = new Color();
   private readonly dome: ShaderMaterial;
   private readonly grids: { cell: number; material: ShaderMaterial }[];
 
@@ -82,6 +82,7 @@ export class Backdrop {
 
   setTheme(theme: Theme): void {
     for (const name of NAMES) this.dome.uniforms[name].value.set(theme[name]);
+    this.ground.set(theme.ground);
     for (const { material } of this.grids) material.uniforms.line.value.set(theme.line);
   }
 
@@ -126,18 +127,15 @@ function gridOf(cell: number): { cell: number; material: ShaderMaterial } {
 /** Lines a unit apart in both directions. */
 function lineGeometry(): BufferGeometry {
   const points: number[] = [];
-  const piece = (2 * LINES) / PIECES;
-  for (let k = -LINES; k <= LINES; k++) {
-    for (let i = 0; i < PIECES; i++) {
-      const [a, b] = [i * piece - LINES, (i + 1) * piece - LINES];
-      points.push(k, a, 0, k, b, 0, a, k, 0, b, k, 0);
-    }
-  }
+  for (let k = -LINES; k <= LINES; k++) points.push(k, -LINES, 0, k, LINES, 0, -LINES, k, 0, LINES, k, 0);
   return new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points, 3));
 }
 
-/** Elevations of the rows of the dome, degrees: where the course of the colours bends. */
-const ROWS = [-90, -11.5, 0, 9.6, 25, 57, 90];
+/**
+ * Elevations of the rows of the dome, degrees: where the course of the colours bends. Below the lowest all is ground, with which the
+ * picture begins: where the processor draws pixels, to clear them costs next to nothing.
+ */
+const ROWS = [-11.54, 0, 9.6, 25, 57, 90];
 const AROUND = 18;
 
 function domeGeometry(): BufferGeometry {

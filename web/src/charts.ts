@@ -1,7 +1,7 @@
 /** Charts of outputs over time: linked, with a line at the present moment; a click or drag in one seeks. */
 import uPlot from "uplot";
 import { make, say } from "./elements";
-import { fixed, number, withUnit } from "./numbers";
+import { axisText, fixed, number, withUnit } from "./numbers";
 import type { Chart } from "./scene";
 import { themes } from "./theme";
 import type { Viewer } from "./viewer";
@@ -106,7 +106,7 @@ export class Charts {
       series: [{}, { stroke: curve, width: 1.3, pxAlign: 0, points: { show: false } }],
       axes: [
         { ...lines, size: 22, space: 50, gap: 2 },
-        { ...lines, size: LEFT, space: 22, gap: 3, values: (_, splits) => splits.map((split) => shortNumber(split)) },
+        { ...lines, size: LEFT, space: 22, gap: 3, values: (_, splits) => splits.map(axisText) },
       ],
       hooks: { setCursor: [(plot) => this.tellThere(plot, values, there)] },
     };
@@ -135,12 +135,4 @@ export class Charts {
       if (plot.over.hasPointerCapture(event.pointerId)) seek(event);
     });
   }
-}
-
-function shortNumber(value: number): string {
-  const size = Math.abs(value);
-  if (size >= 1e9) return `${+(value / 1e9).toPrecision(4)} G`;
-  if (size >= 1e6) return `${+(value / 1e6).toPrecision(4)} M`;
-  if (size >= 1e4) return `${+(value / 1e3).toPrecision(4)} k`;
-  return String(+value.toPrecision(4));
 }

@@ -39,6 +39,11 @@ export class Motion {
     return this.show.start + (this.show.count - 1) * this.show.step;
   }
 
+  /** Whether it repeats without a jump; a root in flight decays or grows. */
+  get isPeriodic(): boolean {
+    return this.show.loops && this.show.kind !== "root" && this.end > this.show.start;
+  }
+
   /** The frame at a time, with a fraction between frames. */
   frameAt(time: number): number {
     if (this.show.count < 2) return 0;
