@@ -7,6 +7,8 @@ import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
 const web = resolve(import.meta.dirname, "../../web");
+/** A name that would be markup where it is not taken as text. */
+export const ODD = "</script><img src=x onerror=console.error('broken-out')>";
 const SOFTWARE = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
 /** Chromium of the environment, or the first on the path. */
@@ -64,18 +66,22 @@ export async function open(browser, address, options = {}) {
   return { page, messages };
 }
 
-/** What is drawn: a hash of all pixels, and how many colours there are. */
+/** What is drawn: a hash of all pixels, how many colours there are, and how many in the column in the middle and at the edge. */
 export function pixels(page) {
-  return page.evaluate(() => {
+  return page.evaluate(async () => {
+    // What was chosen just now may have changed the size of the canvas.
+    for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
     const drawn = document.querySelector("#stage canvas");
     const copy = Object.assign(document.createElement("canvas"), { width: drawn.width, height: drawn.height });
     const context = copy.getContext("2d");
     flexair.renderOnce();
     context.drawImage(drawn, 0, 0);
-    const data = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+    const { width, height } = copy;
+    const data = new Uint32Array(context.getImageData(0, 0, width, height).data.buffer);
     let hash = 2166136261;
     for (const pixel of data) hash = Math.imul(hash ^ pixel, 16777619);
-    return { hash, colours: new Set(data).size };
+    const coloursOf = (column) => new Set(data.filter((_, i) => i % width === column)).size;
+    return { hash, colours: new Set(data).size, columns: { middle: coloursOf(width >> 1), edge: coloursOf(1) } };
   });
 }
 
