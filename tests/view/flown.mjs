@@ -39,7 +39,7 @@ export function fly() {
   };
   const { lopsided, odd, inputs } = writeFiles(folder);
   const wing = join(root, "aircraft/goland-wing.toml");
-  const gust = ["--set", "gust.shape=one_minus_cosine", "--set", "gust.start=20"];
+  const gust = ["--set", "gust.shape=one_minus_cosine", "--set", "gust.start=0.3"];
   return [
     ...PAIRS.map((pair) => ({
       ...page(pair.join(" and "), ...MANOEUVRE, "--compare", pair.join(",")),

@@ -6,7 +6,7 @@ import type { Chart } from "./scene";
 import { themes } from "./theme";
 import type { Viewer } from "./viewer";
 
-const HEIGHT = 112;
+const HEIGHT = 115;
 /** Beside the plotting area, pixels. */
 const LEFT = 58;
 const RIGHT = 8;
@@ -102,10 +102,10 @@ export class Charts {
       padding: [6, RIGHT, 0, 0],
       legend: { show: false },
       cursor: { drag: { setScale: false, x: false, y: false }, sync: { key: "flexair" }, y: false, points: { size: 6 } },
-      scales: { x: { time: false, range: (_, low, high) => [low, high] } },
+      scales: { x: { time: false, range: (_, low, high) => [low, high] }, y: { range: (_, low, high) => rangeAround(low, high) } },
       series: [{}, { stroke: curve, width: 1.3, pxAlign: 0, points: { show: false } }],
       axes: [
-        { ...lines, size: 22, space: 50, gap: 2 },
+        { ...lines, size: 25, space: 50, gap: 5 },
         { ...lines, size: LEFT, space: 22, gap: 3, values: (_, splits) => splits.map(axisText) },
       ],
       hooks: { setCursor: [(plot) => this.tellThere(plot, values, there)] },
@@ -135,4 +135,11 @@ export class Charts {
       if (plot.over.hasPointerCapture(event.pointerId)) seek(event);
     });
   }
+}
+
+/** A range with some room; where nothing changes, around the value. */
+function rangeAround(low: number, high: number): uPlot.Range.MinMax {
+  if (low < high) return uPlot.rangeNum(low, high, 0.1, true);
+  const room = Math.abs(low) || 1;
+  return [low - room, low + room];
 }

@@ -63,8 +63,9 @@ export class Viewer {
 
   /** What the ghost is, if the show has one. */
   get ghostText(): string | undefined {
-    const { kind, ghost } = this.motion.show;
-    if (this.ghostMotion) return ghost;
+    const { kind, level } = this.motion.show;
+    const ghost = this.ghostMotion?.show;
+    if (ghost) return ghost.level === level ? ghost.name : ghost.level;
     return kind === "trim" || kind === "mode" ? "jig shape" : undefined;
   }
 
@@ -75,6 +76,7 @@ export class Viewer {
     this.ghostMotion = motion.show.ghost === undefined ? undefined : this.motions.of(motion.show.ghost);
     this.clock.speed = fittingSpeed(motion);
     this.clock.goTo(motion.show.start);
+    this.cameras.frame(motion);
     this.wind.setMotion(motion);
     this.setGust();
     this.setColour(this.colour);
