@@ -36,6 +36,15 @@ describe("a page that flexair view writes", { skip, timeout: 600_000 }, () => {
     }
   }
 
+  test("a click on a body says what the strip across it carries", async () => {
+    const { page } = await open(browser, `${pages[0].address}#paused`);
+    await page.evaluate(() => (flexair.setCamera("top"), flexair.renderOnce()));
+    const box = await page.locator("#stage").boundingBox();
+    await page.mouse.click(box.x + 0.5 * box.width, box.y + 0.3 * box.height);
+    assert.match(await page.locator("#picked-name").innerText(), /^fuselage_fore, strip \d+$/);
+    await page.close();
+  });
+
   test("names: stay text", async () => {
     const { page, messages } = await open(browser, `${named("names").address}#paused`);
     assert.equal(await page.locator("#title").innerText(), ODD);

@@ -25,7 +25,7 @@ has_node() {
 
 install_node() {
     [ -x "$target/venv-node/bin/node" ] || python3 -m venv "$target/venv-node" || return 1
-    "$target/venv-node/bin/pip" install --quiet --disable-pip-version-check --requirement tests/view/requirements.txt
+    "$target/venv-node/bin/pip" install --quiet --disable-pip-version-check --requirement tests/view/requirements-node.txt
 }
 
 # Packages of web/, anew when their versions change.

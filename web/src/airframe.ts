@@ -1,5 +1,6 @@
 /** The aircraft as it is drawn: its frames at a moment, and the meshes that hang in them. */
 import { DoubleSide, Group, Matrix4, MeshBasicMaterial, type Material } from "three";
+import { stripsInBodies } from "./across";
 import { addBody } from "./bodies";
 import { addArrow, addCut, addEngine, addMarker } from "./fittings";
 import { FRAME, writePoint, writeRotation } from "./frames";
@@ -144,7 +145,10 @@ export class Airframe {
     const shape = new Shape();
     const frameOf = new Map(this.flaps.map(({ strip, frame }) => [strip, frame]));
     const ends = closings(this.scene.strips, this.scene.sections, this.joined);
-    this.scene.strips.forEach((strip, i) => addStrip(shape, strip, i, frameOf.get(i), ends[i]));
+    const isInBody = stripsInBodies(this.scene);
+    this.scene.strips.forEach((strip, i) => {
+      if (!isInBody[i]) addStrip(shape, strip, i, frameOf.get(i), ends[i]);
+    });
     return shape;
   }
 
