@@ -53,14 +53,20 @@ export async function sample() {
   return pathToFileURL(file).href;
 }
 
+/** All that the console of a page says, as it says it. */
+export function listen(page) {
+  const messages = [];
+  page.on("console", (message) => messages.push(`${message.type()}: ${message.text()}`));
+  page.on("pageerror", (error) => messages.push(String(error)));
+  return messages;
+}
+
 /** Opens an address; `messages` gathers all that the console says. */
 export async function open(browser, address, options = {}) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 720 }, ...options });
   // Generous, for machines that are busy with other work.
   page.setDefaultTimeout(120_000);
-  const messages = [];
-  page.on("console", (message) => messages.push(`${message.type()}: ${message.text()}`));
-  page.on("pageerror", (error) => messages.push(String(error)));
+  const messages = listen(page);
   await page.goto(address);
   if (options.javaScriptEnabled !== false) await page.evaluate(() => flexair.ready.catch(() => undefined));
   return { page, messages };

@@ -1,6 +1,6 @@
-/** Pages that `flexair view` writes, and tables of `flexair simulate` that say where stations are in the same flights. */
+/** Pages that `flexair view` writes, tables of `flexair simulate` that say where stations are in the same flights, and an FMU's page. */
 import { execFileSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -23,10 +23,13 @@ const PAIRS = [
   ["rigid", "geometrically_exact"],
 ];
 
+const newFolder = () => mkdtempSync(join(tmpdir(), "flexair-view-"));
+const runnerIn = (folder) => (...args) => execFileSync(command, args, { cwd: folder, stdio: ["ignore", "ignore", "inherit"] });
+
 /** Flies all: pages with their names and addresses, some with tables of their flights by level of fidelity. */
 export function fly() {
-  const folder = mkdtempSync(join(tmpdir(), "flexair-view-"));
-  const run = (...args) => execFileSync(command, args, { cwd: folder, stdio: ["ignore", "ignore", "inherit"] });
+  const folder = newFolder();
+  const run = runnerIn(folder);
   const page = (name, ...args) => {
     const file = `${name}.html`;
     run("view", ...args, "--output", file);
@@ -53,6 +56,15 @@ export function fly() {
   ];
 }
 
+/** The address of the documentation of an FMU whose aircraft has a name that would be markup. */
+export function fmuPage() {
+  const folder = newFolder();
+  const { odd } = writeFiles(folder);
+  runnerIn(folder)("package", "--no-check", "--aircraft", odd, "--output", "odd.fmu");
+  execFileSync("python3", ["-m", "zipfile", "--extract", "odd.fmu", "odd"], { cwd: folder });
+  return pathToFileURL(join(folder, "odd/documentation/index.html")).href;
+}
+
 /** An aircraft with its engine on one wing; an aircraft and a flight whose names would be markup, as far as such names are allowed. */
 function writeFiles(folder) {
   const small = readFileSync(join(root, "tests/data/small-aircraft.toml"), "utf8");
@@ -65,7 +77,6 @@ function writeFiles(folder) {
   // A slash would be another folder.
   const bare = ODD.replace("</script>", "");
   const files = { lopsided: "lopsided.toml", odd: `${bare}.toml`, inputs: `${bare}.csv` };
-  mkdirSync(folder, { recursive: true });
   writeFileSync(join(folder, files.lopsided), lopsided);
   writeFileSync(join(folder, files.odd), changed('name = "Small aircraft"', `name = "${ODD}"`));
   writeFileSync(join(folder, files.inputs), "time,elevator\n0,0\n0.1,-0.002\n0.5,0\n");

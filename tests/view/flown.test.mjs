@@ -1,8 +1,8 @@
 /** Pages that `flexair view` writes, in headless Chromium: FLEXAIR names the command. */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { launch, missing, ODD, open } from "./browser.mjs";
-import { FINER, fly, RATE, unflown } from "./flown.mjs";
+import { launch, listen, missing, ODD, open } from "./browser.mjs";
+import { FINER, fly, fmuPage, RATE, unflown } from "./flown.mjs";
 import { assertDraws, assertHandles } from "./looks.mjs";
 
 const skip = missing ?? unflown;
@@ -50,6 +50,19 @@ describe("a page that flexair view writes", { skip, timeout: 600_000 }, () => {
     assert.equal(await page.locator("#title").innerText(), ODD);
     assert.equal(await page.title(), ODD);
     assert.equal(await page.locator("img").count(), 0);
+    assert.deepEqual(messages, []);
+    await page.close();
+  });
+
+  test("names: stay text in the FMU's documentation", async () => {
+    const page = await browser.newPage();
+    const messages = listen(page);
+    await page.goto(fmuPage());
+    const scene = page.frameLocator("iframe");
+    await scene.locator("#title", { hasText: "onerror" }).waitFor();
+    assert.equal(await scene.locator("#title").innerText(), ODD);
+    assert.ok((await page.locator("h1").first().innerText()).includes(ODD));
+    assert.equal((await page.locator("img").count()) + (await scene.locator("img").count()), 0);
     assert.deepEqual(messages, []);
     await page.close();
   });
