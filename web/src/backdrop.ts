@@ -34,12 +34,19 @@ void main() { gl_FragColor = vec4(colour, 1.0); }`;
 const lineVertex = /* glsl */ `
 uniform vec3 eye;
 uniform vec2 middle;
-uniform float cell, depth, reach;
+uniform float cell, depth, reach, nearest;
+attribute vec2 other;
 varying vec2 away;
+vec4 place(vec2 at) { return projectionMatrix * (viewMatrix * vec4(at, depth, 1.0)); }
 void main() {
   vec2 at = middle + cell * position.xy;
+  vec2 end = middle + cell * other;
+  float ahead = place(at).w;
+  float behind = nearest - ahead;
+  // A line from behind the eye begins before it: where the processor draws pixels, such lines are lost else.
+  if (behind > 0.0) at = mix(at, end, clamp(behind / max(place(end).w - ahead, 1e-6), 0.0, 1.0));
   away = (at - eye.xy) / reach;
-  gl_Position = projectionMatrix * (viewMatrix * vec4(at, depth, 1.0));
+  gl_Position = place(at);
 }`;
 const lineFragment = /* glsl */ `
 uniform vec3 line;
@@ -72,7 +79,7 @@ export class Backdrop {
         ...Object.fromEntries(NAMES.map((name) => [name, { value: new Color() }])),
       },
     });
-    this.grids = [1, 10].map((factor) => gridOf(factor * this.cell));
+    this.grids = [1, 10].map((factor) => gridOf(factor * this.cell, 0.05 * size));
     const lines = lineGeometry();
     const dome = new Mesh(domeGeometry(), this.dome);
     dome.renderOrder = -2;
@@ -105,7 +112,8 @@ export class Backdrop {
 
 const NAMES = ["zenith", "sky", "horizon", "ground"] as const;
 
-function gridOf(cell: number): { cell: number; material: ShaderMaterial } {
+/** `nearest` is how far ahead of the eye lines begin, m. */
+function gridOf(cell: number, nearest: number): { cell: number; material: ShaderMaterial } {
   const material = new ShaderMaterial({
     vertexShader: lineVertex,
     fragmentShader: lineFragment,
@@ -116,6 +124,7 @@ function gridOf(cell: number): { cell: number; material: ShaderMaterial } {
       middle: { value: new Vector2() },
       cell: { value: cell },
       depth: { value: 0 },
+      nearest: { value: nearest },
       reach: { value: (LINES - 1) * cell },
       line: { value: new Color() },
       strength: { value: 0.8 },
@@ -124,11 +133,16 @@ function gridOf(cell: number): { cell: number; material: ShaderMaterial } {
   return { cell, material };
 }
 
-/** Lines a unit apart in both directions. */
+/** Lines a unit apart in both directions; each end knows the other. */
 function lineGeometry(): BufferGeometry {
   const points: number[] = [];
-  for (let k = -LINES; k <= LINES; k++) points.push(k, -LINES, 0, k, LINES, 0, -LINES, k, 0, LINES, k, 0);
-  return new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points, 3));
+  const others: number[] = [];
+  for (let k = -LINES; k <= LINES; k++) {
+    points.push(k, -LINES, 0, k, LINES, 0, -LINES, k, 0, LINES, k, 0);
+    others.push(k, LINES, k, -LINES, LINES, k, -LINES, k);
+  }
+  const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points, 3));
+  return geometry.setAttribute("other", new Float32BufferAttribute(others, 2));
 }
 
 /**
