@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { inflateSync } from "node:zlib";
-import { launch, missing, ODD, open, sample, state } from "./browser.mjs";
+import { launch, listen, missing, ODD, open, pixels, sample, state } from "./browser.mjs";
 import { assertDraws, assertHandles } from "./looks.mjs";
 
 if (missing) console.error(`\n*** SKIPPED: tests of the page of flexair view: ${missing} ***\n`);
@@ -121,6 +121,24 @@ describe("the page of flexair view", { skip: missing, timeout: 600_000 }, () => 
       const [film] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("v")]);
       assert.match(film.suggestedFilename(), /\.webm$/);
     }
+    assert.deepEqual(messages, []);
+    await page.close();
+  });
+
+  test("where frames come slowly the page gives up antialiasing, then pixels, and draws on", async () => {
+    const page = await browser.newPage();
+    const messages = listen(page);
+    await page.addInitScript(() => {
+      window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 40);
+    });
+    const quality = () => page.evaluate(() => flexair.quality());
+    await page.goto(`${address}#paused`);
+    await page.evaluate(() => flexair.ready);
+    assert.deepEqual(await quality(), { antialias: true, ratio: 1 });
+    await page.evaluate(() => flexair.play());
+    await page.waitForFunction(() => !flexair.quality().antialias);
+    await page.waitForFunction(() => flexair.quality().ratio === 0.5);
+    assert.ok((await pixels(page)).colours > 60);
     assert.deepEqual(messages, []);
     await page.close();
   });
