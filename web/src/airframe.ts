@@ -10,8 +10,11 @@ import { paintedMaterial } from "./light";
 import type { Motion } from "./motion";
 import type { Scene, Vec } from "./scene";
 import { Shape, Tint } from "./shape";
-import { addStrip } from "./strips";
+import { addStrip, COARSE, FINE } from "./strips";
 import { writeArrow, writeFlap } from "./moving";
+
+/** More strips than these are drawn with few edges. */
+const MANY_STRIPS = 50;
 
 export class Airframe {
   /** In earth axes, at where O is drawn. */
@@ -145,9 +148,10 @@ export class Airframe {
     const shape = new Shape();
     const frameOf = new Map(this.flaps.map(({ strip, frame }) => [strip, frame]));
     const ends = closings(this.scene.strips, this.scene.sections, this.joined);
+    const edges = this.scene.strips.length > MANY_STRIPS ? COARSE : FINE;
     const isInBody = stripsInBodies(this.scene);
     this.scene.strips.forEach((strip, i) => {
-      if (!isInBody[i]) addStrip(shape, strip, i, frameOf.get(i), ends[i]);
+      if (!isInBody[i]) addStrip(shape, strip, i, { flap: frameOf.get(i), closings: ends[i], edges });
     });
     return shape;
   }

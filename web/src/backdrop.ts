@@ -52,7 +52,10 @@ const lineFragment = /* glsl */ `
 uniform vec3 line;
 uniform float strength;
 varying vec2 away;
-void main() { gl_FragColor = vec4(line, strength * max(1.0 - length(away), 0.0)); }`;
+void main() {
+  float seen = max(1.0 - length(away), 0.0);
+  gl_FragColor = vec4(line, strength * seen * seen);
+}`;
 
 /** Lines to each side of the middle. */
 const LINES = 16;
@@ -127,7 +130,7 @@ function gridOf(cell: number, nearest: number): { cell: number; material: Shader
       nearest: { value: nearest },
       reach: { value: (LINES - 1) * cell },
       line: { value: new Color() },
-      strength: { value: 0.8 },
+      strength: { value: 0.9 },
     },
   });
   return { cell, material };

@@ -3,7 +3,7 @@ import { PerspectiveCamera } from "three";
 import type { Airframe } from "./airframe";
 import type { Motion } from "./motion";
 import type { Scene, Vec } from "./scene";
-import { times } from "./vectors";
+import { add, minus, times } from "./vectors";
 
 export const cameraNames = ["chase", "wing tip", "side", "top", "free"] as const;
 export type CameraName = (typeof cameraNames)[number];
@@ -28,6 +28,8 @@ export class Cameras {
   name: CameraName = "chase";
   private aim: Aim;
   private middle: Vec;
+  /** By how much strips reach beyond the sections: to low and to high coordinates, m. */
+  private readonly margins: [Vec, Vec];
   private readonly tip: Vec;
   private readonly size: number;
   /** Distance at which the show fits, in parts of that of the undeformed aircraft. */
@@ -38,6 +40,7 @@ export class Cameras {
 
   constructor(scene: Scene) {
     this.size = scene.size;
+    this.margins = marginsOf(scene);
     this.middle = middleOf(scene.sections);
     this.tip = scene.sections.reduce((tip, at) => (at[1] > tip[1] + 1e-9 ? at : tip), this.middle);
     this.aim = this.preset("chase");
@@ -48,7 +51,7 @@ export class Cameras {
 
   /** Makes room for a show; whoever has turned the view keeps it. */
   frame(motion: Motion): void {
-    const [low, high] = motion.box();
+    const [low, high] = motion.box().map((corner, i) => add(corner, this.margins[i]));
     this.middle = middleOf([low, high]);
     this.room = Math.max(1, (TALLEST * (high[2] - low[2])) / this.size);
     if (this.name !== "free") this.aim = this.preset(this.name);
@@ -143,10 +146,22 @@ export class Cameras {
   }
 }
 
-function middleOf(points: Vec[]): Vec {
+function boxOf(points: Vec[]): [Vec, Vec] {
   const low = points.reduce((a, b) => [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.min(a[2], b[2])]);
   const high = points.reduce((a, b) => [Math.max(a[0], b[0]), Math.max(a[1], b[1]), Math.max(a[2], b[2])]);
-  return times(0.5, [low[0] + high[0], low[1] + high[1], low[2] + high[2]]);
+  return [low, high];
+}
+
+function middleOf(points: Vec[]): Vec {
+  const [low, high] = boxOf(points);
+  return times(0.5, add(low, high));
+}
+
+function marginsOf({ sections, strips }: Scene): [Vec, Vec] {
+  const corners = strips.flatMap(({ section, corners }) => corners.map((corner) => add(sections[section], corner)));
+  const bare = boxOf(sections);
+  const [low, high] = boxOf([...sections, ...corners]);
+  return [minus(low, bare[0]), minus(high, bare[1])];
 }
 
 function writeHeading(heading: number, out: Float64Array): void {

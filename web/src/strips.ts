@@ -4,10 +4,21 @@ import type { Strip, Vec } from "./scene";
 import { Shape, Tint, type Hold } from "./shape";
 import { add, along, between, dot, minus, times, unit } from "./vectors";
 
-/** Fractions of the chord (of the part before or behind the hinge) where the skin has edges. */
-const WHOLE = [0, 0.02, 0.09, 0.25, 0.6, 1];
-const FRONT = [0, 0.025, 0.11, 0.3, 0.6, 1];
-const BACK = [0, 1];
+/** Fractions of the chord where the skin has edges: of a strip without flap, of the part before the hinge and of the flap. */
+export interface Edges {
+  whole: number[];
+  front: number[];
+  back: number[];
+}
+
+/** For aircraft of few strips, which are seen from near. */
+export const FINE: Edges = {
+  whole: [0, 0.004, 0.015, 0.04, 0.09, 0.16, 0.25, 0.4, 0.6, 0.8, 1],
+  front: [0, 0.005, 0.02, 0.05, 0.11, 0.2, 0.3, 0.5, 0.75, 1],
+  back: [0, 0.5, 1],
+};
+/** For those of many: triangles are most of the work where the processor draws. */
+export const COARSE: Edges = { whole: [0, 0.02, 0.09, 0.25, 0.6, 1], front: [0, 0.025, 0.11, 0.3, 0.6, 1], back: [0, 1] };
 /** Of the span of a strip, left free at both ends, so that one sees where strips meet. */
 const SEAM = 0.008;
 
@@ -23,16 +34,22 @@ interface End {
   closing: Closing;
 }
 
-/** Adds a strip; `flap` is the frame of its flap. */
-export function addStrip(shape: Shape, strip: Strip, owner: number, flap: number | undefined, closings: [Closing, Closing]): void {
+/** How a strip is drawn: the frame of its flap, how its ends are closed, where its skin has edges. */
+export interface Drawing {
+  flap: number | undefined;
+  closings: [Closing, Closing];
+  edges: Edges;
+}
+
+export function addStrip(shape: Shape, strip: Strip, owner: number, { flap, closings, edges }: Drawing): void {
   const skin: Hold = { frame: strip.section, owner, tint: Tint.skin };
   const ends = [endOf(strip, SEAM, closings[0]), endOf(strip, 1 - SEAM, closings[1])];
-  if (flap === undefined) return addPart(shape, strip, ends, skin, WHOLE, (_, share) => share);
+  if (flap === undefined) return addPart(shape, strip, ends, skin, edges.whole, (_, share) => share);
   const moving: Hold = { frame: flap, owner, tint: Tint.flap };
   const isFlapAlone = ends.every((end) => end.hinge < 0.02);
-  if (isFlapAlone) return addPart(shape, strip, ends, moving, WHOLE, (_, share) => share);
-  addPart(shape, strip, ends, skin, FRONT, (end, share) => share * end.hinge);
-  addPart(shape, strip, ends, moving, BACK, (end, share) => end.hinge + share * (1 - end.hinge));
+  if (isFlapAlone) return addPart(shape, strip, ends, moving, edges.whole, (_, share) => share);
+  addPart(shape, strip, ends, skin, edges.front, (end, share) => share * end.hinge);
+  addPart(shape, strip, ends, moving, edges.back, (end, share) => end.hinge + share * (1 - end.hinge));
 }
 
 function endOf(strip: Strip, share: number, closing: Closing): End {
