@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The page of `flexair view` in headless Chromium: a made-up sample and pages that the command FLEXAIR writes. What is missing is installed: Chromium by
-# apt, as root where there is apt, Node from PyPI into an environment under target/. Where that cannot be done it says so and tests nothing.
+# The page of `flexair view` in headless Chromium: a made-up sample and pages that the command FLEXAIR writes. What is missing is
+# installed: Chromium by apt, as root where there is apt, Node from PyPI into an environment under target/. Where that cannot be done it
+# says so and tests nothing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
