@@ -80,7 +80,8 @@ async function print(address) {
   say("frames a second, 1280 × 720, antialiased", ({ fine }) => fine.rate);
   say("frames a second of a bare scene, 1280 × 720, antialiased", ({ bare }) => bare);
   say("frames a second with the quality that the page chooses", ({ own }) => own.rate);
-  console.log(`which is ${found.map(({ own }) => `${own.quality.antialias ? "" : "not "}antialiased, ratio ${own.quality.ratio}`).join("; ")}`);
+  const qualities = found.map(({ own: { quality } }) => `${quality.antialias ? "" : "not "}antialiased, ratio ${quality.ratio}`);
+  console.log(`which is ${qualities.join("; ")}`);
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? "").href) {

@@ -20,8 +20,8 @@ install_chromium() {
 }
 
 has_node() {
-    node -e 'const [major, minor] = process.versions.node.split("."); process.exit(major > 20 || (major == 20 && minor >= 11) ? 0 : 1)' 2>/dev/null &&
-        command -v npm >/dev/null
+    command -v npm >/dev/null &&
+        node -e 'const [major, minor] = process.versions.node.split("."); process.exit(100 * major + +minor < 2011 ? 1 : 0)' 2>/dev/null
 }
 
 install_node() {

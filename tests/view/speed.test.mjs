@@ -1,6 +1,6 @@
 /**
- * How fast the page of `flexair view` is. Bounds are those that a busy machine keeps, three times the work and fewer than half the frames of
- * what is wanted; `npm run measure` in web/ says what it is.
+ * How fast the page of `flexair view` is. Bounds are those that a busy machine keeps, three times the work and fewer than half the
+ * frames of what is wanted; `npm run measure` in web/ says what it is.
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
