@@ -1,7 +1,12 @@
-/** Builds dist/view.html, the template into which `flexair view` writes: page, style and script in one file. */
+/**
+ * Builds dist/view.html, or the file that is named, the template into which `flexair view` writes: page, style and script in one
+ * file.
+ */
 import { build } from "esbuild";
 import { mkdir, readFile, writeFile } from "node:fs/promises";
+import { dirname, resolve } from "node:path";
 
+const target = resolve(process.argv[2] ?? `${import.meta.dirname}/dist/view.html`);
 process.chdir(import.meta.dirname);
 
 const MARKERS = { "{{title}}": 2, "{{plan}}": 1, "{{scene}}": 1, "{{data}}": 1 };
@@ -38,6 +43,6 @@ for (const [marker, count] of Object.entries(MARKERS)) {
   const found = whole.split(marker).length - 1;
   if (found !== count) throw new Error(`${marker} stands ${found} times in the page, not ${count}`);
 }
-await mkdir("dist", { recursive: true });
-await writeFile("dist/view.html", whole);
-console.log(`dist/view.html: ${(whole.length / 1000).toFixed(0)} kB`);
+await mkdir(dirname(target), { recursive: true });
+await writeFile(target, whole);
+console.log(`${target}: ${(whole.length / 1000).toFixed(0)} kB`);

@@ -1,15 +1,20 @@
 /** The aircraft as it is drawn: its frames at a moment, and the meshes that hang in them. */
 import { DoubleSide, Group, Matrix4, MeshBasicMaterial, type Material } from "three";
+import { stripsInBodies } from "./across";
 import { addBody } from "./bodies";
 import { addArrow, addCut, addEngine, addMarker } from "./fittings";
 import { FRAME, writePoint, writeRotation } from "./frames";
 import { HungMesh } from "./hung";
+import { closings, type Closing } from "./joints";
 import { paintedMaterial } from "./light";
 import type { Motion } from "./motion";
 import type { Scene, Vec } from "./scene";
 import { Shape, Tint } from "./shape";
-import { addStrip } from "./strips";
+import { addStrip, COARSE, FINE } from "./strips";
 import { writeArrow, writeFlap } from "./moving";
+
+/** More strips than these are drawn with few edges. */
+const MANY_STRIPS = 50;
 
 export class Airframe {
   /** In earth axes, at where O is drawn. */
@@ -34,6 +39,8 @@ export class Airframe {
   constructor(
     private readonly scene: Scene,
     material: Material = paintedMaterial(),
+    /** How ends of strips are closed where they meet. */
+    private readonly joined: Closing = "coarse",
   ) {
     const { sections, strips, engines, size } = scene;
     strips.forEach((strip, i) => {
@@ -140,7 +147,12 @@ export class Airframe {
   private stripShape(): Shape {
     const shape = new Shape();
     const frameOf = new Map(this.flaps.map(({ strip, frame }) => [strip, frame]));
-    this.scene.strips.forEach((strip, i) => addStrip(shape, strip, i, frameOf.get(i)));
+    const ends = closings(this.scene.strips, this.scene.sections, this.joined);
+    const edges = this.scene.strips.length > MANY_STRIPS ? COARSE : FINE;
+    const isInBody = stripsInBodies(this.scene);
+    this.scene.strips.forEach((strip, i) => {
+      if (!isInBody[i]) addStrip(shape, strip, i, { flap: frameOf.get(i), closings: ends[i], edges });
+    });
     return shape;
   }
 

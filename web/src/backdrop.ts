@@ -34,27 +34,37 @@ void main() { gl_FragColor = vec4(colour, 1.0); }`;
 const lineVertex = /* glsl */ `
 uniform vec3 eye;
 uniform vec2 middle;
-uniform float cell, depth, reach;
-varying float seen;
+uniform float cell, depth, reach, nearest;
+attribute vec2 other;
+varying vec2 away;
+vec4 place(vec2 at) { return projectionMatrix * (viewMatrix * vec4(at, depth, 1.0)); }
 void main() {
   vec2 at = middle + cell * position.xy;
-  float share = clamp(length(at - eye.xy) / reach, 0.0, 1.0);
-  seen = 1.0 - share;
-  gl_Position = projectionMatrix * (viewMatrix * vec4(at, depth, 1.0));
+  vec2 end = middle + cell * other;
+  float ahead = place(at).w;
+  float behind = nearest - ahead;
+  // A line from behind the eye begins before it: where the processor draws pixels, such lines are lost else.
+  if (behind > 0.0) at = mix(at, end, clamp(behind / max(place(end).w - ahead, 1e-6), 0.0, 1.0));
+  away = (at - eye.xy) / reach;
+  gl_Position = place(at);
 }`;
 const lineFragment = /* glsl */ `
 uniform vec3 line;
 uniform float strength;
-varying float seen;
-void main() { gl_FragColor = vec4(line, strength * seen); }`;
+varying vec2 away;
+void main() {
+  float seen = max(1.0 - length(away), 0.0);
+  gl_FragColor = vec4(line, strength * seen * seen);
+}`;
 
-/** Lines to each side of the middle, and pieces of each, so that it fades along its way. */
+/** Lines to each side of the middle. */
 const LINES = 16;
-const PIECES = 8;
 
 export class Backdrop {
   readonly group = new Group();
   readonly cell: number;
+  /** What the picture is cleared with. */
+  readonly ground = new Color();
   private readonly dome: ShaderMaterial;
   private readonly grids: { cell: number; material: ShaderMaterial }[];
 
@@ -72,7 +82,7 @@ export class Backdrop {
         ...Object.fromEntries(NAMES.map((name) => [name, { value: new Color() }])),
       },
     });
-    this.grids = [1, 10].map((factor) => gridOf(factor * this.cell));
+    this.grids = [1, 10].map((factor) => gridOf(factor * this.cell, 0.05 * size));
     const lines = lineGeometry();
     const dome = new Mesh(domeGeometry(), this.dome);
     dome.renderOrder = -2;
@@ -82,6 +92,7 @@ export class Backdrop {
 
   setTheme(theme: Theme): void {
     for (const name of NAMES) this.dome.uniforms[name].value.set(theme[name]);
+    this.ground.set(theme.ground);
     for (const { material } of this.grids) material.uniforms.line.value.set(theme.line);
   }
 
@@ -104,7 +115,8 @@ export class Backdrop {
 
 const NAMES = ["zenith", "sky", "horizon", "ground"] as const;
 
-function gridOf(cell: number): { cell: number; material: ShaderMaterial } {
+/** `nearest` is how far ahead of the eye lines begin, m. */
+function gridOf(cell: number, nearest: number): { cell: number; material: ShaderMaterial } {
   const material = new ShaderMaterial({
     vertexShader: lineVertex,
     fragmentShader: lineFragment,
@@ -115,29 +127,32 @@ function gridOf(cell: number): { cell: number; material: ShaderMaterial } {
       middle: { value: new Vector2() },
       cell: { value: cell },
       depth: { value: 0 },
+      nearest: { value: nearest },
       reach: { value: (LINES - 1) * cell },
       line: { value: new Color() },
-      strength: { value: 0.8 },
+      strength: { value: 0.9 },
     },
   });
   return { cell, material };
 }
 
-/** Lines a unit apart in both directions. */
+/** Lines a unit apart in both directions; each end knows the other. */
 function lineGeometry(): BufferGeometry {
   const points: number[] = [];
-  const piece = (2 * LINES) / PIECES;
+  const others: number[] = [];
   for (let k = -LINES; k <= LINES; k++) {
-    for (let i = 0; i < PIECES; i++) {
-      const [a, b] = [i * piece - LINES, (i + 1) * piece - LINES];
-      points.push(k, a, 0, k, b, 0, a, k, 0, b, k, 0);
-    }
+    points.push(k, -LINES, 0, k, LINES, 0, -LINES, k, 0, LINES, k, 0);
+    others.push(k, LINES, k, -LINES, LINES, k, -LINES, k);
   }
-  return new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points, 3));
+  const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points, 3));
+  return geometry.setAttribute("other", new Float32BufferAttribute(others, 2));
 }
 
-/** Elevations of the rows of the dome, degrees: where the course of the colours bends. */
-const ROWS = [-90, -11.5, 0, 9.6, 25, 57, 90];
+/**
+ * Elevations of the rows of the dome, degrees: where the course of the colours bends. Below the lowest all is ground, with which the
+ * picture begins: where the processor draws pixels, to clear them costs next to nothing.
+ */
+const ROWS = [-11.54, 0, 9.6, 25, 57, 90];
 const AROUND = 18;
 
 function domeGeometry(): BufferGeometry {

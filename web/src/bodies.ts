@@ -3,7 +3,7 @@ import type { Body, Vec } from "./scene";
 import { Shape, Tint } from "./shape";
 import { across, add, along, cross, length, minus, times, unit } from "./vectors";
 
-const AROUND = 28;
+const AROUND = 24;
 
 export function addBody(shape: Shape, body: Body, sections: Vec[]): void {
   const centres = body.rings.map((ring) => add(sections[ring.section], ring.offset));

@@ -1,8 +1,9 @@
 /** Cameras: each looks at a point of the aircraft from a direction and a distance, in axes that move with it. */
 import { PerspectiveCamera } from "three";
 import type { Airframe } from "./airframe";
+import type { Motion } from "./motion";
 import type { Scene, Vec } from "./scene";
-import { times } from "./vectors";
+import { add, minus, times } from "./vectors";
 
 export const cameraNames = ["chase", "wing tip", "side", "top", "free"] as const;
 export type CameraName = (typeof cameraNames)[number];
@@ -19,26 +20,41 @@ interface Aim {
 }
 
 const DEGREE = Math.PI / 180;
+/** Times its own height a show must fit into the picture, which at its usual distance is about as tall as the aircraft is large. */
+const TALLEST = 1.6;
 
 export class Cameras {
   readonly camera = new PerspectiveCamera(34, 1, 0.1, 1000);
   name: CameraName = "chase";
   private aim: Aim;
-  private readonly middle: Vec;
+  private middle: Vec;
+  /** By how much strips reach beyond the sections: to low and to high coordinates, m. */
+  private readonly margins: [Vec, Vec];
   private readonly tip: Vec;
   private readonly size: number;
+  /** Distance at which the show fits, in parts of that of the undeformed aircraft. */
+  private room = 1;
   private readonly turn = new Float64Array(9);
   private readonly basis = new Float64Array(9);
   private readonly target = new Float64Array(3);
 
   constructor(scene: Scene) {
     this.size = scene.size;
+    this.margins = marginsOf(scene);
     this.middle = middleOf(scene.sections);
     this.tip = scene.sections.reduce((tip, at) => (at[1] > tip[1] + 1e-9 ? at : tip), this.middle);
     this.aim = this.preset("chase");
     this.camera.near = 0.01 * this.size;
     this.camera.far = 600 * this.size;
     this.camera.matrixAutoUpdate = false;
+  }
+
+  /** Makes room for a show; whoever has turned the view keeps it. */
+  frame(motion: Motion): void {
+    const [low, high] = motion.box().map((corner, i) => add(corner, this.margins[i]));
+    this.middle = middleOf([low, high]);
+    this.room = Math.max(1, (TALLEST * (high[2] - low[2])) / this.size);
+    if (this.name !== "free") this.aim = this.preset(this.name);
   }
 
   choose(name: CameraName): void {
@@ -111,11 +127,11 @@ export class Cameras {
   }
 
   private preset(name: CameraName): Aim {
-    const { size, middle, tip } = this;
+    const { size, middle, tip, room } = this;
     const level = { axes: "heading" as const, target: [...middle] as Vec };
     switch (name) {
       case "side":
-        return { ...level, azimuth: 90 * DEGREE, elevation: 4 * DEGREE, distance: 1.75 * size };
+        return { ...level, azimuth: 90 * DEGREE, elevation: 4 * DEGREE, distance: 1.75 * size * room };
       case "top":
         return { ...level, azimuth: 180 * DEGREE, elevation: 90 * DEGREE, distance: 2 * size };
       case "wing tip": {
@@ -123,17 +139,29 @@ export class Cameras {
         return { axes: "body", target, azimuth: -112 * DEGREE, elevation: 13 * DEGREE, distance: 0.4 * size };
       }
       case "free":
-        return { ...level, azimuth: -145 * DEGREE, elevation: 22 * DEGREE, distance: 1.6 * size };
+        return { ...level, azimuth: -145 * DEGREE, elevation: 22 * DEGREE, distance: 1.6 * size * room };
       case "chase":
-        return { ...level, azimuth: -155 * DEGREE, elevation: 11 * DEGREE, distance: 1.65 * size };
+        return { ...level, azimuth: -155 * DEGREE, elevation: 11 * DEGREE, distance: 1.65 * size * room };
     }
   }
 }
 
-function middleOf(points: Vec[]): Vec {
+function boxOf(points: Vec[]): [Vec, Vec] {
   const low = points.reduce((a, b) => [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.min(a[2], b[2])]);
   const high = points.reduce((a, b) => [Math.max(a[0], b[0]), Math.max(a[1], b[1]), Math.max(a[2], b[2])]);
-  return times(0.5, [low[0] + high[0], low[1] + high[1], low[2] + high[2]]);
+  return [low, high];
+}
+
+function middleOf(points: Vec[]): Vec {
+  const [low, high] = boxOf(points);
+  return times(0.5, add(low, high));
+}
+
+function marginsOf({ sections, strips }: Scene): [Vec, Vec] {
+  const corners = strips.flatMap(({ section, corners }) => corners.map((corner) => add(sections[section], corner)));
+  const bare = boxOf(sections);
+  const [low, high] = boxOf([...sections, ...corners]);
+  return [minus(low, bare[0]), minus(high, bare[1])];
 }
 
 function writeHeading(heading: number, out: Float64Array): void {

@@ -1,12 +1,12 @@
 /** Charts of outputs over time: linked, with a line at the present moment; a click or drag in one seeks. */
 import uPlot from "uplot";
 import { make, say } from "./elements";
-import { fixed, number, withUnit } from "./numbers";
+import { axisText, fixed, number, withUnit } from "./numbers";
 import type { Chart } from "./scene";
 import { themes } from "./theme";
 import type { Viewer } from "./viewer";
 
-const HEIGHT = 112;
+const HEIGHT = 115;
 /** Beside the plotting area, pixels. */
 const LEFT = 58;
 const RIGHT = 8;
@@ -102,11 +102,11 @@ export class Charts {
       padding: [6, RIGHT, 0, 0],
       legend: { show: false },
       cursor: { drag: { setScale: false, x: false, y: false }, sync: { key: "flexair" }, y: false, points: { size: 6 } },
-      scales: { x: { time: false, range: (_, low, high) => [low, high] } },
+      scales: { x: { time: false, range: (_, low, high) => [low, high] }, y: { range: (_, low, high) => rangeAround(low, high) } },
       series: [{}, { stroke: curve, width: 1.3, pxAlign: 0, points: { show: false } }],
       axes: [
-        { ...lines, size: 22, space: 50, gap: 2 },
-        { ...lines, size: LEFT, space: 22, gap: 3, values: (_, splits) => splits.map((split) => shortNumber(split)) },
+        { ...lines, size: 25, space: 50, gap: 5 },
+        { ...lines, size: LEFT, space: 22, gap: 3, values: (_, splits) => splits.map(axisText) },
       ],
       hooks: { setCursor: [(plot) => this.tellThere(plot, values, there)] },
     };
@@ -137,10 +137,9 @@ export class Charts {
   }
 }
 
-function shortNumber(value: number): string {
-  const size = Math.abs(value);
-  if (size >= 1e9) return `${+(value / 1e9).toPrecision(4)} G`;
-  if (size >= 1e6) return `${+(value / 1e6).toPrecision(4)} M`;
-  if (size >= 1e4) return `${+(value / 1e3).toPrecision(4)} k`;
-  return String(+value.toPrecision(4));
+/** A range with some room; where nothing changes, around the value. */
+function rangeAround(low: number, high: number): uPlot.Range.MinMax {
+  if (low < high) return uPlot.rangeNum(low, high, 0.1, true);
+  const room = Math.abs(low) || 1;
+  return [low - room, low + room];
 }

@@ -4,6 +4,8 @@ import type { Motion } from "./motion";
 export const speeds = [0.1, 0.2, 0.5, 1, 2, 4];
 /** A pause between frames longer than this does not count, s: the page was not seen. */
 const LONGEST_STEP = 0.25;
+/** How long the last moment of what decays or grows stands before it begins again, s of real time. */
+const REST = 1.2;
 
 export class Clock {
   time = 0;
@@ -11,6 +13,8 @@ export class Clock {
   speed = 1;
   /** Seconds of the show a second of real time, as measured. */
   factor = 0;
+  /** How long the last moment is still to stand, s of real time. */
+  rest = 0;
   private last = 0;
   private played = 0;
   private real = 0;
@@ -18,7 +22,7 @@ export class Clock {
   start(now: number): void {
     this.playing = true;
     this.last = now;
-    this.played = this.real = 0;
+    this.played = this.real = this.rest = 0;
     this.factor = this.speed;
   }
 
@@ -26,22 +30,37 @@ export class Clock {
     this.playing = false;
   }
 
+  goTo(time: number): void {
+    this.time = time;
+    this.rest = 0;
+  }
+
   /** Moves on to the moment of this frame (`now` in ms); stops at the end of what does not repeat. */
   advance(now: number, motion: Motion): void {
     const passed = Math.max(now - this.last, 0) / 1000;
     this.last = now;
+    if (this.rest > 0) return this.stand(passed, motion);
     const step = Math.min(passed, LONGEST_STEP) * this.speed;
-    const { start, loops } = motion.show;
-    const whole = motion.end - start;
     this.time += step;
-    if (this.time > motion.end) {
-      if (loops && whole > 0) this.time = start + ((this.time - start) % whole);
-      else {
-        this.time = motion.end;
-        this.stop();
-      }
-    }
     this.measure(passed, step);
+    if (this.time > motion.end) this.meetEnd(motion);
+  }
+
+  private meetEnd(motion: Motion): void {
+    const { start, loops } = motion.show;
+    if (motion.isPeriodic) {
+      this.time = start + ((this.time - start) % (motion.end - start));
+      return;
+    }
+    this.time = motion.end;
+    if (loops) this.rest = REST;
+    else this.stop();
+  }
+
+  /** Lets the last moment stand, so that one sees that what follows is the beginning and not what becomes of it. */
+  private stand(passed: number, motion: Motion): void {
+    this.rest = Math.max(this.rest - passed, 0);
+    if (this.rest === 0) this.time = motion.show.start;
   }
 
   private measure(passed: number, step: number): void {

@@ -80,12 +80,18 @@ export class Controls {
     this.scrub.valueAsNumber = clock.time;
     const moves = motion.show.count > 1;
     say(this.time, moves ? `${fixed(clock.time, 2)} s of ${fixed(motion.end, 2)} s` : "at rest");
-    say(this.factor, !moves ? "" : clock.playing ? `real ${fixed(clock.factor, 2)} ×` : "paused");
+    say(this.factor, moves ? this.pace() : "");
     const lines = [`grid ${tickText(backdrop.cell)} m`];
     if (!scene.clamped && motion.show.kind === "flight") lines.push(`at ${fixed(-motion.ground || 0, 0)} m; altitude ${fixed(-airframe.place[2] || 0, 1)} m`);
     if (wind.speed > 0) lines.push(`wind ${fixed(wind.speed, 1)} m/s`);
     if (motion.show.gust) lines.push(motion.show.gust.text);
     say(this.corner, lines.join("\n"));
+  }
+
+  private pace(): string {
+    const { clock } = this.viewer;
+    if (!clock.playing) return "paused";
+    return clock.rest > 0 ? "then again" : `real ${fixed(clock.factor, 2)} ×`;
   }
 
   toggleTheme(): void {

@@ -1,7 +1,10 @@
 /** A show opened for drawing: its tables, and where its heading points over time. */
-import type { Chart, Scene, Show } from "./scene";
+import type { Chart, Scene, Show, Vec } from "./scene";
 import { Scale } from "./scale";
 import { Table } from "./table";
+
+/** Frames that say how much room a show takes. */
+const LOOKED_AT = 17;
 
 export class Motion {
   readonly show: Show;
@@ -39,6 +42,11 @@ export class Motion {
     return this.show.start + (this.show.count - 1) * this.show.step;
   }
 
+  /** Whether it repeats without a jump; a root in flight decays or grows. */
+  get isPeriodic(): boolean {
+    return this.show.loops && this.show.kind !== "root" && this.end > this.show.start;
+  }
+
   /** The frame at a time, with a fraction between frames. */
   frameAt(time: number): number {
     if (this.show.count < 2) return 0;
@@ -46,6 +54,23 @@ export class Motion {
     const nearest = Math.round(frame);
     const isStored = Math.abs(frame - nearest) < 1e-6;
     return Math.min(Math.max(isStored ? nearest : frame, 0), this.show.count - 1);
+  }
+
+  /** Corners of a box around all sections, body axes, at some frames of the show. */
+  box(): [Vec, Vec] {
+    const low: Vec = [Infinity, Infinity, Infinity];
+    const high: Vec = [-Infinity, -Infinity, -Infinity];
+    const row = new Float64Array(this.poses.columns);
+    for (let k = 0; k < LOOKED_AT; k++) {
+      this.poses.row(Math.round((k * (this.show.count - 1)) / (LOOKED_AT - 1)), row);
+      for (let i = 0; i < row.length; i += 7) {
+        for (let axis = 0; axis < 3; axis++) {
+          low[axis] = Math.min(low[axis], row[i + axis]);
+          high[axis] = Math.max(high[axis], row[i + axis]);
+        }
+      }
+    }
+    return [low, high];
   }
 
   /** All values of a chart, one a frame. */

@@ -51,3 +51,10 @@ export function tickText(value: number): string {
   }
   return fixed(value, 6).replace(/\.?0+$/, "");
 }
+
+/** A number beside an axis, in little room. */
+export function axisText(value: number): string {
+  const size = Math.abs(value);
+  const [power, letter] = size >= 1e9 ? [1e9, " G"] : size >= 1e6 ? [1e6, " M"] : size >= 1e4 ? [1e3, " k"] : [1, ""];
+  return `${+(value / power).toPrecision(4)}${letter}`.replaceAll("-", MINUS);
+}

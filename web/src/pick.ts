@@ -95,13 +95,16 @@ export class Picker {
   }
 
   private stripAt(x: number, y: number): Picked | undefined {
-    const { stage, cameras, airframe, scene } = this.viewer;
+    const { stage, cameras, airframe, painter, scene } = this.viewer;
     const at = new Vector2((2 * x) / stage.canvas.clientWidth - 1, 1 - (2 * y) / stage.canvas.clientHeight);
     this.ray.setFromCamera(at, cameras.camera);
     const hits = this.ray.intersectObjects([airframe.strips.mesh, airframe.bodies.mesh], false);
     const hit = hits.find(({ faceIndex }) => faceIndex !== undefined && faceIndex !== null);
-    if (!hit || hit.object !== airframe.strips.mesh) return undefined;
-    const i = airframe.strips.ownerOfFace(hit.faceIndex!);
+    if (!hit) return undefined;
+    const face = hit.faceIndex!;
+    const isStrip = hit.object === airframe.strips.mesh;
+    const i = isStrip ? airframe.strips.ownerOfFace(face) : painter.stripAt(airframe.bodies.ownerOfFace(face));
+    if (i === undefined) return undefined;
     const strip = scene.strips[i];
     const offset = times(0.25, strip.corners.reduce(add));
     return { name: `${strip.component}, strip ${strip.number}`, section: strip.section, offset, strip: i };

@@ -85,7 +85,7 @@ export interface Show {
   start: number;
   step: number;
   count: number;
-  /** Starts again after the last frame, which then equals the first where the motion is periodic. */
+  /** Starts again after the last frame, which equals the first, but for roots: their last moment stands for a while. */
   loops: boolean;
   /** 7 columns a section: position in body axes, quaternion with the scalar first. */
   poses: Matrix;

@@ -52,18 +52,20 @@ export class Viewer {
     this.cameras = new Cameras(scene);
     this.airframe = new Airframe(scene);
     this.painter = new Painter(scene, this.airframe);
-    this.ghost = new Airframe(scene, this.ghostMaterial);
+    this.ghost = new Airframe(scene, this.ghostMaterial, "none");
     this.ghost.fittings.mesh.visible = this.ghost.cuts.mesh.visible = false;
     this.backdrop = new Backdrop(scene.size);
     this.wind = new WindArrow(scene.size);
+    stage.scene.background = this.backdrop.ground;
     stage.scene.add(this.backdrop.group, this.airframe.group, this.ghost.group, this.wind.mesh);
     this.setShow(scene.shows[0].name);
   }
 
   /** What the ghost is, if the show has one. */
   get ghostText(): string | undefined {
-    const { kind, ghost } = this.motion.show;
-    if (this.ghostMotion) return ghost;
+    const { kind, level } = this.motion.show;
+    const ghost = this.ghostMotion?.show;
+    if (ghost) return ghost.level === level ? ghost.name : ghost.level;
     return kind === "trim" || kind === "mode" ? "jig shape" : undefined;
   }
 
@@ -73,7 +75,8 @@ export class Viewer {
     this.motion = motion;
     this.ghostMotion = motion.show.ghost === undefined ? undefined : this.motions.of(motion.show.ghost);
     this.clock.speed = fittingSpeed(motion);
-    this.clock.time = motion.show.start;
+    this.clock.goTo(motion.show.start);
+    this.cameras.frame(motion);
     this.wind.setMotion(motion);
     this.setGust();
     this.setColour(this.colour);
@@ -118,14 +121,14 @@ export class Viewer {
   }
 
   seek(time: number): void {
-    this.clock.time = Math.min(Math.max(time, this.motion.show.start), this.motion.end);
+    this.clock.goTo(Math.min(Math.max(time, this.motion.show.start), this.motion.end));
     this.changed();
   }
 
   play(): void {
     if (this.motion.show.count < 2) return;
     const isAtEnd = this.clock.time >= this.motion.end && !this.motion.show.loops;
-    if (isAtEnd) this.clock.time = this.motion.show.start;
+    if (isAtEnd) this.clock.goTo(this.motion.show.start);
     this.clock.start(performance.now());
     this.changed();
   }
