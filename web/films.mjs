@@ -26,9 +26,9 @@ const QUALITY = 82;
 const MOST = 3e6;
 
 /**
- * `says`: what stands in the picture. `from`, `to`: moments of the flight, s; the film has the first of them and not the last. `speed`: seconds of
- * flight a second of film. `pause`: how long the last frame stands, s. `turn`, `shift`: how far the mouse drags the chase view, pixels; `wheel`: how far
- * it is rolled there, away from the aircraft.
+ * `says`: what stands in the picture. `from`, `to`: moments of the flight, s; the film has the first of them and not the last.
+ * `speed`: seconds of flight a second of film. `pause`: how long the last frame stands, s. `turn`, `shift`: how far the mouse drags
+ * the chase view, pixels; `wheel`: how far it is rolled there, away from the aircraft.
  */
 const films = [
   {
@@ -59,12 +59,15 @@ const films = [
   },
 ];
 
-/** Only the scene, as large as the film, with what it says above and its legend below. */
+/**
+ * Only the scene, as large as the film, with what it says above and its legend below. That has a layer of its own: the grain of its colours
+ * depends on where on a layer it lies, and that is else not always the same.
+ */
 const style = (says) => `
   #stage { position: fixed !important; inset: 0; height: auto !important; z-index: 9 }
-  #legend { top: auto; bottom: 10px }
-  #stage::after { content: ${JSON.stringify(says).replaceAll("\\n", "\\A ")}; position: absolute; left: 12px; top: 10px; white-space: pre; line-height: 1.4;
-    font-size: 13px; font-weight: 600 }`;
+  #legend { top: auto; bottom: 10px; will-change: transform }
+  #stage::after { content: ${JSON.stringify(says).replaceAll("\\n", "\\A ")}; position: absolute; left: 12px; top: 10px;
+    white-space: pre; line-height: 1.4; font-size: 13px; font-weight: 600 }`;
 
 /** Drags the mouse over the scene, with a key held. */
 async function drag(page, [right, down], key) {
