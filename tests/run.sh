@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # All tests: Rust, then the packaged FMU through FMPy, through every importer that a registry has, and coupled with control
-# laws. With platforms in PLATFORMS (win64, aarch64-linux) their libraries are built and flown too, with WHEEL=1, or platforms in
-# WHEEL, the Python package is built, installed and tested: that is slow, and rarely breaks. Needs Rust, a C compiler and Python 3.11 or newer.
+# laws, then what `flexair view` writes for ParaView. With platforms in PLATFORMS (win64, aarch64-linux) their libraries are built
+# and flown too, with WHEEL=1, or platforms in WHEEL, the Python package is built, installed and tested: that is slow, and rarely
+# breaks. Needs Rust, a C compiler and Python 3.11 or newer.
 #
 # What the tests in Rust are made of is compiled with the release's optimisations but linked quickly (profile `checked`); the FMU and the
 # command, which the tests in Python fly, are those of a release.
@@ -36,7 +37,7 @@ python_of() {
 GEMSEO_PYTHON=$(python_of tests/masters/requirements-gemseo.txt gemseo)
 export GEMSEO_PYTHON
 export FMU=$target/fmu/FlexibleAircraft.fmu FLEXAIR=$target/release/flexair EXAMPLES=$target/checked/examples
-for tests in fmpy masters coupling; do
+for tests in fmpy masters coupling view; do
     python=$(python_of tests/$tests/requirements.txt $tests)
     "$python" -m pytest -rs tests/$tests
 done
