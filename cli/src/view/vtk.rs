@@ -1,8 +1,8 @@
 //! Files for ParaView: at each frame the strips as quadrilaterals with their lift and the beams as lines with their section loads (.vtu), and
 //! lists of both over time (.pvd).
 //!
-//! Axes as ParaView has them: x north, y west, z up, from where O is in the first frame, m. Numbers are single, little-endian, in base64, with
-//! their units as VTK keeps them.
+//! Axes as ParaView has them: x north, y west, z up, from where O is in the first frame, m. Numbers are single, little-endian, in base64,
+//! with their units as VTK keeps them.
 
 use std::fs;
 use std::io::{self, ErrorKind};
@@ -72,8 +72,8 @@ pub fn write(airframe: &Airframe, shows: &[Show], folder: &Path) -> Result<Vec<P
     Ok(lists)
 }
 
-/// Removes files, up to the first that is not there: those of a longer show that was written here before. ParaView takes all that are numbered alike
-/// for one series.
+/// Removes files, up to the first that is not there: those of a longer show that was written here before. ParaView takes all that are
+/// numbered alike for one series.
 fn remove(mut files: impl Iterator<Item = PathBuf>) -> Result<(), FileError> {
     let first_kept = files.try_for_each(|path| fs::remove_file(&path).map_err(|source| (path, source)));
     match first_kept {
