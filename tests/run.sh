@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # All tests: Rust, then the packaged FMU through FMPy, through every importer that a registry has, and coupled with control
-# laws, then the pages of `flexair view` in Chromium. With platforms in PLATFORMS (win64, aarch64-linux) their libraries are built
+# laws, then what `flexair view` writes, files and pages in Chromium. With platforms in PLATFORMS (win64, aarch64-linux) their libraries are built
 # and flown too, with WHEEL=1, or platforms in WHEEL, the Python package is built, installed and tested: that is slow, and rarely
 # breaks. Needs Rust, a C compiler and Python 3.11 or newer.
 #
@@ -37,7 +37,7 @@ python_of() {
 GEMSEO_PYTHON=$(python_of tests/masters/requirements-gemseo.txt gemseo)
 export GEMSEO_PYTHON
 export FMU=$target/fmu/FlexibleAircraft.fmu FLEXAIR=$target/release/flexair EXAMPLES=$target/checked/examples
-for tests in fmpy masters coupling; do
+for tests in fmpy masters coupling view; do
     python=$(python_of tests/$tests/requirements.txt $tests)
     "$python" -m pytest -rs tests/$tests
 done

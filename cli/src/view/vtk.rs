@@ -1,15 +1,17 @@
 //! Files for ParaView: at each frame the strips as quadrilaterals with their lift and the beams as lines with their section loads (.vtu), and
 //! lists of both over time (.pvd).
 //!
-//! Axes as ParaView has them: x north, y west, z up, from where O is in the first frame, m. Numbers are single, little-endian, in base64.
+//! Axes as ParaView has them: x north, y west, z up, from where O is in the first frame, m. Numbers are single, little-endian, in base64,
+//! with their units as VTK keeps them.
 
-use std::io;
+use std::fs;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use flexible_aircraft_packaging::FileError;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
+use quick_xml::writer::{ElementWriter, Writer};
 
 use crate::files::Drafts;
 
@@ -28,6 +30,7 @@ type Xml = Writer<Vec<u8>>;
 /// Numbers with a name.
 struct Array {
     name: &'static str,
+    unit: &'static str,
     components: usize,
     values: Vec<f32>,
 }
@@ -35,7 +38,7 @@ struct Array {
 /// A mesh of cells of one kind.
 struct Mesh {
     points: Vec<Vector3<f64>>,
-    /// From where they are on the undeformed aircraft, in the body axes of now.
+    /// From where they would be on the undeformed aircraft that flies there.
     displacements: Vec<Vector3<f64>>,
     kind: u8,
     cells: Vec<Vec<usize>>,
@@ -51,12 +54,15 @@ pub fn write(airframe: &Airframe, shows: &[Show], folder: &Path) -> Result<Vec<P
         let name = word(&show.name, number);
         for (what, mesh) in [("strips", strips as fn(&Frame<'_>, &[Outline]) -> Mesh), ("beams", beams)] {
             let mut files = Vec::new();
+            let numbered = |frame: usize| format!("{name}-{what}/{frame:05}.vtu");
             for frame in 0..show.recording.frames {
-                let file = format!("{name}-{what}/{frame:05}.vtu");
+                let file = numbered(frame);
                 let frame_of = Frame { airframe, recording: &show.recording, frame };
                 keep(&folder.join(&file), &mesh(&frame_of, &outlines).document())?;
                 files.push((show.start + frame as f64 * show.step, file));
             }
+            let later = (show.recording.frames..).map(|frame| folder.join(numbered(frame)));
+            remove(later)?;
             let list = folder.join(format!("{name}-{what}.pvd"));
             // Last, when all are there.
             keep(&list, &collection(&files))?;
@@ -64,6 +70,18 @@ pub fn write(airframe: &Airframe, shows: &[Show], folder: &Path) -> Result<Vec<P
         }
     }
     Ok(lists)
+}
+
+/// Removes files, up to the first that is not there: those of a longer show that was written here before. ParaView takes all that are
+/// numbered alike for one series.
+fn remove(mut files: impl Iterator<Item = PathBuf>) -> Result<(), FileError> {
+    let first_kept = files.try_for_each(|path| fs::remove_file(&path).map_err(|source| (path, source)));
+    match first_kept {
+        Err((path, source)) if source.kind() != ErrorKind::NotFound => {
+            Err(FileError { action: "delete", path, source })
+        }
+        _ => Ok(()),
+    }
 }
 
 fn keep(path: &Path, content: &[u8]) -> Result<(), FileError> {
@@ -105,6 +123,7 @@ impl Frame<'_> {
             let row = &values[self.frame * columns..][..columns];
             Array {
                 name: quantity.name,
+                unit: quantity.unit,
                 components: 1,
                 values: at.iter().map(|&one| row[one] as f32).collect(),
             }
@@ -190,34 +209,47 @@ impl Mesh {
             number(end)
         });
         let ends: Vec<u8> = ends.collect();
-        array(xml, ("connectivity", "Int32", 1), &corners)?;
-        array(xml, ("offsets", "Int32", 1), &ends)?;
-        array(xml, ("types", "UInt8", 1), &vec![self.kind; self.cells.len()])
+        whole(xml, ("connectivity", "Int32"), &corners)?;
+        whole(xml, ("offsets", "Int32"), &ends)?;
+        whole(xml, ("types", "UInt8"), &vec![self.kind; self.cells.len()])
     }
 }
 
 fn three(name: &'static str, vectors: &[Vector3<f64>]) -> Array {
     let values = vectors.iter().flat_map(|vector| vector.iter().map(|part| *part as f32).collect::<Vec<_>>());
-    Array { name, components: 3, values: values.collect() }
+    Array { name, unit: "m", components: 3, values: values.collect() }
 }
 
 fn floats(xml: &mut Xml, arrays: &[Array]) -> io::Result<()> {
-    arrays.iter().try_for_each(|Array { name, components, values }| {
-        let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
-        array(xml, (name, "Float32", *components), &bytes)
+    arrays.iter().try_for_each(|array| {
+        let bytes: Vec<u8> = array.values.iter().flat_map(|value| value.to_le_bytes()).collect();
+        let components = array.components.to_string();
+        let vectors = (array.components > 1).then_some(("NumberOfComponents", components.as_str()));
+        let element = data_array(xml, array.name, "Float32").with_attributes(vectors);
+        element.write_inner_content(|xml| {
+            xml.write_event(Event::Text(BytesText::new(&encoded(&bytes))))?;
+            let unit = xml.create_element("InformationKey").with_attribute(("name", "UNITS_LABEL"));
+            let unit = unit.with_attribute(("location", "vtkDataArray"));
+            unit.write_text_content(BytesText::new(array.unit)).map(|_| ())
+        })?;
+        Ok(())
     })
 }
 
-/// Numbers behind how many bytes they are.
-fn array(xml: &mut Xml, (name, kind, components): (&str, &str, usize), bytes: &[u8]) -> io::Result<()> {
-    let encoded = base64(&[&(bytes.len() as u32).to_le_bytes(), bytes].concat());
-    let element = xml
-        .create_element("DataArray")
+fn whole(xml: &mut Xml, (name, kind): (&str, &str), bytes: &[u8]) -> io::Result<()> {
+    data_array(xml, name, kind).write_text_content(BytesText::new(&encoded(bytes))).map(|_| ())
+}
+
+fn data_array<'a>(xml: &'a mut Xml, name: &str, kind: &str) -> ElementWriter<'a, Vec<u8>> {
+    xml.create_element("DataArray")
         .with_attribute(("type", kind))
         .with_attribute(("Name", name))
-        .with_attribute(("NumberOfComponents", components.to_string().as_str()))
-        .with_attribute(("format", "binary"));
-    element.write_text_content(BytesText::new(&encoded)).map(|_| ())
+        .with_attribute(("format", "binary"))
+}
+
+/// Numbers behind how many bytes they are.
+fn encoded(bytes: &[u8]) -> String {
+    base64(&[&(bytes.len() as u32).to_le_bytes(), bytes].concat())
 }
 
 /// The list of files over time, s.
@@ -297,6 +329,8 @@ mod tests {
         let found = elements(&quads.document());
         assert_eq!(found[..3], ["VTKFile", "UnstructuredGrid", "Piece"]);
         assert_eq!(found.iter().filter(|name| *name == "DataArray").count(), 6);
+        // Of points, displacements and lift.
+        assert_eq!(found.iter().filter(|name| *name == "InformationKey").count(), 3);
         let lines = beams(&frame, &outlines);
         assert_eq!(lines.cells.len(), airframe.aircraft.beams.len());
         assert_eq!(lines.points.len(), airframe.nodes.concat().len());
