@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # All tests: Rust, then the packaged FMU through FMPy, through every importer that a registry has, and coupled with control
-# laws, then what `flexair view` writes, files and pages in Chromium. With platforms in PLATFORMS (win64, aarch64-linux) their libraries are built
-# and flown too, with WHEEL=1, or platforms in WHEEL, the Python package is built, installed and tested: that is slow, and rarely
-# breaks. Needs Rust, a C compiler and Python 3.11 or newer.
+# laws, then what `flexair view` writes, files and pages in Chromium. With platforms in PLATFORMS (win64, aarch64-linux) their
+# libraries are built and flown too, with WHEEL=1, or platforms in WHEEL, the Python package is built, installed and tested: that is
+# slow, and rarely breaks. Needs Rust, a C compiler and Python 3.11 or newer.
 #
 # What the tests in Rust are made of is compiled with the release's optimisations but linked quickly (profile `checked`); the FMU and the
 # command, which the tests in Python fly, are those of a release.

@@ -6,6 +6,8 @@ import type { Viewer } from "./viewer";
 
 const FILM_TYPES = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"];
 const FRAMES_PER_SECOND = 30;
+/** From its left end to the edge of the picture. */
+const LEGEND = 244;
 
 export class Pictures {
   private readonly canvas = document.createElement("canvas");
@@ -69,35 +71,41 @@ export class Pictures {
     context.drawImage(source, 0, 0, this.canvas.width, this.canvas.height);
     const scale = this.recorder ? this.canvas.height / source.clientHeight : quality.ratio;
     context.setTransform(scale, 0, 0, scale, 0, 0);
-    this.write(context);
-    this.drawLegend(context, this.canvas.width / scale);
+    const [width, height] = [this.canvas.width / scale, this.canvas.height / scale];
+    const end = this.write(context);
+    // In a narrow picture the legend stands at its foot.
+    this.drawLegend(context, width - LEGEND, end < width - LEGEND ? 0 : height - 68);
   }
 
-  private write(context: CanvasRenderingContext2D): void {
+  /** Title and moment; where they end. */
+  private write(context: CanvasRenderingContext2D): number {
     const { motion, clock, scene, theme, deformation } = this.viewer;
     context.fillStyle = themes[theme].text;
     context.textAlign = "left";
     context.font = "600 15px system-ui, sans-serif";
     context.fillText(scene.title, 14, 26);
+    const titleWidth = context.measureText(scene.title).width;
     context.font = "13px system-ui, sans-serif";
     const larger = deformation === 1 ? "" : `, deformation × ${deformation}`;
-    context.fillText(`${motion.show.name}, ${fixed(clock.time, 2)} s${larger}`, 14, 46);
+    const moment = `${motion.show.name}, ${fixed(clock.time, 2)} s${larger}`;
+    context.fillText(moment, 14, 46);
+    return 14 + Math.max(titleWidth, context.measureText(moment).width);
   }
 
-  private drawLegend(context: CanvasRenderingContext2D, width: number): void {
+  private drawLegend(context: CanvasRenderingContext2D, left: number, top: number): void {
     const { motion, colour, theme } = this.viewer;
     const scale = motion.scales[motion.show.colours.findIndex((one) => one.name === colour)];
     if (!scale) return;
-    const [left, long] = [width - 244, 220];
+    const long = 220;
     const bar = context.createLinearGradient(left, 0, left + long, 0);
     scale.colours.forEach((step, i) => bar.addColorStop(i / (scale.colours.length - 1), step));
     context.fillStyle = bar;
-    context.fillRect(left, 32, long, 11);
+    context.fillRect(left, top + 32, long, 11);
     context.fillStyle = themes[theme].text;
-    context.fillText(legendText(this.viewer), left, 26);
+    context.fillText(legendText(this.viewer), left, top + 26);
     context.textAlign = "center";
     for (const tick of ticks(scale.low, scale.high, 5)) {
-      context.fillText(tickText(tick), left + (long * (tick - scale.low)) / (scale.high - scale.low), 58);
+      context.fillText(tickText(tick), left + (long * (tick - scale.low)) / (scale.high - scale.low), top + 58);
     }
   }
 
