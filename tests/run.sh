@@ -10,6 +10,39 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 target=${CARGO_TARGET_DIR:-target}
 
+# One archive for each version of FMI and each kind.
+package() {
+    cargo run --release --quiet -- package --no-check --fmi 2 --fmi 3 --kind co-simulation --kind model-exchange --output "$target/fmu"
+}
+
+# An environment with the packages of a file; it is made anew when the pinned versions change.
+environment() {
+    local requirements=$1 venv=$target/venv-$2
+    cmp --silent "$requirements" "$venv/requirements.txt" && return
+    rm -rf "$venv"
+    python3 -m venv "$venv"
+    "$venv/bin/pip" install --quiet --disable-pip-version-check --requirement "$requirements"
+    cp "$requirements" "$venv/requirements.txt"
+}
+environments() {
+    for tests in fmpy masters coupling view; do
+        environment tests/$tests/requirements.txt $tests
+    done
+    # An importer whose packages conflict with those of the others.
+    environment tests/masters/requirements-gemseo.txt gemseo
+}
+
+# Linking and downloading leave cores idle: these are made beside the tests in Rust, and say something if they fail.
+mkdir -p "$target"
+(set -e; package) >"$target/package.log" 2>&1 &
+package=$!
+(set -e; environments) >"$target/environments.log" 2>&1 &
+environments=$!
+trap 'jobs -p | xargs --no-run-if-empty kill 2>/dev/null' EXIT
+is_made() {
+    wait "$1" || { cat "$2" >&2; return 1; }
+}
+
 if cargo nextest --version >/dev/null 2>&1; then
     cargo nextest run --workspace --cargo-profile checked --no-fail-fast
 else
@@ -19,27 +52,13 @@ cargo test --workspace --doc --profile checked
 # With the packages that the tests above had, so that nothing is compiled anew.
 cargo build --workspace --examples --profile checked
 
-# One archive for each version of FMI and each kind.
-cargo run --release --quiet -- package --no-check --fmi 2 --fmi 3 --kind co-simulation --kind model-exchange --output "$target/fmu"
-
-# An environment with the packages of a file; it is made anew when the pinned versions change.
-python_of() {
-    local requirements=$1 venv=$target/venv-$2
-    if ! cmp --silent "$requirements" "$venv/requirements.txt"; then
-        rm -rf "$venv"
-        python3 -m venv "$venv"
-        "$venv/bin/pip" install --quiet --disable-pip-version-check --requirement "$requirements"
-        cp "$requirements" "$venv/requirements.txt"
-    fi
-    echo "$venv/bin/python"
-}
-# An importer whose packages conflict with those of the others.
-GEMSEO_PYTHON=$(python_of tests/masters/requirements-gemseo.txt gemseo)
-export GEMSEO_PYTHON
+is_made $package "$target/package.log"
+is_made $environments "$target/environments.log"
+export GEMSEO_PYTHON=$target/venv-gemseo/bin/python
 export FMU=$target/fmu/FlexibleAircraft.fmu FLEXAIR=$target/release/flexair EXAMPLES=$target/checked/examples
 for tests in fmpy masters coupling view; do
-    python=$(python_of tests/$tests/requirements.txt $tests)
-    "$python" -m pytest -rs tests/$tests
+    # A file of tests stays with one process: its tests share what is costly to make.
+    "$target/venv-$tests/bin/python" -m pytest -rs --numprocesses auto --dist loadfile tests/$tests
 done
 
 bash tests/view/run.sh
