@@ -18,8 +18,10 @@ struct Film<'d> {
     document: &'d mut Document,
     channels: Vec<Channel>,
     samplers: Vec<Sampler>,
-    /// Of all frames, and of the first alone.
-    times: [Index<Accessor>; 2],
+    /// Of all frames.
+    times: Index<Accessor>,
+    /// Of the first alone, where something stays.
+    begin: Option<Index<Accessor>>,
 }
 
 /// Adds the animation of a show, which begins at 0 s.
@@ -27,8 +29,8 @@ pub fn add(document: &mut Document, show: &Show, joints: &Joints<'_>, skeleton: 
     let recording = &show.recording;
     let times: Vec<f32> = (0..recording.frames).map(|frame| (frame as f64 * show.step) as f32).collect();
     document.begin(None);
-    let times = [Numbers::times(&times), Numbers::times(&[0.0])].map(|times| document.add(times));
-    let mut film = Film { document, channels: Vec::new(), samplers: Vec::new(), times };
+    let times = document.add(Numbers::times(&times));
+    let mut film = Film { document, channels: Vec::new(), samplers: Vec::new(), times, begin: None };
     film.add_root(recording, skeleton.root);
     film.add_sections(recording, joints, skeleton);
     film.add_flaps(recording, joints, skeleton);
@@ -55,8 +57,8 @@ impl Film<'_> {
         let poses = || recording.body.chunks_exact(POSE);
         let places: Vec<[f32; 3]> = poses().map(|pose| axes::vector(&(vector(pose) - origin))).collect();
         let turns: Vec<[f32; 4]> = poses().map(|pose| axes::quaternion(&turn(&pose[3..]))).collect();
-        self.push((root, Property::Translation), Numbers::vectors(&places), 0);
-        self.push((root, Property::Rotation), Numbers::quaternions(&turns), 0);
+        self.push((root, Property::Translation), Numbers::vectors(&places), self.times);
+        self.push((root, Property::Rotation), Numbers::quaternions(&turns), self.times);
     }
 
     fn add_sections(&mut self, recording: &Recording, joints: &Joints<'_>, skeleton: &Skeleton) {
@@ -98,16 +100,18 @@ impl Film<'_> {
     ) {
         let Some(first) = values.first() else { return };
         if values.iter().any(|value| value != first) {
-            self.push(target, numbers(values), 0);
+            self.push(target, numbers(values), self.times);
         } else if *first != rest {
-            self.push(target, numbers(&values[..1]), 1);
+            let document = &mut *self.document;
+            let begin = *self.begin.get_or_insert_with(|| document.add(Numbers::times(&[0.0])));
+            self.push(target, numbers(&values[..1]), begin);
         }
     }
 
-    fn push(&mut self, (node, path): (Index<Node>, Property), numbers: Numbers, times: usize) {
+    fn push(&mut self, (node, path): (Index<Node>, Property), numbers: Numbers, times: Index<Accessor>) {
         let sampler = Index::new(self.samplers.len() as u32);
         self.samplers.push(Sampler {
-            input: self.times[times],
+            input: times,
             output: self.document.add(numbers),
             interpolation: Checked::Valid(Interpolation::Linear),
             extensions: None,

@@ -87,7 +87,9 @@ impl Part<'_> {
         }
         let outwards = unit(self.ends[1].edge - self.ends[0].edge, Vector3::y());
         for (end, normal) in [-outwards, outwards].into_iter().enumerate() {
-            let around = sides[0][end].iter().chain(sides[1][end][1..].iter().rev());
+            // At the leading edge both sides begin at one point.
+            let own = usize::from(self.fractions[0] == 0.0);
+            let around = sides[0][end].iter().chain(sides[1][end][own..].iter().rev());
             let corners: Vec<Vector3<f64>> = around.map(|(place, _)| *place).collect();
             surface.face(self.joint, normal, &corners);
         }

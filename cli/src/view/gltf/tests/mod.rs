@@ -46,7 +46,7 @@ fn moment(file: &str, fidelity: Fidelity, bent: f64) -> Moment {
     let model = Arc::new(ReducedModel::new(&airframe.aircraft, MODES).unwrap());
     let settings = Settings::from(PlantSettings { fidelity, mode_count: MODES, ..PlantSettings::of(&model) });
     let plant = Plant::under(&model, &settings.plant).unwrap();
-    let trim = plant.trim(&settings.trim_condition()).unwrap();
+    let trim = plant.trim(&settings.plant.trim_condition()).unwrap();
     let (mut state, mut controls) = (trim.state.clone(), trim.controls.clone());
     let places = plant.layout().coordinates();
     for (mode, place) in places.enumerate() {
