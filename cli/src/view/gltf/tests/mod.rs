@@ -83,7 +83,7 @@ impl Moment {
         isometry(pose)
     }
 
-    /// Of a node in the file below the root, body axes.
+    /// As a skeleton.
     fn file(&self) -> File {
         File::read(&skeleton(&self.view, std::slice::from_ref(&self.show), true))
     }
@@ -171,8 +171,7 @@ fn joints_that_modes_drive_are_where_the_library_says_at_linear_levels() {
                 most = [most[0].max(apart[0]), most[1].max(apart[1])];
             }
         }
-        println!("{path} {} {most:?}", fidelity.name());
-        assert!(most[0] < 2e-5 && most[1] < 1e-5, "{path} {} {most:?}", fidelity.name());
+        assert!(most[0] < 1e-5 && most[1] < 3e-7, "{path} {} {most:?}", fidelity.name());
     }
 }
 
@@ -188,7 +187,6 @@ fn the_skin_is_where_the_outlines_of_the_strips_are() {
             let nearest = skin.iter().map(|place| (place - corner).norm()).fold(f64::INFINITY, f64::min);
             farthest = farthest.max(nearest);
         }
-        println!("{path} {farthest:e}");
         assert!(farthest < 1e-5, "{path} {farthest}");
     }
 }
@@ -198,7 +196,7 @@ fn joints_that_stations_lead_are_where_the_library_says_when_the_aircraft_bends_
     let moment = moment(JET, Fidelity::GeometricallyExact, 0.03);
     let file = moment.file();
     let airframe = &moment.view.airframe;
-    let mut most = [0.0_f64; 2];
+    let (mut most, mut farthest) = ([0.0_f64; 2], 0.0_f64);
     for (section, node) in section_nodes(&file, &moment).into_iter().enumerate() {
         let node = &file.list("nodes")[node];
         let leaders = node["extras"]["stations"].as_array().unwrap();
@@ -219,11 +217,13 @@ fn joints_that_stations_lead_are_where_the_library_says_when_the_aircraft_bends_
             turn += pose.rotation.into_inner() * share(leader);
         }
         let led = Isometry3::from_parts(place.into(), UnitQuaternion::from_quaternion(turn));
-        let apart = apart(&led, &in_file(&moment.pose(section)));
+        let recorded = in_file(&moment.pose(section));
+        farthest = farthest.max((recorded.translation.vector - vector(&node["translation"])).norm());
+        let apart = apart(&led, &recorded);
         most = [most[0].max(apart[0]), most[1].max(apart[1])];
     }
-    println!("{most:?}");
-    assert!(most[0] < 0.01 && most[1] < 0.01, "{most:?}");
+    assert!(farthest > 1.0, "nothing bends: {farthest}");
+    assert!(most[0] < 0.08 && most[1] < 0.07, "{most:?}");
 }
 
 #[test]
@@ -319,7 +319,6 @@ fn targets_move_vertices_as_joints_do_to_first_order() {
         farthest
     };
     let [large, small] = [0.01, 0.001].map(departure);
-    println!("{large:e} {small:e}");
     // A hundredth of it, but for rounding.
     assert!(large > 1e-3 && small < 0.02 * large, "{large} {small}");
 }
