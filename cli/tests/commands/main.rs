@@ -10,6 +10,7 @@ mod continuous;
 mod describe;
 #[cfg(test)]
 mod files;
+#[cfg(test)]
 mod gltf;
 #[cfg(test)]
 mod gust;

@@ -110,7 +110,7 @@ impl<'a> Joints<'a> {
 
 /// A vector in the axes of glTF, with digits of single precision.
 pub fn triple(vector: &Vector3<f64>) -> [f64; 3] {
-    axes::turned(vector).map(|part| digits(part)).into()
+    axes::turned(vector).map(digits).into()
 }
 
 /// The shortest number that is the same in single precision.

@@ -42,6 +42,16 @@ struct Part<'a> {
     fractions: Vec<f64>,
 }
 
+/// A point of the skin.
+#[derive(Clone, Copy)]
+struct Point {
+    place: Vector3<f64>,
+    normal: Vector3<f64>,
+}
+
+/// Points of one side of a part, from the leading edge on: inboard and outboard.
+type Side = [Vec<Point>; 2];
+
 impl Slice<'_> {
     pub fn add_to(&self, shape: &mut Shape) {
         let ends = [self.end(SEAM), self.end(1.0 - SEAM)];
@@ -79,7 +89,7 @@ impl Part<'_> {
         let sides = [1.0, -1.0].map(|side| self.rows(side));
         for rows in &sides {
             let [inboard, outboard] = rows.each_ref().map(|row| -> Vec<u32> {
-                row.iter().map(|&(place, normal)| surface.vertex(self.joint, place, normal)).collect()
+                row.iter().map(|point| surface.vertex(self.joint, point.place, point.normal)).collect()
             });
             for (inner, outer) in inboard.windows(2).zip(outboard.windows(2)) {
                 surface.quad([inner[0], outer[0], outer[1], inner[1]]);
@@ -90,7 +100,7 @@ impl Part<'_> {
             // At the leading edge both sides begin at one point.
             let own = usize::from(self.fractions[0] == 0.0);
             let around = sides[0][end].iter().chain(sides[1][end][own..].iter().rev());
-            let corners: Vec<Vector3<f64>> = around.map(|(place, _)| *place).collect();
+            let corners: Vec<Vector3<f64>> = around.map(|point| point.place).collect();
             surface.face(self.joint, normal, &corners);
         }
         let back = unit(self.ends[0].chord, -Vector3::x());
@@ -101,30 +111,25 @@ impl Part<'_> {
         }
     }
 
-    /// Places and normals of one side, inboard and outboard.
-    fn rows(&self, side: f64) -> [Vec<(Vector3<f64>, Vector3<f64>)>; 2] {
+    /// The upper (1) or the lower (−1) side.
+    fn rows(&self, side: f64) -> Side {
         let point = |end: &End, x: f64| {
             let Slice { outline, thickness, .. } = self.slice;
             let half = thickness * half_thickness(x) * end.chord.norm();
             let place = end.edge + end.chord * x + outline.normal * (side * half);
             let backwards = unit(end.chord, -Vector3::x());
             if x == 0.0 {
-                return (place, -backwards);
+                return Point { place, normal: -backwards };
             }
             let normal = outline.normal * side - backwards * (thickness * thickness_slope(x));
-            (place, unit(normal, outline.normal * side))
+            Point { place, normal: unit(normal, outline.normal * side) }
         };
         self.ends.each_ref().map(|end| self.fractions.iter().map(|&x| point(end, x)).collect())
     }
 
     /// Adds the face between both sides at one of the fractions.
-    fn close(
-        &self,
-        surface: &mut Surface,
-        [upper, lower]: &[[Vec<(Vector3<f64>, Vector3<f64>)>; 2]; 2],
-        (at, normal): (usize, Vector3<f64>),
-    ) {
-        let corners = [upper[0][at], upper[1][at], lower[1][at], lower[0][at]].map(|(place, _)| place);
+    fn close(&self, surface: &mut Surface, [upper, lower]: &[Side; 2], (at, normal): (usize, Vector3<f64>)) {
+        let corners = [upper[0][at], upper[1][at], lower[1][at], lower[0][at]].map(|point| point.place);
         surface.face(self.joint, normal, &corners);
     }
 }

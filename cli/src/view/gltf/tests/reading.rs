@@ -114,7 +114,7 @@ impl File {
 
 /// The pose of a node that nothing moves.
 fn rest(node: &Value) -> Isometry3<f64> {
-    let place = node.get("translation").map_or(Vector3::zeros(), |place| vector(place));
+    let place = node.get("translation").map_or(Vector3::zeros(), vector);
     let turn = node.get("rotation").map_or(UnitQuaternion::identity(), |turn| {
         quaternion(&[0, 1, 2, 3].map(|part| turn[part].as_f64().unwrap()))
     });
