@@ -65,6 +65,21 @@ export function fmuPage() {
   return pathToFileURL(join(folder, "odd/documentation/index.html")).href;
 }
 
+/** A folder with files for game engines: of a flight at a linear and at the geometrically exact level, of other aircraft, with targets. */
+export function writeGltf() {
+  const folder = newFolder();
+  const write = (name, option, ...args) => runnerIn(folder)("view", ...args, option, `${name}.glb`, "--output", `${name}.html`);
+  const gust = ["--set", "gust.shape=one_minus_cosine", "--duration", "1"];
+  const { lopsided } = writeFiles(folder);
+  write("two levels in a gust", "--gltf", ...gust, "--compare", "exact,geometrically_exact");
+  write("40 modes", "--gltf", "--modes", "40", "--mode-shapes");
+  write("targets", "--gltf-morph", "--trim");
+  write("without symmetry", "--gltf", lopsided, "--trim");
+  write("clamped wing", "--gltf", join(root, "aircraft/goland-wing.toml"), "--mode-shapes");
+  write("targets of a flying wing", "--gltf-morph", join(root, "tests/data/flying-wing.toml"), "--set", "model=exact", "--trim");
+  return folder;
+}
+
 /** An aircraft with its engine on one wing; an aircraft and a flight whose names would be markup, as far as such names are allowed. */
 function writeFiles(folder) {
   const small = readFileSync(join(root, "tests/data/small-aircraft.toml"), "utf8");

@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::Args;
+use flexible_aircraft::Aircraft;
 use flexible_aircraft::air::{GustShape, TurbulenceSettings};
-use flexible_aircraft::aircraft::{Aircraft, Fidelity};
+use flexible_aircraft::aircraft::{Fidelity, StationsAlongError};
 use flexible_aircraft::flight::{Settings, SimulationError};
 use flexible_aircraft::structure::{
     ModalBasis, ModeCount, ModeKind, ModeMotion, ReducedModel, Structure, StructureError,
@@ -28,7 +29,9 @@ mod airframe;
 pub mod archive;
 mod body;
 mod data;
+mod flap;
 mod flights;
+mod gltf;
 mod gust;
 mod low_rank;
 mod outline;
@@ -43,6 +46,7 @@ mod vtk;
 
 use airframe::Airframe;
 use data::Data;
+use gltf::NotLinear;
 use page::{Content, TooLarge};
 use recording::POSE;
 use roots::RootError;
@@ -125,6 +129,18 @@ pub struct ViewOptions {
     #[arg(long, value_name = "DIR")]
     vtk: Option<PathBuf>,
 
+    /// Also write the aircraft for game engines: a skeleton with a skin that the FMU's outputs drive, an animation for each show
+    #[arg(long, value_name = "FILE.glb", value_parser = gltf::path())]
+    gltf: Option<PathBuf>,
+
+    /// Also write it as one mesh with a morph target for each mode and each control; not for the level geometrically_exact
+    #[arg(long, value_name = "FILE.glb", value_parser = gltf::path())]
+    gltf_morph: Option<PathBuf>,
+
+    /// Add stations along a component, as `flexair package` does: joints of --gltf have their names, wing_right_01 and on. May be repeated
+    #[arg(long, value_name = "COMPONENT=COUNT", value_parser = crate::component_and_count)]
+    stations_along: Vec<(String, usize)>,
+
     /// The page to write [default: target/view/ with the aircraft file's name, or flexair-out/view/ where flexair is installed]
     #[arg(short, long, value_name = "FILE.html", value_parser = picture())]
     output: Option<PathBuf>,
@@ -135,6 +151,8 @@ pub struct ViewOptions {
 pub enum Error {
     #[error(transparent)]
     Flown(#[from] flown::Error),
+    #[error("--stations-along {component}: {source}")]
+    StationsAlong { component: String, source: StationsAlongError },
     #[error(transparent)]
     Structure(#[from] StructureError),
     #[error("{}: {source}", named(path, "standard input"))]
@@ -151,6 +169,8 @@ pub enum Error {
     Root(#[from] RootError),
     #[error("found {frames:.0} frames with --rate {rate}, allowed are {most:.0} of this aircraft: {}", fitting(*rate, *frames, *most))]
     Frames { rate: f64, frames: f64, most: f64 },
+    #[error(transparent)]
+    NotLinear(#[from] NotLinear),
     #[error(transparent)]
     TooLarge(#[from] TooLarge),
     #[error("the page could not be compressed: {0}")]
@@ -173,19 +193,28 @@ struct View {
     settings: Settings,
 }
 
-/// Computes what is to be shown, and writes the page.
+/// Computes what is to be shown, and writes the page and what is asked for beside it.
 pub fn run(options: &ViewOptions, home: &Home) -> Result<(), Error> {
     let output = options.output(home);
     let table = options.flight.as_deref();
-    refuse_overwriting(&[&output], [Some(options.file.path()), table].into_iter().flatten())?;
-    let draft = Drafts::new([output.as_path()])?;
-    let aircraft = options.flown.read(options.file.path())?;
+    let outputs: Vec<&Path> = [Some(&output), options.gltf.as_ref(), options.gltf_morph.as_ref()]
+        .into_iter()
+        .flatten()
+        .map(PathBuf::as_path)
+        .collect();
+    refuse_overwriting(&outputs, [Some(options.file.path()), table].into_iter().flatten())?;
+    let drafts = Drafts::new(outputs.iter().copied())?;
+    let aircraft = options.aircraft()?;
     let settings = |variables: &VariableTable, model: &ReducedModel| options.flown.settings(variables, model);
     let view = View::new(&aircraft, options.flown.count(), settings)?;
+    let levels = options.levels(&view);
+    if options.gltf_morph.is_some() {
+        gltf::check_linear(&levels)?;
+    }
     let shows = options.shows(&view)?;
-    let levels = shows.iter().filter(|show| show.kind == Kind::Flight).count().max(1);
+    let flights = shows.iter().filter(|show| show.kind == Kind::Flight).count().max(1);
     let page = view.page(&shows)?;
-    if let Some(note) = page::check(page.len(), levels, options.rate)? {
+    if let Some(note) = page::check(page.len(), flights, options.rate)? {
         terminal::note(&note);
     }
     if let Some(folder) = &options.vtk {
@@ -193,12 +222,27 @@ pub fn run(options: &ViewOptions, home: &Home) -> Result<(), Error> {
             terminal::print(&format!("{}\n", list.display()))?;
         }
     }
-    draft.keep([page])?;
-    terminal::print(&format!("{}\n", output.display()))?;
+    let is_linear = gltf::check_linear(&levels).is_ok();
+    let skeleton = options.gltf.as_ref().map(|_| gltf::skeleton(&view, &shows, is_linear));
+    let morph = options.gltf_morph.as_ref().map(|_| gltf::morph(&view));
+    drafts.keep([Some(page.into_bytes()), skeleton, morph].into_iter().flatten())?;
+    for output in outputs {
+        terminal::print(&format!("{}\n", output.display()))?;
+    }
     Ok(())
 }
 
 impl ViewOptions {
+    /// That of the file, with the stations that are asked for.
+    fn aircraft(&self) -> Result<Aircraft, Error> {
+        let mut aircraft = self.flown.read(self.file.path())?;
+        for (component, count) in &self.stations_along {
+            let failed = |source| Error::StationsAlong { component: component.clone(), source };
+            aircraft.add_stations_along(component, *count).map_err(failed)?;
+        }
+        Ok(aircraft)
+    }
+
     fn output(&self, home: &Home) -> PathBuf {
         let name = self.file.path().file_stem().unwrap_or_default().to_string_lossy();
         let usual = || home.output("view", &Path::new("target/view").join(format!("{name}.html")));
@@ -236,7 +280,7 @@ impl ViewOptions {
 
     fn flights(&self, view: &View) -> Result<Vec<Show>, Error> {
         let schedule = self.schedule(&view.variables[0])?;
-        let levels = self.compare.map_or(vec![view.settings.plant.fidelity], |two| two.to_vec());
+        let levels = self.levels(view);
         self.check_frames(view, &schedule, levels.len())?;
         let charted = self.charted(view)?;
         let flight = |level| flights::flight(view, (&schedule, self.rate), &charted, level);
@@ -246,6 +290,11 @@ impl ViewOptions {
             other.ghost = Some(one.name.clone());
         }
         Ok(flights)
+    }
+
+    /// At which it flies.
+    fn levels(&self, view: &View) -> Vec<Fidelity> {
+        self.compare.map_or_else(|| vec![view.settings.plant.fidelity], |two| two.to_vec())
     }
 
     fn schedule(&self, variables: &VariableTable) -> Result<Schedule, Error> {

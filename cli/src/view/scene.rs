@@ -1,12 +1,15 @@
 //! What is drawn of the aircraft, as the page reads it: outlines, bodies, engines, stations, cuts, each hung on a section.
 
-use flexible_aircraft::aircraft::{Aircraft, Support};
+use flexible_aircraft::aircraft::{Aircraft, Strip, Support};
 use flexible_aircraft::structure::ReducedModel;
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 
+use crate::describe::surfaces;
+
 use super::airframe::Airframe;
 use super::body::bodies;
+use super::flap::Flap;
 use super::outline::Outline;
 
 /// Thickness of surfaces and of strips across bodies, in chords.
@@ -53,40 +56,42 @@ fn strips(airframe: &Airframe) -> Vec<Value> {
     let outlines = Outline::of_all(aircraft);
     let strip = |(number, outline): (usize, &Outline)| {
         let strip = &aircraft.strips[number];
-        let runs_along = crate::describe::surfaces::runs_along(aircraft, strip);
         let mut value = json!({
             "component": aircraft.beams[strip.attachment.beam].component,
             "number": number + 1,
             "section": airframe.strips[number],
             "corners": outline.corners.map(|corner| vector(&corner)),
             "normal": vector(&outline.normal),
-            "thickness": if runs_along { AEROFOIL } else { ACROSS },
+            "thickness": thickness(aircraft, strip),
         });
-        if let Some(flap) = flap(aircraft, number, outline) {
-            value["flap"] = flap;
+        if let Some(moved) = Flap::of(aircraft, number, outline) {
+            value["flap"] = flap(&moved);
         }
         value
     };
     outlines.iter().enumerate().map(strip).collect()
 }
 
-/// A flap that some control moves. A positive angle moves the trailing edge towards n = f × s, so that it turns about s
-/// [theory: air-loads.flap].
-fn flap(aircraft: &Aircraft, number: usize, outline: &Outline) -> Option<Value> {
-    let strip = &aircraft.strips[number];
-    let flap = strip.flap.as_ref().filter(|flap| flap.is_moved())?;
-    let [inboard, outboard] = outline.along_chord(flap.hinge);
-    let along = (outboard - inboard).normalize();
-    let axis = if along.dot(&strip.span) < 0.0 { -along } else { along };
-    let moved = flap.gains.iter().enumerate().filter(|(_, gain)| **gain != 0.0);
+/// As the page reads it.
+fn flap(flap: &Flap) -> Value {
     let controls: Vec<Value> =
-        moved.map(|(control, gain)| json!({"control": control, "gain": gain})).collect();
-    Some(json!({"hinge": [vector(&inboard), vector(&outboard)], "axis": vector(&axis), "controls": controls}))
+        flap.gains.iter().map(|(control, gain)| json!({"control": control, "gain": gain})).collect();
+    json!({"hinge": flap.hinge.map(|end| vector(&end)), "axis": vector(&flap.axis), "controls": controls})
+}
+
+/// The thickness at which a strip is drawn, in chords.
+pub fn thickness(aircraft: &Aircraft, strip: &Strip) -> f64 {
+    if surfaces::runs_along(aircraft, strip) { AEROFOIL } else { ACROSS }
+}
+
+/// The length at which engines are drawn, m.
+pub fn engine_size(airframe: &Airframe) -> f64 {
+    ENGINE * airframe.size()
 }
 
 fn engines(airframe: &Airframe, largest_thrust: f64) -> Vec<Value> {
     let engines = airframe.aircraft.engines.iter().zip(&airframe.engines);
-    let size = ENGINE * airframe.size();
+    let size = engine_size(airframe);
     let engine = |(engine, &section): (&flexible_aircraft::aircraft::Engine, &usize)| {
         json!({
             "name": engine.name,

@@ -53,7 +53,7 @@ pub struct Show {
 }
 
 impl Kind {
-    fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Kind::Flight => "flight",
             Kind::Mode => "mode",
