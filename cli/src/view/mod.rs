@@ -37,6 +37,7 @@ mod low_rank;
 mod outline;
 mod page;
 mod plan;
+mod rate;
 mod recording;
 mod roots;
 mod scene;
@@ -48,22 +49,12 @@ use airframe::Airframe;
 use data::Data;
 use gltf::NotLinear;
 use page::{Content, TooLarge};
-use recording::POSE;
+use rate::TooManyFrames;
 use roots::RootError;
 use show::{Kind, Show};
 
 /// Seconds that are flown without a table unless the user says otherwise.
 const USUAL_DURATION: f64 = 10.0;
-
-/// Poses a second.
-const LEAST_RATE: f64 = 0.1;
-const MOST_RATE: f64 = 1000.0;
-
-/// Numbers that are kept at once: a gigabyte.
-const MOST_NUMBERS: f64 = 1.2e8;
-
-/// Colours of a section or strip.
-const COLOURS: usize = 9;
 
 /// Options of `flexair view`.
 #[derive(Args)]
@@ -99,7 +90,7 @@ pub struct ViewOptions {
     duration: Option<f64>,
 
     /// Poses a second of flights
-    #[arg(long, value_name = "PER_SECOND", value_parser = rate, default_value_t = 50.0)]
+    #[arg(long, value_name = "PER_SECOND", value_parser = rate::parse, default_value_t = 50.0)]
     rate: f64,
 
     /// Show the flight at two levels of fidelity, the second as a ghost beside the first
@@ -167,8 +158,8 @@ pub enum Error {
     Flight(#[from] SimulationError),
     #[error(transparent)]
     Root(#[from] RootError),
-    #[error("found {frames:.0} frames with --rate {rate}, allowed are {most:.0} of this aircraft: {}", fitting(*rate, *frames, *most))]
-    Frames { rate: f64, frames: f64, most: f64 },
+    #[error(transparent)]
+    Frames(#[from] TooManyFrames),
     #[error(transparent)]
     NotLinear(#[from] NotLinear),
     #[error(transparent)]
@@ -281,7 +272,7 @@ impl ViewOptions {
     fn flights(&self, view: &View) -> Result<Vec<Show>, Error> {
         let schedule = self.schedule(&view.variables[0])?;
         let levels = self.levels(view);
-        self.check_frames(view, &schedule, levels.len())?;
+        rate::check(self.rate, schedule.duration(), levels.len() * view.airframe.sections.len())?;
         let charted = self.charted(view)?;
         let flight = |level| flights::flight(view, (&schedule, self.rate), &charted, level);
         let mut flights = levels.into_iter().map(flight).collect::<Result<Vec<Show>, _>>()?;
@@ -305,17 +296,6 @@ impl ViewOptions {
         };
         let step = 1.0 / self.rate;
         Ok(self.input.iter().try_fold(table, |table, given| given.add_to(table, variables, step))?)
-    }
-
-    /// Makes sure that what is recorded can be kept.
-    fn check_frames(&self, view: &View, schedule: &Schedule, levels: usize) -> Result<(), Error> {
-        let frames = schedule.duration() * self.rate + 1.0;
-        let numbers = levels * view.airframe.sections.len() * (POSE + COLOURS);
-        let most = (MOST_NUMBERS / numbers as f64).floor();
-        if frames <= most {
-            return Ok(());
-        }
-        Err(Error::Frames { rate: self.rate, frames, most })
     }
 
     /// The outputs that are charted, as the airframe's model has them.
@@ -374,22 +354,6 @@ impl View {
     }
 }
 
-/// The rate at which frames would be as many as allowed, if there is one, or how long they may last.
-fn fitting(rate: f64, frames: f64, most: f64) -> String {
-    let fits = (10.0 * rate * most / frames).floor() / 10.0;
-    let shorter = format!("a flight of {:.0} s", (most / rate).floor());
-    if fits < LEAST_RATE {
-        format!("{shorter} would fit")
-    } else {
-        format!("--rate {fits} or {shorter} would fit")
-    }
-}
-
-fn rate(text: &str) -> Result<f64, String> {
-    let rate = text.parse().ok().filter(|rate| (LEAST_RATE..=MOST_RATE).contains(rate));
-    rate.ok_or_else(|| format!("allowed is a number of poses a second, {LEAST_RATE} to {MOST_RATE}"))
-}
-
 fn two_levels(text: &str) -> Result<[Fidelity; 2], String> {
     let level = |name: &str| Fidelity::named(name.trim().to_ascii_lowercase().as_str());
     let levels = text.split_once(',').and_then(|(one, other)| Some([level(one)?, level(other)?]));
@@ -404,18 +368,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn too_many_frames_are_refused_with_what_would_fit() {
-        assert_eq!(fitting(50.0, 1e5 + 1.0, 37128.0), "--rate 18.5 or a flight of 742 s would fit");
-        assert_eq!(fitting(50.0, 5e10 + 1.0, 37128.0), "a flight of 742 s would fit");
-    }
-
-    #[test]
-    fn levels_are_two_and_rates_are_numbers() {
+    fn levels_are_two() {
         assert_eq!(two_levels("exact,Rigid"), Ok([Fidelity::Exact, Fidelity::Rigid]));
         for wrong in ["exact", "exact,exact", "exact,soft", "exact,rigid,exact", ""] {
             assert!(two_levels(wrong).unwrap_err().contains("geometrically_exact"), "{wrong}");
         }
-        assert_eq!(rate("25"), Ok(25.0));
-        assert!(["0", "-1", "1e9", "nan", "x"].iter().all(|wrong| rate(wrong).is_err()));
     }
 }

@@ -97,6 +97,7 @@ impl Document {
         let json = self.root.to_vec().expect("a document becomes text");
         let header = Header { magic: *b"glTF", version: 2, length: 0 };
         let glb = Glb { header, json: Cow::Owned(json), bin: Some(Cow::Owned(self.bytes)) };
+        // PROOF: as above.
         glb.to_vec().expect("writing to memory succeeds")
     }
 }
