@@ -79,11 +79,14 @@ function addPart(shape: Shape, strip: Strip, ends: End[], hold: Hold, shares: nu
   }
   const outwards = unit(minus(ends[1].edge, ends[0].edge), [0, 1, 0]);
   const middle = shares.findIndex((share) => share >= THICKEST);
-  ends.forEach(({ closing }, side) => {
+  ends.forEach((end, side) => {
+    const { closing } = end;
     if (closing === "none") return;
     const isKept = (_: SkinPoint, i: number) => closing === "whole" || i === 0 || i === middle || i === shares.length - 1;
     const [over, under] = [upper, lower].map((skin) => skin[side].filter(isKept));
-    const around = [...over, ...under.slice(1).reverse()].map((point) => point.offset);
+    // At the leading edge both skins begin at one point.
+    const own = place(end, 0) > 0 ? 0 : 1;
+    const around = [...over, ...under.slice(own).reverse()].map((point) => point.offset);
     shape.face(hold, times(side === 0 ? -1 : 1, outwards), around);
   });
   const back = unit(ends[0].chord);
