@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 import time
+import zipfile
 from pathlib import Path
 
 import control
@@ -124,6 +125,12 @@ def test_packaging_returns_the_path_and_what_the_flight_showed(own_aircraft, tmp
     packaged = flexair.package(own_aircraft, output=tmp_path / "own.fmu", modes=2, parameters={"model": "rigid"})
     assert packaged.path.stat().st_size == packaged.size and "faster than real time" in packaged.flight
     assert packaged.interface == "FMI 2.0 co-simulation" and packaged.others == ()
+
+
+def test_the_documentation_shows_the_aircraft_unless_it_should_not(own_aircraft, tmp_path):
+    for scene in [True, False]:
+        packaged = flexair.package(own_aircraft, output=tmp_path / "own.fmu", modes=2, scene=scene, check=False)
+        assert ("documentation/scene.html" in zipfile.ZipFile(packaged.path).namelist()) == scene
 
 
 def test_packaging_as_several_things_returns_all_of_them(own_aircraft, tmp_path):
