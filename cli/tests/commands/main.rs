@@ -21,6 +21,8 @@ mod linearise;
 #[cfg(test)]
 mod loads;
 #[cfg(test)]
+mod new;
+#[cfg(test)]
 mod package;
 #[cfg(test)]
 mod simulate;

@@ -1,0 +1,185 @@
+//! What was asked for and what is usual, as the main numbers of an aircraft.
+
+use flexible_aircraft::air::{Air, STANDARD_GRAVITY};
+
+use super::interview::{Choice, Interview};
+use super::kind::{Kind, Usual};
+use super::planform::Planform;
+use super::quantity::{
+    AIRSPEED, ALTITUDE, ASPECT_RATIOS, DIHEDRAL, FREQUENCY, FREQUENCY_RATIOS, LIFT_COEFFICIENTS, MASS,
+    MOST_MACH, ROOT_CHORD, SPAN, SWEEP, TAPERS, TIP_CHORD,
+};
+use super::{Error, Given};
+use crate::numbers::short;
+
+/// The main numbers.
+pub struct Sizing {
+    pub kind: Kind,
+    pub usual: Usual,
+    /// The right half.
+    pub wing: Planform,
+    /// m; of a wing on a wall from there to the tip.
+    pub span: f64,
+    /// Of both halves, m²; of a wing on a wall of the one.
+    pub area: f64,
+    /// kg.
+    pub mass: f64,
+    pub engines: usize,
+    /// m/s.
+    pub airspeed: f64,
+    /// m.
+    pub altitude: f64,
+    /// Hz.
+    pub frequency: f64,
+    pub choices: Vec<Choice>,
+}
+
+/// Why a default is what it is.
+const OF_KIND: &str = "usual of the kind";
+
+/// Below this altitude people fly aircraft of a metre of span, m each, and none above the second.
+const ALTITUDE_PER_SPAN: f64 = 100.0;
+const MOST_ALTITUDE: f64 = 6000.0;
+
+/// Small models are no lighter than this by their wing area, kg/m².
+const LEAST_LOADING: f64 = 6.0;
+
+/// Usual frequencies, Hz.
+const FREQUENCIES: [f64; 2] = [0.3, 40.0];
+
+/// The usual Mach number is not above this.
+const USUAL_MACH: f64 = 0.6;
+
+impl Sizing {
+    /// Of what was given, answered, or is usual.
+    ///
+    /// # Errors
+    /// When something is not allowed, by itself or beside the others.
+    pub fn new(given: &Given, mut interview: Interview) -> Result<Self, Error> {
+        let kind = interview.kind(given.kind)?;
+        let usual = kind.usual();
+        let span = interview.number(&SPAN, given.span, (usual.span, OF_KIND.to_owned()))?;
+        let halves = if kind == Kind::WingOnWall { 1.0 } else { 2.0 };
+        let half_span = span / halves;
+        let wing = wing(given, &mut interview, (&usual, half_span))?;
+        let area = halves * half_span * 0.5 * (wing.root_chord + wing.tip_chord);
+
+        // A wing on a wall is that of an aircraft, of whose mass it is a part.
+        let part = if kind == Kind::WingOnWall { 0.5 * usual.wing_mass } else { 1.0 };
+        let whole_area = 2.0 / halves * area;
+        let carried = usual.loading.powf(1.5) * whole_area.powf(1.5) / STANDARD_GRAVITY;
+        let carried = carried.max(LEAST_LOADING * whole_area);
+        let reason = match kind {
+            Kind::WingOnWall => {
+                format!("{} of an aircraft with W/S = {} W^(1/3), N and m", short(part), usual.loading)
+            }
+            _ => format!("W/S = {} W^(1/3), N and m, usual of the kind", usual.loading),
+        };
+        let mass = interview.number(&MASS, given.mass, (part * carried, reason))?;
+        let engines = interview.engines(given.engines, &usual.engine_range, usual.engines)?;
+
+        let usual_altitude = (ALTITUDE_PER_SPAN * span).min(MOST_ALTITUDE);
+        let reason = format!("{ALTITUDE_PER_SPAN} m for each m of span, up to {MOST_ALTITUDE} m");
+        let altitude = interview.number(&ALTITUDE, given.altitude, (usual_altitude, reason))?;
+        let lift = mass / part * STANDARD_GRAVITY / whole_area;
+        let airspeed = airspeed(given, &mut interview, (lift, altitude, usual.lift_coefficient))?;
+
+        let usual_frequency =
+            (usual.frequency_span / (2.0 * half_span)).clamp(FREQUENCIES[0], FREQUENCIES[1]);
+        let reason = format!("{} m/s by the span of both halves, usual of the kind", usual.frequency_span);
+        let frequency = interview.number(&FREQUENCY, given.bending_frequency, (usual_frequency, reason))?;
+        let allowed = [FREQUENCY_RATIOS.start(), FREQUENCY_RATIOS.end()].map(|ratio| ratio * usual_frequency);
+        if !(allowed[0]..=allowed[1]).contains(&frequency) {
+            return Err(Error::NotAllowed {
+                option: FREQUENCY.option,
+                found: format!("{} Hz", short(frequency)),
+                allowed: format!("{} to {} Hz at this span", short(allowed[0]), short(allowed[1])),
+            });
+        }
+        let choices = interview.choices;
+        Ok(Sizing { kind, usual, wing, span, area, mass, engines, airspeed, altitude, frequency, choices })
+    }
+}
+
+/// One half of the wing, as wide as that seen from above.
+fn wing(
+    given: &Given,
+    interview: &mut Interview,
+    (usual, half_span): (&Usual, f64),
+) -> Result<Planform, Error> {
+    let [root_chord, tip_chord] = chords(given, interview, usual, 2.0 * half_span)?;
+    let sweep = interview.number(&SWEEP, given.sweep, (usual.sweep, OF_KIND.to_owned()))?.to_radians();
+    let dihedral =
+        interview.number(&DIHEDRAL, given.dihedral, (usual.dihedral, OF_KIND.to_owned()))?.to_radians();
+    let aspect_ratio = 4.0 * half_span / (root_chord + tip_chord);
+    Ok(Planform { length: half_span / dihedral.cos(), root_chord, tip_chord, sweep, dihedral, aspect_ratio })
+}
+
+/// Root and tip chord, of a span of both halves.
+fn chords(given: &Given, interview: &mut Interview, usual: &Usual, span: f64) -> Result<[f64; 2], Error> {
+    let Usual { aspect_ratio, taper, .. } = *usual;
+    let from_ratio = format!("aspect ratio {aspect_ratio} and taper {taper}, usual of the kind");
+    let from_taper = format!("taper {taper}, usual of the kind");
+    let (root, reason) = match given.tip_chord {
+        Some(tip) => (tip / taper, from_taper.clone()),
+        None => (2.0 * span / (aspect_ratio * (1.0 + taper)), from_ratio),
+    };
+    let root = interview.number(&ROOT_CHORD, given.root_chord, (root, reason))?;
+    let tip = interview.number(&TIP_CHORD, given.tip_chord, (taper * root, from_taper))?;
+    let not_allowed = |what: &str, found: f64, [low, high]: [f64; 2]| Error::NotAllowed {
+        option: "--root-chord and --tip-chord",
+        found: format!("{what} {}", short(found)),
+        allowed: format!("{low} to {high}"),
+    };
+    let ends = |range: &std::ops::RangeInclusive<f64>| [*range.start(), *range.end()];
+    let found = [tip / root, 2.0 * span / (root + tip)];
+    // What was rounded to three digits is at the end of its range all the same.
+    let is_in = |[low, high]: [f64; 2], found: f64| (0.99 * low..=1.01 * high).contains(&found);
+    if !is_in(ends(&TAPERS), found[0]) {
+        return Err(not_allowed("tip by root", found[0], ends(&TAPERS)));
+    }
+    if !is_in(ends(&ASPECT_RATIOS), found[1]) {
+        return Err(not_allowed("aspect ratio", found[1], ends(&ASPECT_RATIOS)));
+    }
+    Ok([root, tip])
+}
+
+/// The airspeed at which a wing loading, N/m², is carried with a lift coefficient.
+fn airspeed(
+    given: &Given,
+    interview: &mut Interview,
+    (loading, altitude, coefficient): (f64, f64, f64),
+) -> Result<f64, Error> {
+    let air = Air::at(altitude);
+    let at = |coefficient: f64| (2.0 * loading / (air.density * coefficient)).sqrt();
+    let usual = at(coefficient).min(USUAL_MACH * air.speed_of_sound);
+    let actual = 2.0 * loading / (air.density * usual * usual);
+    let reason = format!("lift coefficient {}, usual of the kind", fixed_digits(actual));
+    let speed = interview.number(&AIRSPEED, given.airspeed, (usual, reason))?;
+    let [slowest, fastest] =
+        [LIFT_COEFFICIENTS.end(), LIFT_COEFFICIENTS.start()].map(|coefficient| at(*coefficient));
+    let fastest = fastest.min(MOST_MACH * air.speed_of_sound);
+    if !(slowest..=fastest).contains(&speed) {
+        return Err(Error::NotAllowed {
+            option: AIRSPEED.option,
+            found: format!(
+                "{} m/s, lift coefficient {}",
+                short(speed),
+                fixed_digits(2.0 * loading / (air.density * speed * speed))
+            ),
+            allowed: format!(
+                "{} to {} m/s with this mass and wing, for lift coefficients from {} to {} and Mach numbers up to {MOST_MACH}",
+                fixed_digits(slowest),
+                fixed_digits(fastest),
+                LIFT_COEFFICIENTS.start(),
+                LIFT_COEFFICIENTS.end()
+            ),
+        });
+    }
+    Ok(speed)
+}
+
+/// With three digits.
+fn fixed_digits(number: f64) -> String {
+    short(super::interview::short_of(number)).to_string()
+}

@@ -1,0 +1,228 @@
+//! `flexair new`: every kind, small, light and large, is an aircraft at once.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::support::{names, run, text};
+
+/// Runs a command that has to succeed without a warning.
+#[track_caller]
+fn quietly(folder: &Path, line: &str) -> String {
+    let found = run(folder, line);
+    let errors = text(&found.stderr);
+    assert!(found.status.success() && !errors.contains("warning"), "{line}: {errors}");
+    text(&found.stdout)
+}
+
+/// The columns of a flight with some names.
+fn columns(table: &str, names: &[&str]) -> Vec<Vec<f64>> {
+    let mut lines = table.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().unwrap();
+    let places = names.iter().map(|name| header.iter().position(|column| column == name).unwrap());
+    let places: Vec<usize> = places.collect();
+    let rows: Vec<Vec<f64>> =
+        lines.map(|row| places.iter().map(|&place| row[place].parse().unwrap()).collect()).collect();
+    (0..names.len()).map(|column| rows.iter().map(|row| row[column]).collect()).collect()
+}
+
+/// Writes, describes, flies and shakes an aircraft of a kind in three spans, m; the second flies for longer.
+#[track_caller]
+fn check_kind(kind: &str, spans: [f64; 3]) {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    for (size, span) in spans.into_iter().enumerate() {
+        let file = format!("{kind}-{span}.toml");
+        let printed = quietly(folder, &format!("new {file} --kind {kind} --span {span}"));
+        assert!(printed.contains("given\n") && printed.contains("assumed: "), "{printed}");
+        for next in ["describe", "view", "package --aircraft"] {
+            assert!(printed.contains(&format!("  flexair {next} {file}\n")), "{printed}");
+        }
+        let written = std::fs::read_to_string(folder.join(&file)).unwrap();
+        assert!(
+            written.contains("\nmodel = \"geometrically_exact\"") && written.contains("# span "),
+            "{written}"
+        );
+        check_described(folder, (kind, &file, span));
+        check_flight(folder, (kind, &file), if size == 1 { 10.0 } else { 2.0 });
+        if size == 1 {
+            check_flutter(folder, (&file, &written));
+        }
+    }
+}
+
+/// No warning, the static margin that is aimed at, the usual frequency.
+#[track_caller]
+fn check_described(folder: &Path, (kind, file, span): (&str, &str, f64)) {
+    let described = quietly(folder, &format!("describe {file} --json -"));
+    let described: Value = serde_json::from_str(&described).unwrap();
+    assert_eq!(described["warnings"].as_array().map(Vec::len), Some(0), "{file}: {}", described["warnings"]);
+    if kind != "wing-on-wall" {
+        let margin = described["stability"]["static_margin"].as_f64().unwrap();
+        assert!((margin - 0.1).abs() < 0.006, "{file}: {margin}");
+    }
+    let usual = match kind {
+        "sailplane" => 45.0 / span,
+        "wing-on-wall" => (35.0 / span).min(40.0),
+        _ => 70.0 / span,
+    };
+    assert!((bending(&described) / usual - 1.0).abs() < 0.01, "{file}: {} {usual}", bending(&described));
+}
+
+/// Of the first bending of the wing that is not antisymmetric, Hz.
+fn bending(described: &Value) -> f64 {
+    let modes = described["modes"].as_array().unwrap();
+    let is_it = |mode: &&Value| {
+        mode["motion"].as_str().unwrap().starts_with("wing bending") && mode["family"] != "antisymmetric"
+    };
+    modes.iter().find(is_it).unwrap()["frequency"].as_f64().unwrap()
+}
+
+/// An elevator doublet, or a flap's: what it does stays small and, in the longer flight, has nearly gone.
+#[track_caller]
+fn check_flight(folder: &Path, (kind, file): (&str, &str), duration: f64) {
+    let is_free = kind != "wing-on-wall";
+    let (control, watched) = match kind {
+        "wing-on-wall" => ("flap", "deflection.wing_tip.up"),
+        _ => ("elevator", "attitude.pitch"),
+    };
+    let line = format!(
+        "simulate --aircraft {file} --modes 6 --step 0.05 --input {control}=doublet:0.01@0.2:0.4 --duration {duration}"
+    );
+    let flight = quietly(folder, &line);
+    let watched = &columns(&flight, &[watched])[0];
+    assert!(watched.iter().all(|value| value.is_finite()), "{file}");
+    if is_free {
+        let far = watched.iter().map(|pitch| (pitch - watched[0]).abs()).fold(0.0, f64::max);
+        assert!((1e-5..0.1).contains(&far), "{file}: {far}");
+        let left = (watched[watched.len() - 1] - watched[0]).abs();
+        assert!(left < 0.02, "{file}: {left}");
+    }
+}
+
+/// None from the airspeed of the trim to a fifth more.
+#[track_caller]
+fn check_flutter(folder: &Path, (file, written): (&str, &str)) {
+    let airspeed = written.lines().find_map(|line| line.strip_prefix("airspeed_m_s = ")).unwrap();
+    let airspeed: f64 = airspeed.parse().unwrap();
+    let line = format!(
+        "flutter {file} --modes 20 --from {airspeed} --to {} --points 2 --output shaken",
+        1.2 * airspeed
+    );
+    let printed = quietly(folder, &line);
+    assert!(printed.contains("no flutter begins"), "{file}: {printed}");
+}
+
+#[test]
+fn conventional_aircraft_fly_as_they_are_written() {
+    check_kind("conventional", [3.0, 11.0, 45.0]);
+}
+
+#[test]
+fn aircraft_with_a_t_tail_fly_as_they_are_written() {
+    check_kind("t-tail", [3.0, 12.0, 35.0]);
+}
+
+#[test]
+fn aircraft_with_a_v_tail_fly_as_they_are_written() {
+    check_kind("v-tail", [3.0, 10.0, 35.0]);
+}
+
+#[test]
+fn canards_fly_as_they_are_written() {
+    check_kind("canard", [3.0, 10.0, 30.0]);
+}
+
+#[test]
+fn flying_wings_fly_as_they_are_written() {
+    check_kind("flying-wing", [3.0, 12.0, 50.0]);
+}
+
+#[test]
+fn twin_booms_fly_as_they_are_written() {
+    check_kind("twin-boom", [3.0, 11.0, 40.0]);
+}
+
+#[test]
+fn sailplanes_fly_as_they_are_written() {
+    check_kind("sailplane", [3.0, 18.0, 30.0]);
+}
+
+#[test]
+fn wings_on_walls_stand_as_they_are_written() {
+    check_kind("wing-on-wall", [1.0, 5.0, 30.0]);
+}
+
+/// Every number by an option, and none of them in the way of another.
+#[test]
+fn what_is_given_stands_in_the_file_and_the_wing_has_the_frequency_that_was_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let options = "--kind T-tail --span 25 --root-chord 4.5 --tip-chord 1.8 --sweep 15 --dihedral 2.5 --mass 16000 --engines 4 \
+                   --airspeed 150 --altitude 7000 --bending-frequency 2.4";
+    let printed = quietly(folder.path(), &format!("new \"a\"b.toml {options}"));
+    assert!(!printed.contains("assumed: "), "{printed}");
+    let written = std::fs::read_to_string(folder.path().join("\"a\"b.toml")).unwrap();
+    for line in [
+        "name = '\"a\"b, aircraft with a T-tail'\n",
+        "airspeed_m_s = 150\n",
+        "altitude_m = 7000\n",
+        "values = [4.5, 1.8]",
+        "name = \"wing_left\"",
+    ] {
+        assert!(written.contains(line), "{line}: {written}");
+    }
+    assert_eq!(written.matches("[[engine]]").count(), 4);
+    let described = quietly(folder.path(), "describe \"a\"b.toml --json -");
+    let described: Value = serde_json::from_str(&described).unwrap();
+    assert!((bending(&described) / 2.4 - 1.0).abs() < 0.01, "{}", bending(&described));
+    assert!((described["mass"].as_f64().unwrap() / 16000.0 - 1.0).abs() < 1e-3, "{}", described["mass"]);
+    let span = described["reference"]["span"].as_f64().unwrap();
+    assert!((span - 25.0).abs() < 0.005, "{span}");
+}
+
+#[test]
+fn what_is_not_allowed_is_told_with_what_is_and_nothing_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    for (options, reason) in [
+        (
+            "",
+            "--kind: found none, allowed is conventional, t-tail, v-tail, canard, flying-wing, twin-boom, sailplane",
+        ),
+        ("--kind canard --span 500", "--span: found 500 m, allowed is 0.5 to 100 m"),
+        ("--kind canard --sweep -30", "--sweep: found -30 deg, allowed is -20 to 40 deg"),
+        ("--kind sailplane --engines 2", "--engines: found 2, allowed is 0 to 1 of this kind"),
+        ("--kind canard --root-chord 8 --tip-chord 8", "found aspect ratio 1, allowed is 3 to 60"),
+        ("--kind canard --root-chord 2 --tip-chord 0.01", "found tip by root 0.005, allowed is 0.1 to 1"),
+        ("--kind sailplane --airspeed 5", "--airspeed: found 5 m/s, lift coefficient "),
+        (
+            "--kind sailplane --bending-frequency 100",
+            "--bending-frequency: found 100 Hz, allowed is 0.5 to 12.5 Hz",
+        ),
+    ] {
+        let failed = run(folder.path(), &format!("new new/a.toml {options}"));
+        assert_eq!(failed.status.code(), Some(1), "{options}");
+        assert!(
+            text(&failed.stderr).starts_with("error: ") && text(&failed.stderr).contains(reason),
+            "{}",
+            text(&failed.stderr)
+        );
+        assert!(names(folder.path()).is_empty(), "{options}");
+    }
+}
+
+#[test]
+fn a_file_that_exists_is_replaced_by_force_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.toml");
+    std::fs::write(&file, "mine").unwrap();
+    let failed = run(folder.path(), "new mine.toml --kind wing-on-wall");
+    assert_eq!(failed.status.code(), Some(1));
+    let errors = text(&failed.stderr);
+    assert_eq!(
+        errors,
+        "error: mine.toml exists and stays as it is; allowed is another file, or --force to replace it\n"
+    );
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), "mine");
+    quietly(folder.path(), "new mine.toml --kind wing-on-wall --force");
+    assert!(std::fs::read_to_string(&file).unwrap().starts_with("# Written by `flexair new`"));
+}
