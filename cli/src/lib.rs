@@ -41,6 +41,7 @@ mod numbers;
 mod package;
 pub mod progress;
 mod reproduce;
+mod schema;
 mod simulate;
 mod ssp;
 mod sweep;
@@ -106,6 +107,9 @@ enum Command {
 
     /// Join the aircraft's FMU and others, such as control laws, to a system that masters run (SSP, OSP)
     Ssp(ssp::SspOptions),
+
+    /// Write the format of aircraft files as JSON Schema, by which editors complete, explain and mark them
+    Schema(schema::SchemaOptions),
 
     /// List the aircraft that come with the program, by the names that every command takes
     Aircraft(aircraft::AircraftOptions),
@@ -274,6 +278,7 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8
         Command::Sweep(options) => sweep::run(&options, home).map_err(|error| error.report()),
         Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
         Command::Ssp(options) => ssp::run(&options).map_err(|error| error.report()),
+        Command::Schema(options) => schema::run(&options).map_err(|error| error.report()),
         Command::Aircraft(_) => aircraft::run(home).map_err(|error| error.report()),
         Command::Completions(options) => {
             completions::run(&options, command_line(home)).map_err(|error| error.report())

@@ -35,6 +35,7 @@ fn lines() -> Vec<(&'static str, String, Option<&'static str>)> {
         ("ssp", "ssp a.fmu --output a.ssp --set aircraft.model=rigid".into(), Some("a.ssp")),
         ("sweep", "sweep sweep.toml --output swept".into(), Some("swept/manifest.json")),
         ("view", "view --modes 2 --trim --output page.html".into(), Some("page.html")),
+        ("schema", "schema --output aircraft.schema.json".into(), Some("aircraft.schema.json")),
         ("aircraft", "aircraft".into(), None),
         ("completions", "completions bash".into(), None),
         ("help", "help".into(), None),
