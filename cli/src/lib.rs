@@ -42,6 +42,7 @@ mod numbers;
 mod package;
 pub mod progress;
 mod reproduce;
+mod schema;
 mod simulate;
 mod ssp;
 mod sweep;
@@ -110,6 +111,9 @@ enum Command {
 
     /// Write a first file of your own aircraft: asks for kind, span, mass and the like, finds the rest, says what it assumed
     New(new::NewOptions),
+
+    /// Write the format of aircraft files as JSON Schema, by which editors complete, explain and mark them
+    Schema(schema::SchemaOptions),
 
     /// List the aircraft that come with the program, by the names that every command takes
     Aircraft(aircraft::AircraftOptions),
@@ -279,6 +283,7 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8
         Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
         Command::Ssp(options) => ssp::run(&options).map_err(|error| error.report()),
         Command::New(options) => new::run(&options).map_err(|error| error.report()),
+        Command::Schema(options) => schema::run(&options).map_err(|error| error.report()),
         Command::Aircraft(_) => aircraft::run(home).map_err(|error| error.report()),
         Command::Completions(options) => {
             completions::run(&options, command_line(home)).map_err(|error| error.report())

@@ -6,8 +6,9 @@ use super::branches::{Branches, CLOSE, one_to_one};
 use super::document::Located;
 use super::error::{Place, Problem, Report};
 use super::expand::Assembly;
+use super::format::allowed::FLIGHT_SPEED;
 use super::geometry::Side;
-use super::model::{AIRSPEEDS, Aircraft, Attachment, Beam, Engine, MassBay, Support};
+use super::model::{Aircraft, Attachment, Beam, Engine, MassBay, Support};
 use super::schema::FileSpec;
 
 /// Controls, components (mirror images among them), engines, stations and cuts have names of their own.
@@ -37,9 +38,9 @@ pub(super) fn support(file: &FileSpec, report: &Report) {
     if file.support.value == Support::Clamped {
         return;
     }
-    if !AIRSPEEDS.contains(&file.airspeed.value) {
+    if !FLIGHT_SPEED.range.contains(file.airspeed.value) {
         let found = format!("found {}", file.airspeed.value);
-        let allowed = "an airspeed in m/s from 1 to 400 is allowed, with support = \"clamped\" from 0 on";
+        let allowed = format!("{}, with support = \"clamped\" from 0 on", FLIGHT_SPEED.text());
         report.add(Problem::OutOfRange, &file.airspeed.place, found, allowed);
     }
     let air = file.tunnel_air.as_ref().map(|air| &air.place);

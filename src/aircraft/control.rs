@@ -89,7 +89,7 @@ impl TrimRole {
     pub const ALL: [TrimRole; 3] = [TrimRole::Pitch, TrimRole::Roll, TrimRole::Yaw];
 
     /// As aircraft files write it.
-    pub fn word(self) -> &'static str {
+    pub const fn word(self) -> &'static str {
         match self {
             TrimRole::Pitch => "pitch",
             TrimRole::Roll => "roll",

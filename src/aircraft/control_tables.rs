@@ -3,36 +3,32 @@
 use super::control::{Control, Mirroring, TrimRole};
 use super::document::{Table, Value};
 use super::error::Problem;
+use super::format::{control as fields, file};
 use super::limit_tables::{CONTROL_LIMITS, read_control_limits};
 use super::limits::Bounds;
 use super::schema::ControlSpec;
 
-/// What `[[control]]` may hold.
-const CONTROL: &[&str] = &["name", "description", "positive", "mirror", "trim", "minimum_deg", "maximum_deg"];
-
 /// The controls in the order of the file, and whether these are all: what else is wrong with one does not hide its name.
-pub(super) fn read_controls(file: &Table) -> (Vec<ControlSpec>, bool) {
-    let tables = file.tables("control", CONTROL);
+pub(super) fn read_controls(table: &Table) -> (Vec<ControlSpec>, bool) {
+    let tables = table.tables(&file::CONTROLS);
     let controls: Vec<ControlSpec> = tables.iter().filter_map(read_control).collect();
     // Where the field is no list of tables there are none of them.
     let is_readable =
-        file.optional("control").is_none_or(|value| value.is_empty_list()) || !tables.is_empty();
+        table.optional(&file::CONTROLS).is_none_or(|value| value.is_empty_list()) || !tables.is_empty();
     let has_all = is_readable && controls.len() == tables.len();
     (controls, has_all)
 }
 
 /// A control with a name; where something else was complained about, something stands in its place.
 fn read_control(table: &Table) -> Option<ControlSpec> {
-    let mirrorings =
-        [("same", Mirroring::Same), ("opposite", Mirroring::Opposite), ("none", Mirroring::None)];
-    let roles = TrimRole::ALL.map(|role| (role.word(), role));
-    let name = table.required("name").and_then(|v| v.located(Value::name));
-    let description = table.optional("description").and_then(|v| v.phrase());
-    let positive = table.required("positive").and_then(|v| v.phrase());
-    let mirroring = table.required("mirror").and_then(|v| v.one_of(&mirrorings));
-    let role = table.optional("trim").and_then(|v| v.located(|v| v.one_of(&roles)));
+    let mirrorings = [Mirroring::Same, Mirroring::Opposite, Mirroring::None];
+    let name = table.required(&fields::NAME).and_then(|v| v.located(Value::name));
+    let description = table.optional(&fields::DESCRIPTION).and_then(|v| v.phrase());
+    let positive = table.required(&fields::POSITIVE).and_then(|v| v.phrase());
+    let mirroring = table.required(&fields::MIRROR).and_then(|v| v.one_of(&mirrorings));
+    let role = table.optional(&fields::TRIM).and_then(|v| v.located(|v| v.one_of(&TrimRole::ALL)));
     let limits = read_control_limits(table);
-    if table.optional("trim").is_none() {
+    if table.optional(&fields::TRIM).is_none() {
         check_neutral(table, &limits);
     }
     let name = name?;

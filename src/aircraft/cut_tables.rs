@@ -1,19 +1,17 @@
 //! The tables `[[cut]]` of the aircraft file.
 
-use super::allowed::FRACTION;
 use super::document::{Table, Value};
+use super::format::{Field, file, places};
 use super::schema::CutSpec;
 
-const CUT: &[&str] = &["name", "component", "at"];
-
 /// All of them that could be read.
-pub(super) fn read_cuts(file: &Table) -> Vec<CutSpec> {
-    file.tables("cut", CUT).iter().filter_map(read_cut).collect()
+pub(super) fn read_cuts(table: &Table) -> Vec<CutSpec> {
+    table.tables(&file::CUTS).iter().filter_map(read_cut).collect()
 }
 
 fn read_cut(table: &Table) -> Option<CutSpec> {
-    let name = |field| table.required(field).and_then(|v| v.located(Value::name));
-    let (name, component) = (name("name"), name("component"));
-    let at = table.required("at").and_then(|v| v.number(&FRACTION));
+    let name = |field: &Field| table.required(field).and_then(|v| v.located(Value::name));
+    let (name, component) = (name(&places::CUT_NAME), name(&places::CUT_COMPONENT));
+    let at = table.required(&places::CUT_AT).and_then(|v| v.number());
     Some(CutSpec { name: name?, component: component?, at: at? })
 }

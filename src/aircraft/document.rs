@@ -3,14 +3,12 @@
 //! Reading the parsed document directly, rather than through serde's derive, lets one pass collect every
 //! mistake of a file and keeps the place of every value until it is used.
 
-use std::ops::Range;
-
 use nalgebra::Vector3;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::allowed::{ANY, Allowed};
 use super::error::{Place, Problem, Report, join};
+use super::format::{self, Absent, Allowed, Field, Kind};
 use super::toml_value::{toml_found, toml_number};
 
 /// A value that was read, with its place for later complaints.
@@ -20,16 +18,23 @@ pub(super) struct Located<T> {
     pub(super) place: Place,
 }
 
-/// A TOML value.
+/// A TOML value, and what the format says that it may be.
 pub(super) struct Value<'r, 't> {
     value: &'r DeValue<'t>,
+    /// That of its field; entries of a list have that of the list.
+    pub(super) kind: Kind,
     pub(super) place: Place,
     pub(super) report: &'r Report<'t>,
 }
 
 impl<'r, 't> Value<'r, 't> {
-    fn new(value: &'r Spanned<DeValue<'t>>, field: String, report: &'r Report<'t>) -> Self {
-        Value { value: value.get_ref(), place: Place { span: value.span(), field }, report }
+    fn new(value: &'r Spanned<DeValue<'t>>, kind: Kind, field: String, report: &'r Report<'t>) -> Self {
+        Value { value: value.get_ref(), kind, place: Place { span: value.span(), field }, report }
+    }
+
+    /// The same of other numbers: those of the law in a form of which it stands.
+    pub(super) fn within(self, allowed: &'static Allowed) -> Self {
+        Value { kind: Kind::Numbers(allowed), ..self }
     }
 
     /// Complains that the value is of the wrong kind; `what` is allowed.
@@ -55,26 +60,28 @@ impl<'r, 't> Value<'r, 't> {
         matches!(self.value, DeValue::Array(list) if list.is_empty())
     }
 
-    pub(super) fn has_field(&self, field: &str) -> bool {
-        matches!(self.value, DeValue::Table(table) if table.contains_key(field))
+    pub(super) fn has_field(&self, field: &Field) -> bool {
+        matches!(self.value, DeValue::Table(table) if table.contains_key(field.name))
     }
 
-    pub(super) fn number(&self, allowed: &Allowed) -> Option<f64> {
+    pub(super) fn number(&self) -> Option<f64> {
         match toml_number(self.value) {
-            Some(number) => allowed.check(number, &self.place, self.report).then_some(number),
+            Some(number) => self.kind.allowed().check(number, &self.place, self.report).then_some(number),
             None => self.wrong("a number"),
         }
     }
 
     /// A whole number in the range.
-    pub(super) fn integer(&self, allowed: Range<usize>) -> Option<usize> {
-        let text = match allowed.len() {
-            1 => format!("the number {}", allowed.start),
-            _ => format!("a whole number from {} to {}", allowed.start, allowed.end - 1),
+    pub(super) fn integer(&self) -> Option<usize> {
+        let (least, most) = self.kind.whole();
+        let text = if least == most {
+            format!("the number {least}")
+        } else {
+            format!("a whole number from {least} to {most}")
         };
         let DeValue::Integer(number) = self.value else { return self.wrong(&text) };
         match usize::from_str_radix(number.as_str(), number.radix()) {
-            Ok(number) if allowed.contains(&number) => Some(number),
+            Ok(number) if (least..=most).contains(&number) => Some(number),
             _ => {
                 let (found, allowed) = (format!("found {number}"), format!("{text} is allowed"));
                 self.report.add(Problem::OutOfRange, &self.place, found, allowed);
@@ -117,51 +124,53 @@ impl<'r, 't> Value<'r, 't> {
         self.wrong("a name of letters, digits and underscores that does not begin with a digit")
     }
 
-    /// One of a few words.
-    pub(super) fn one_of<T: Copy>(&self, words: &[(&str, T)]) -> Option<T> {
+    /// What one of the words means, in the order of the format.
+    pub(super) fn one_of<T: Copy>(&self, meanings: &[T]) -> Option<T> {
+        let words = self.kind.words();
         let chosen = match self.value {
-            DeValue::String(text) => words.iter().find(|(word, _)| word == text),
+            DeValue::String(text) => words.iter().position(|word| word.word == text),
             _ => None,
         };
-        let list = || words.iter().map(|(word, _)| format!("\"{word}\"")).collect::<Vec<_>>().join(" or ");
-        chosen.map(|(_, meaning)| *meaning).or_else(|| self.wrong(&list()))
+        let list = || words.iter().map(|word| format!("\"{}\"", word.word)).collect::<Vec<_>>().join(" or ");
+        chosen.and_then(|place| meanings.get(place)).copied().or_else(|| self.wrong(&list()))
     }
 
     pub(super) fn list(&self, what: &str) -> Option<Vec<Value<'r, 't>>> {
         let DeValue::Array(list) = self.value else { return self.wrong(what) };
-        let entry = |(i, value)| Value::new(value, format!("{}[{}]", self.place.field, i + 1), self.report);
+        let entry = |(i, value)| {
+            Value::new(value, self.kind, format!("{}[{}]", self.place.field, i + 1), self.report)
+        };
         Some(list.iter().enumerate().map(entry).collect())
     }
 
     /// At least one number.
-    pub(super) fn numbers(&self, allowed: &Allowed) -> Option<Vec<f64>> {
+    pub(super) fn numbers(&self) -> Option<Vec<f64>> {
         let list = self.list("a list of numbers")?;
         if list.is_empty() {
             return self.wrong("a list of at least one number");
         }
-        let numbers: Vec<Option<f64>> = list.iter().map(|value| value.number(allowed)).collect();
+        let numbers: Vec<Option<f64>> = list.iter().map(Value::number).collect();
         numbers.into_iter().collect()
     }
 
     /// A number or a list of numbers, each with its own place.
-    pub(super) fn one_or_more_numbers(&self, allowed: &Allowed) -> Option<Vec<Located<f64>>> {
+    pub(super) fn one_or_more_numbers(&self) -> Option<Vec<Located<f64>>> {
         if self.is_number() {
-            return Some(vec![self.located(|value| value.number(allowed))?]);
+            return Some(vec![self.located(Value::number)?]);
         }
         let list = self.list("a number or a list of numbers")?;
         if list.is_empty() {
             return self.wrong("a number or a list of at least one number");
         }
-        let read = |value: &Value| value.located(|value| value.number(allowed));
-        let numbers: Vec<_> = list.iter().map(read).collect();
+        let numbers: Vec<_> = list.iter().map(|value| value.located(Value::number)).collect();
         numbers.into_iter().collect()
     }
 
     /// Three numbers.
-    pub(super) fn vector(&self, allowed: &Allowed) -> Option<Vector3<f64>> {
+    pub(super) fn vector(&self) -> Option<Vector3<f64>> {
         match self.list("a list of three numbers")?.as_slice() {
             [x, y, z] => {
-                let (x, y, z) = (x.number(allowed), y.number(allowed), z.number(allowed));
+                let (x, y, z) = (x.number(), y.number(), z.number());
                 Some(Vector3::new(x?, y?, z?))
             }
             _ => self.wrong("a list of three numbers"),
@@ -170,7 +179,7 @@ impl<'r, 't> Value<'r, 't> {
 
     /// Three numbers of which at least one is not 0, scaled to length 1.
     pub(super) fn direction(&self) -> Option<Vector3<f64>> {
-        let vector = self.vector(&ANY)?;
+        let vector = self.vector()?;
         let greatest = vector.amax();
         if greatest >= 1e-9 {
             return Some((vector / greatest).normalize());
@@ -185,17 +194,22 @@ impl<'r, 't> Value<'r, 't> {
         let DeValue::Table(table) = self.value else { return self.wrong("a table") };
         let entry = |(key, value): (&'r Spanned<_>, &'r Spanned<DeValue<'t>>)| {
             let name = ToString::to_string(key.get_ref());
-            let mut value = Value::new(value, join(&self.place.field, &name), self.report);
+            let mut value = Value::new(value, self.kind, join(&self.place.field, &name), self.report);
             value.place.span = key.span();
             (name, value)
         };
         Some(table.iter().map(entry).collect())
     }
 
-    /// A table of the given fields.
-    pub(super) fn table(&self, fields: &'static [&'static str]) -> Option<Table<'r, 't>> {
+    /// The table that the format has there.
+    pub(super) fn table(&self) -> Option<Table<'r, 't>> {
+        self.table_of(self.kind.table()?)
+    }
+
+    /// A table of some format.
+    pub(super) fn table_of(&self, format: &'static format::Table) -> Option<Table<'r, 't>> {
         let DeValue::Table(table) = self.value else { return self.wrong("a table") };
-        Some(Table::new(table, self.place.clone(), fields, self.report))
+        Some(Table::new(table, self.place.clone(), format, self.report))
     }
 }
 
@@ -214,61 +228,79 @@ fn is_unprintable(character: char) -> bool {
 pub(super) struct Table<'r, 't> {
     table: &'r DeTable<'t>,
     pub(super) place: Place,
-    fields: &'static [&'static str],
+    format: &'static format::Table,
     pub(super) report: &'r Report<'t>,
 }
 
 impl<'r, 't> Table<'r, 't> {
-    /// Takes a table and complains about every field that is not among the `fields` of the format.
+    /// Takes a table and complains about every field that its format does not know.
     pub(super) fn new(
         table: &'r DeTable<'t>,
         place: Place,
-        fields: &'static [&'static str],
+        format: &'static format::Table,
         report: &'r Report<'t>,
     ) -> Self {
-        for key in table.keys().filter(|key| !fields.contains(&key.get_ref().as_ref())) {
+        for key in table.keys().filter(|key| !format.knows(key.get_ref())) {
             let field = join(&place.field, key.get_ref());
             let found = format!("found the unknown field \"{}\"", key.get_ref());
-            let allowed = format!("allowed here: {}", fields.join(", "));
+            let allowed = format!("allowed here: {}", format.names());
             report.add(Problem::UnknownField, &Place { span: key.span(), field }, found, allowed);
         }
-        Table { table, place, fields, report }
+        Table { table, place, format, report }
     }
 
-    pub(super) fn optional(&self, field: &str) -> Option<Value<'r, 't>> {
-        debug_assert!(self.fields.contains(&field), "{field} must be among the fields of the table");
-        let value = self.table.get(field)?;
-        Some(Value::new(value, join(&self.place.field, field), self.report))
+    pub(super) fn optional(&self, field: &Field) -> Option<Value<'r, 't>> {
+        let Field { name, kind, .. } = *field;
+        debug_assert!(self.format.knows(name), "{name} must be among the fields of the table");
+        let value = self.table.get(name)?;
+        Some(Value::new(value, kind, join(&self.place.field, name), self.report))
     }
 
-    /// The number of a field that the table may leave out.
-    pub(super) fn number_or(&self, field: &str, allowed: &Allowed, default: f64) -> f64 {
-        self.optional(field).and_then(|value| value.number(allowed)).unwrap_or(default)
+    /// The number of a field, or that which holds where the field is left out.
+    pub(super) fn number(&self, field: &Field) -> f64 {
+        self.optional(field).and_then(|value| value.number()).unwrap_or(field.absent.number())
     }
 
-    pub(super) fn required(&self, field: &str) -> Option<Value<'r, 't>> {
+    /// The whole number of a field, or that which holds where the field is left out.
+    pub(super) fn integer(&self, field: &Field) -> usize {
+        self.optional(field).and_then(|value| value.integer()).unwrap_or(field.absent.whole())
+    }
+
+    /// The flag of a field, or that which holds where the field is left out.
+    pub(super) fn flag(&self, field: &Field) -> bool {
+        let default = field.absent == Absent::Flag(true);
+        self.optional(field).and_then(|value| value.flag()).unwrap_or(default)
+    }
+
+    /// The three numbers of a field, 0 where it is left out.
+    pub(super) fn vector(&self, field: &Field) -> Vector3<f64> {
+        self.optional(field).and_then(|value| value.vector()).unwrap_or_default()
+    }
+
+    pub(super) fn required(&self, field: &Field) -> Option<Value<'r, 't>> {
         let value = self.optional(field);
         if value.is_none() {
-            let found = format!("the field \"{field}\" is missing");
-            let allowed = format!("it is needed; allowed here: {}", self.fields.join(", "));
-            self.report.add(Problem::MissingField, &self.place.within(field), found, allowed);
+            let found = format!("the field \"{}\" is missing", field.name);
+            let allowed = format!("it is needed; allowed here: {}", self.format.names());
+            self.report.add(Problem::MissingField, &self.place.within(field.name), found, allowed);
         }
         value
     }
 
     /// Exactly one of some fields that stand for each other.
-    pub(super) fn either(&self, fields: &[&'static str]) -> Option<(&'static str, Value<'r, 't>)> {
+    pub(super) fn either(&self, fields: &[&'static Field]) -> Option<(&'static Field, Value<'r, 't>)> {
         let mut present = fields.iter().filter_map(|&field| Some((field, self.optional(field)?)));
         let first = present.next();
-        let allowed = || format!("exactly one of {} is allowed", fields.join(", "));
+        let names = || fields.iter().map(|field| field.name).collect::<Vec<_>>().join(", ");
+        let allowed = || format!("exactly one of {} is allowed", names());
         match (&first, present.next()) {
             (Some(_), None) => return first,
             (None, _) => {
-                let found = format!("none of {} is there", fields.join(", "));
-                self.report.add(Problem::MissingField, &self.place.within(fields[0]), found, allowed());
+                let found = format!("none of {} is there", names());
+                self.report.add(Problem::MissingField, &self.place.within(fields[0].name), found, allowed());
             }
             (Some((one, _)), Some((two, value))) => {
-                let found = format!("found \"{one}\" and \"{two}\"");
+                let found = format!("found \"{}\" and \"{}\"", one.name, two.name);
                 self.report.add(Problem::Contradiction, &value.place, found, allowed());
             }
         }
@@ -276,7 +308,7 @@ impl<'r, 't> Table<'r, 't> {
     }
 
     /// The tables of an array of tables, none when the field is absent. Those with a proper name are called by it.
-    pub(super) fn tables(&self, field: &str, fields: &'static [&'static str]) -> Vec<Table<'r, 't>> {
+    pub(super) fn tables(&self, field: &Field) -> Vec<Table<'r, 't>> {
         let Some(value) = self.optional(field) else { return Vec::new() };
         let list = value.list(&format!("a list of tables ([[{}]])", value.place.field)).unwrap_or_default();
         let named = |mut entry: Value<'r, 't>| {
@@ -286,7 +318,7 @@ impl<'r, 't> Table<'r, 't> {
             {
                 entry.place.field = format!("{}.{name}", value.place.field);
             }
-            entry.table(fields)
+            entry.table()
         };
         list.into_iter().filter_map(named).collect()
     }

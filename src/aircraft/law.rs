@@ -1,8 +1,8 @@
 //! How a quantity varies along a component: a number, or one of five forms.
 
-use super::allowed::{ANY, Allowed, FRACTION};
 use super::document::{Table, Value};
 use super::error::{Place, Problem, Report};
+use super::format::{Allowed, law as fields};
 
 /// A point of a component: the fraction s of its length and the element in which it lies.
 #[derive(Clone, Copy, Debug)]
@@ -42,51 +42,44 @@ pub(super) struct Law {
     allowed: &'static Allowed,
 }
 
-/// The forms by the field that tells them apart, each with all its fields.
-const FORMS: [&[&str]; 5] = [
-    &["per_element"],
-    &["at", "values"],
-    &["polynomial"],
-    &["root", "chord_power"],
-    &["multiple_of", "factor"],
-];
-
 const FORMS_TEXT: &str = "a number or a table of one form ({ per_element }, { at, values }, { polynomial }, \
                           { root, chord_power }, { multiple_of, factor })";
 
 impl Law {
-    /// Reads a law whose values must be `allowed`.
-    pub(super) fn read(value: &Value, allowed: &'static Allowed) -> Option<Law> {
-        let place = value.place.clone();
+    /// Reads a law whose values must be what its field allows.
+    pub(super) fn read(value: &Value) -> Option<Law> {
+        let (place, allowed) = (value.place.clone(), value.kind.allowed());
         if value.is_number() {
-            return Some(Law { form: LawForm::Constant(value.number(allowed)?), place, allowed });
+            return Some(Law { form: LawForm::Constant(value.number()?), place, allowed });
         }
-        let Some(fields) = FORMS.into_iter().find(|fields| value.has_field(fields[0])) else {
+        // The first field tells the forms apart.
+        let Some(format) = fields::FORMS.into_iter().find(|format| value.has_field(format.fields[0])) else {
             return value.wrong(FORMS_TEXT);
         };
-        let table = value.table(fields)?;
-        let form = match fields[0] {
-            "per_element" => LawForm::PerElement(table.required("per_element")?.numbers(allowed)?),
-            "at" => read_piecewise(&table, allowed)?,
-            "polynomial" => LawForm::Polynomial(table.required("polynomial")?.numbers(&ANY)?),
-            "root" => {
-                let root = table.required("root").and_then(|v| v.number(allowed));
-                let power = table.required("chord_power").and_then(|v| v.number(&ANY));
-                LawForm::ChordPower { root: root?, power: power? }
-            }
-            _ => {
-                let of = table.required("multiple_of").and_then(|v| v.text());
-                let factor = table.required("factor").and_then(|v| v.number(&ANY));
-                LawForm::Multiple { of: of?, factor: factor? }
-            }
+        let table = value.table_of(format)?;
+        let number = |field| table.required(field).and_then(|v| v.number());
+        let form = if value.has_field(&fields::PER_ELEMENT) {
+            LawForm::PerElement(table.required(&fields::PER_ELEMENT)?.within(allowed).numbers()?)
+        } else if value.has_field(&fields::AT) {
+            read_piecewise(&table, allowed)?
+        } else if value.has_field(&fields::TERMS) {
+            LawForm::Polynomial(table.required(&fields::TERMS)?.numbers()?)
+        } else if value.has_field(&fields::ROOT) {
+            let root = table.required(&fields::ROOT).and_then(|v| v.within(allowed).number());
+            let power = number(&fields::POWER);
+            LawForm::ChordPower { root: root?, power: power? }
+        } else {
+            let of = table.required(&fields::MULTIPLE_OF).and_then(|v| v.text());
+            let factor = number(&fields::FACTOR);
+            LawForm::Multiple { of: of?, factor: factor? }
         };
         Some(Law { form, place, allowed })
     }
 }
 
-fn read_piecewise(table: &Table, allowed: &Allowed) -> Option<LawForm> {
-    let at = table.required("at").and_then(|v| v.numbers(&FRACTION));
-    let values = table.required("values").and_then(|v| v.numbers(allowed));
+fn read_piecewise(table: &Table, allowed: &'static Allowed) -> Option<LawForm> {
+    let at = table.required(&fields::AT).and_then(|v| v.numbers());
+    let values = table.required(&fields::VALUES).and_then(|v| v.within(allowed).numbers());
     let (at, values) = (at?, values?);
     if at.len() != values.len() {
         let found = format!("found {} places and {} values", at.len(), values.len());
@@ -97,7 +90,7 @@ fn read_piecewise(table: &Table, allowed: &Allowed) -> Option<LawForm> {
         let found = format!("found the places {at:?}");
         table.report.add(
             Problem::OutOfRange,
-            &table.place.within("at"),
+            &table.place.within(fields::AT.name),
             found,
             "increasing places are allowed",
         );
@@ -171,7 +164,12 @@ impl Laws<'_> {
             LawForm::PerElement(values) => {
                 let found = format!("found {} values", values.len());
                 let allowed = format!("one for each of the {} elements is allowed", self.elements);
-                self.report.add(Problem::WrongType, &law.place.within("per_element"), found, allowed);
+                self.report.add(
+                    Problem::WrongType,
+                    &law.place.within(fields::PER_ELEMENT.name),
+                    found,
+                    allowed,
+                );
                 None
             }
             LawForm::Piecewise { at, values } => each(&|p| piecewise(at, values, p.s)),
@@ -198,13 +196,23 @@ impl Laws<'_> {
             Some(_) => {
                 let found = format!("found a multiple of \"{of}\", which is itself a multiple");
                 let allowed = "a multiple of a law that stands for itself is allowed";
-                self.report.add(Problem::Contradiction, &law.place.within("multiple_of"), found, allowed);
+                self.report.add(
+                    Problem::Contradiction,
+                    &law.place.within(fields::MULTIPLE_OF.name),
+                    found,
+                    allowed,
+                );
             }
             None => {
                 let names: Vec<&str> = self.named.iter().map(|(name, _)| *name).collect();
                 let found = format!("found \"{of}\", which is not a law here");
                 let allowed = format!("allowed: {}", names.join(", "));
-                self.report.add(Problem::UnknownName, &law.place.within("multiple_of"), found, allowed);
+                self.report.add(
+                    Problem::UnknownName,
+                    &law.place.within(fields::MULTIPLE_OF.name),
+                    found,
+                    allowed,
+                );
             }
         }
         None

@@ -8,13 +8,16 @@
 use serde::{Deserialize, Serialize};
 
 /// Angle of attack up to which flow is attached to most wings, degrees.
-const USUAL_ANGLE_OF_ATTACK: f64 = 15.0;
+pub(super) const USUAL_ANGLE_OF_ATTACK: f64 = 15.0;
 
 /// Deflection that most controls reach, degrees.
-const USUAL_DEFLECTION: f64 = 30.0;
+pub(super) const USUAL_DEFLECTION: f64 = 30.0;
 
 /// Mach number from which the air's compressibility, which is not modelled, shows.
-const USUAL_MACH: f64 = 0.7;
+pub(super) const USUAL_MACH: f64 = 0.7;
+
+/// Most engines do not push backwards in flight, N.
+pub(super) const USUAL_LEAST_THRUST: f64 = 0.0;
 
 /// What a trimmed flight should stay within, but for the angles of the controls, which have limits of their own.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -104,7 +107,7 @@ impl Default for Limits {
         Limits {
             angle_of_attack: Bounds::usual_angles(USUAL_ANGLE_OF_ATTACK),
             mach: Bounds { minimum: Bound::None, maximum: Bound::Usual(USUAL_MACH) },
-            thrust: Bounds { minimum: Bound::Usual(0.0), maximum: Bound::None },
+            thrust: Bounds { minimum: Bound::Usual(USUAL_LEAST_THRUST), maximum: Bound::None },
         }
     }
 }

@@ -9,6 +9,7 @@
 //! | module | takes | gives |
 //! | --- | --- | --- |
 //! | `document`, `read`, `control_tables`, `cut_tables`, `limit_tables`, `model_tables`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
+//! | `format` | | which fields there are, what they may hold, what holds without them; `allowed` asks it about a number |
 //! | `control`, `limits` | | what controls are, what trims should stay within |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
@@ -44,6 +45,7 @@ mod expand;
 mod factors;
 mod fidelity;
 mod flap;
+pub mod format;
 mod former;
 mod geometry;
 mod law;

@@ -3,15 +3,12 @@
 use nalgebra::Vector3;
 use toml::de::DeTable;
 
-use super::allowed::{
-    AIRSPEED, ALTITUDE, ANGLE_DEG, ANY, Allowed, BEAM_STIFFNESS, CHORDS, DRAG, FLAP_LIFT_SLOPE, FRACTION,
-    GAIN, GRAVITY, GYRATION, INERTIA, INERTIA_PRODUCT, INSIDE_THE_CHORD, LENGTH, LIFT_SLOPE, MASS, MOMENT,
-    NEAR_THE_CHORD, POSITIVE_LENGTH, SHARE,
-};
 use super::control_tables::read_controls;
 use super::cut_tables::read_cuts;
 use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
+use super::format::allowed::MASS;
+use super::format::{FILE, Field, component, file, masses, places, surface};
 use super::law::Law;
 use super::limit_tables::read_limits;
 use super::model::{ModeBasis, Support};
@@ -19,115 +16,41 @@ use super::model_tables;
 use super::reference::read_reference;
 use super::schema::{
     Along, ComponentSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, Hand, InertiaSpec,
-    MassPartSpec, MoveSpec, ParentSpec, PointMassesSpec, STIFFNESS, StationSpec, SurfaceSpec,
+    MassPartSpec, MoveSpec, ParentSpec, PointMassesSpec, StationSpec, SurfaceSpec,
 };
 use super::stretch::Stretch;
 use super::tunnel;
 
-const FILE: &[&str] = &[
-    "format",
-    "name",
-    "gravity_m_s2",
-    "support",
-    "mode_basis",
-    "model",
-    "inflow_states",
-    "airspeed_m_s",
-    "altitude_m",
-    "density_kg_m3",
-    "temperature_K",
-    "mount_attitude_deg",
-    "symmetric",
-    "basis",
-    "reference",
-    "limits",
-    "control",
-    "component",
-    "engine",
-    "station",
-    "cut",
-];
-const COMPONENT: &[&str] = &[
-    "name",
-    "mirror",
-    "attached_to",
-    "axis_m",
-    "elements",
-    "y_axis",
-    "EA_N",
-    "GJ_N_m2",
-    "EI_y_N_m2",
-    "EI_z_N_m2",
-    "chord_m",
-    "distributed_mass",
-    "point_masses",
-    "surface",
-];
-const DISTRIBUTED_MASS: &[&str] =
-    &["parts", "offset_chords", "offset_m", "gyration_chords", "gyration_lengths", "added_inertia_kg_m2"];
-const POINT_MASSES: &[&str] = &[
-    "at_m",
-    "at",
-    "mass_kg",
-    "total_kg",
-    "shares",
-    "shares_of",
-    "offset_m",
-    "gyration_m",
-    "inertia_kg_m2",
-    "products_kg_m2",
-];
-const SURFACE: &[&str] = &[
-    "position_in_element",
-    "from",
-    "to",
-    "elastic_axis",
-    "chord_m",
-    "span_axis",
-    "incidence_deg",
-    "width_m",
-    "lift_slope_per_rad",
-    "zero_lift_offset_deg",
-    "zero_lift_moment",
-    "profile_drag",
-    "leading_edge_suction",
-    "flap",
-    "control",
-];
-const MOVE: &[&str] = &["input", "gain", "from", "to", "side"];
-const ENGINE: &[&str] = &["name", "component", "at_m", "at", "offset_m", "direction"];
-const STATION: &[&str] = &["name", "component", "at_m", "at"];
-
 /// Reads the whole document; what could not be read is complained about, and left out: the rest may have mistakes too.
 pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec> {
-    let table = Table::new(document, Place { span: 0..0, field: String::new() }, FILE, report);
-    let supports = [("free", Support::Free), ("clamped", Support::Clamped)];
-    let bases = [("bending_torsion", ModeBasis::BendingTorsion), ("full", ModeBasis::Full)];
-    table.required("format").and_then(|v| v.integer(1..2));
-    let name = table.required("name").and_then(|v| v.text());
+    let table = Table::new(document, Place { span: 0..0, field: String::new() }, &FILE, report);
+    table.required(&file::FORMAT).and_then(|v| v.integer());
+    let name = table.required(&file::NAME).and_then(|v| v.text());
     let tunnel_air = tunnel::read_air(&table);
-    let support = table.required("support").and_then(|v| v.located(|v| v.one_of(&supports)));
-    let mode_basis = table.required("mode_basis").and_then(|v| v.one_of(&bases));
+    let support = table.required(&file::SUPPORT);
+    let support = support.and_then(|v| v.located(|v| v.one_of(&[Support::Free, Support::Clamped])));
+    let mode_basis = table.required(&file::MODE_BASIS);
+    let mode_basis = mode_basis.and_then(|v| v.one_of(&[ModeBasis::BendingTorsion, ModeBasis::Full]));
     let (controls, has_all_controls) = read_controls(&table);
     let (limits, former_limits) = read_limits(&table);
-    table.required("component");
-    let components = table.tables("component", COMPONENT);
+    table.required(&file::COMPONENTS);
+    let components = table.tables(&file::COMPONENTS);
     let components: Vec<_> = components.iter().map(read_component).collect();
-    let engines: Vec<_> = table.tables("engine", ENGINE).iter().map(read_engine).collect();
-    let stations: Vec<_> = table.tables("station", STATION).iter().map(read_station).collect();
+    let engines: Vec<_> = table.tables(&file::ENGINES).iter().map(read_engine).collect();
+    let stations: Vec<_> = table.tables(&file::STATIONS).iter().map(read_station).collect();
     Some(FileSpec {
-        gravity: table.number_or("gravity_m_s2", &GRAVITY, 9.80665),
-        inflow_states: model_tables::read_inflow_states(&table),
+        gravity: table.number(&file::GRAVITY_FIELD),
+        inflow_states: table.integer(&file::INFLOW_STATES),
         airspeed: table
-            .optional("airspeed_m_s")
-            .and_then(|v| v.located(|v| v.number(&AIRSPEED)))
-            .unwrap_or(Located { value: 127.0, place: table.place.clone() }),
-        altitude: if tunnel_air.is_some() { 0.0 } else { table.number_or("altitude_m", &ALTITUDE, 7620.0) },
+            .optional(&file::AIRSPEED_FIELD)
+            .and_then(|v| v.located(Value::number))
+            .unwrap_or(Located { value: file::AIRSPEED_FIELD.absent.number(), place: table.place.clone() }),
+        altitude: if tunnel_air.is_some() { 0.0 } else { table.number(&file::ALTITUDE_FIELD) },
         tunnel_air,
-        mount: table.optional("mount_attitude_deg").and_then(|v| v.located(tunnel::read_mount)),
+        mount: table.optional(&file::MOUNT).and_then(|v| v.located(tunnel::read_mount)),
         load_modes: model_tables::read_load_modes(&table),
         fidelity: model_tables::read_fidelity(&table),
-        symmetric: table.optional("symmetric").and_then(|v| v.flag()).unwrap_or(false),
+        symmetric: table.flag(&file::SYMMETRIC),
         reference: read_reference(&table),
         limits,
         former_limits,
@@ -143,46 +66,53 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     })
 }
 
-fn vector_or_zero(table: &Table, field: &str, allowed: &Allowed) -> Vector3<f64> {
-    table.optional(field).and_then(|v| v.vector(allowed)).unwrap_or_default()
-}
-
 /// `from` and `to`, fractions of the component's length, by default all of it.
 fn read_stretch(table: &Table) -> Stretch {
-    let (from, to) = (table.number_or("from", &FRACTION, 0.0), table.number_or("to", &FRACTION, 1.0));
+    let (from, to) = (table.number(&places::FROM), table.number(&places::TO));
     if to <= from {
         let found = format!("found from = {from} and to = {to}");
-        table.report.add(Problem::OutOfRange, &table.place.within("to"), found, "to > from is allowed");
+        table.report.add(
+            Problem::OutOfRange,
+            &table.place.within(places::TO.name),
+            found,
+            "to > from is allowed",
+        );
     }
     Stretch { from, to }
 }
 
 fn read_along(table: &Table) -> Option<Along> {
-    let (field, value) = table.either(&["at_m", "at"])?;
-    let places = value.one_or_more_numbers(&ANY)?;
-    Some(if field == "at_m" { Along::Metres(places) } else { Along::Fractions(places) })
+    let (field, value) = table.either(&places::ALONG)?;
+    let places = value.one_or_more_numbers()?;
+    Some(if std::ptr::eq(field, &places::AT_METRES) {
+        Along::Metres(places)
+    } else {
+        Along::Fractions(places)
+    })
 }
 
-fn read_name(table: &Table, field: &str) -> Option<Located<String>> {
+fn read_name(table: &Table, field: &Field) -> Option<Located<String>> {
     table.required(field)?.located(Value::name)
 }
 
 fn read_component(table: &Table) -> Option<ComponentSpec> {
-    let name = read_name(table, "name");
-    let parent = table.required("attached_to").and_then(|v| read_parent(&v));
-    let axis = table.required("axis_m").and_then(|v| v.located(read_corners));
+    let name = read_name(table, &component::NAME);
+    let parent = table.required(&component::ATTACHED_TO).and_then(|v| read_parent(&v));
+    let axis = table.required(&component::AXIS).and_then(|v| v.located(read_corners));
     let segments = axis.as_ref().map(|axis| axis.value.len() - 1);
-    let elements = table.required("elements").and_then(|v| read_elements(&v, segments?));
-    let y_axis = table.required("y_axis").and_then(|v| v.located(Value::direction));
-    let stiffness =
-        STIFFNESS.map(|f| Some((f, table.required(f).and_then(|v| Law::read(&v, &BEAM_STIFFNESS))?)));
-    let chord = table.optional("chord_m").and_then(|v| Law::read(&v, &POSITIVE_LENGTH));
-    let distributed: Vec<_> =
-        table.tables("distributed_mass", DISTRIBUTED_MASS).iter().map(read_distributed_mass).collect();
-    let points: Vec<_> = table.tables("point_masses", POINT_MASSES).iter().map(read_point_masses).collect();
-    let surfaces: Vec<_> = table.tables("surface", SURFACE).iter().map(read_surface).collect();
+    let elements = table.required(&component::ELEMENTS).and_then(|v| read_elements(&v, segments?));
+    let y_axis = table.required(&component::Y_AXIS).and_then(|v| v.located(Value::direction));
+    let law = |field: &Field| Some((field.name, table.required(field).and_then(|v| Law::read(&v))?));
+    let stiffness = component::STIFFNESSES.map(law);
+    let chord = table.optional(&component::CHORD).and_then(|v| Law::read(&v));
+    let distributed = table.tables(&component::DISTRIBUTED_MASSES);
+    let distributed: Vec<_> = distributed.iter().map(read_distributed_mass).collect();
+    let points = table.tables(&component::POINT_MASSES_FIELD);
+    let points: Vec<_> = points.iter().map(read_point_masses).collect();
+    let surfaces = table.tables(&component::SURFACES);
+    let surfaces: Vec<_> = surfaces.iter().map(read_surface).collect();
     Some(ComponentSpec {
-        mirror: table.optional("mirror").and_then(|v| v.located(Value::name)),
+        mirror: table.optional(&component::MIRROR).and_then(|v| v.located(Value::name)),
         name: name?,
         parent: parent?,
         axis: axis?,
@@ -197,12 +127,12 @@ fn read_component(table: &Table) -> Option<ComponentSpec> {
 }
 
 fn read_parent(value: &Value) -> Option<ParentSpec> {
-    if !value.has_field("component") {
-        return value.one_of(&[("origin", ())]).map(|()| ParentSpec::Origin);
+    if !value.has_field(&component::PARENT_NAME) {
+        return value.one_of(&[()]).map(|()| ParentSpec::Origin);
     }
-    let table = value.table(&["component", "at"])?;
-    let name = read_name(&table, "component");
-    let at = table.required("at").and_then(|v| v.located(|v| v.number(&FRACTION)));
+    let table = value.table()?;
+    let name = read_name(&table, &component::PARENT_NAME);
+    let at = table.required(&component::PARENT_AT).and_then(|v| v.located(Value::number));
     Some(ParentSpec::Component { name: name?, at: at? })
 }
 
@@ -212,24 +142,20 @@ fn read_corners(value: &Value) -> Option<Vec<Vector3<f64>>> {
     if points.len() < 2 {
         return value.wrong(what);
     }
-    let points: Vec<_> = points.iter().map(|point| point.vector(&LENGTH)).collect();
+    let points: Vec<_> = points.iter().map(Value::vector).collect();
     points.into_iter().collect()
 }
 
-/// More elements than this are a slip of the pen, and would only run out of memory.
-const MOST_ELEMENTS: usize = 1000;
-
 fn read_elements(value: &Value, segments: usize) -> Option<Vec<usize>> {
-    let read = |value: &Value| value.integer(1..MOST_ELEMENTS + 1);
     if value.is_number() {
-        let all = read(value)?;
+        let all = value.integer()?;
         return if segments == 1 { Some(vec![all]) } else { value.wrong(&one_per_segment(segments)) };
     }
     let list = value.list("a whole number, or a list with one for each segment of axis_m,")?;
     if list.len() != segments {
         return value.wrong(&one_per_segment(segments));
     }
-    let numbers: Vec<_> = list.iter().map(read).collect();
+    let numbers: Vec<_> = list.iter().map(Value::integer).collect();
     numbers.into_iter().collect()
 }
 
@@ -239,35 +165,34 @@ fn one_per_segment(segments: usize) -> String {
 
 fn read_distributed_mass(table: &Table) -> Option<DistributedMassSpec> {
     table
-        .required("parts")
+        .required(&masses::PARTS)
         .filter(Value::is_empty_list)
         .and_then(|v| v.wrong::<()>("a list of at least one table"));
-    let parts = table.tables("parts", &["total_kg", "chord_power", "from", "to"]);
-    let parts: Vec<_> = parts.iter().map(read_mass_part).collect();
-    let laws = |field, allowed| table.optional(field).and_then(|v| v.located(|v| read_laws(v, allowed)));
+    let parts: Vec<_> = table.tables(&masses::PARTS).iter().map(read_mass_part).collect();
+    let laws = |field: &Field| table.optional(field).and_then(|v| v.located(read_laws));
     Some(DistributedMassSpec {
         place: table.place.clone(),
         parts: parts.into_iter().collect::<Option<_>>()?,
-        offset_chords: laws("offset_chords", &CHORDS),
-        offset: vector_or_zero(table, "offset_m", &LENGTH),
-        gyration_chords: laws("gyration_chords", &GYRATION),
-        gyration_lengths: vector_or_zero(table, "gyration_lengths", &GYRATION),
-        added_inertia: vector_or_zero(table, "added_inertia_kg_m2", &INERTIA),
+        offset_chords: laws(&masses::OFFSET_CHORDS),
+        offset: table.vector(&places::OFFSET),
+        gyration_chords: laws(&masses::GYRATION_CHORDS),
+        gyration_lengths: table.vector(&masses::GYRATION_LENGTHS),
+        added_inertia: table.vector(&masses::ADDED_INERTIA),
     })
 }
 
 /// Three laws, one for each axis.
-fn read_laws(value: &Value, allowed: &'static Allowed) -> Option<[Law; 3]> {
+fn read_laws(value: &Value) -> Option<[Law; 3]> {
     let laws = value.list("a list of three numbers or laws")?;
     let [x, y, z] = laws.as_slice() else { return value.wrong("a list of three numbers or laws") };
-    let (x, y, z) = (Law::read(x, allowed), Law::read(y, allowed), Law::read(z, allowed));
+    let (x, y, z) = (Law::read(x), Law::read(y), Law::read(z));
     Some([x?, y?, z?])
 }
 
 fn read_mass_part(table: &Table) -> Option<MassPartSpec> {
     let stretch = read_stretch(table);
-    let total = table.required("total_kg")?.number(&MASS)?;
-    let chord_power = table.number_or("chord_power", &ANY, 0.0);
+    let total = table.required(&masses::PART_TOTAL)?.number()?;
+    let chord_power = table.number(&masses::CHORD_POWER);
     Some(MassPartSpec { place: table.place.clone(), total, chord_power, stretch })
 }
 
@@ -277,30 +202,31 @@ fn read_point_masses(table: &Table) -> Option<PointMassesSpec> {
     Some(PointMassesSpec {
         masses: read_masses(table)?,
         along: along?,
-        offset: vector_or_zero(table, "offset_m", &LENGTH),
+        offset: table.vector(&places::OFFSET),
         inertia,
-        products: vector_or_zero(table, "products_kg_m2", &INERTIA_PRODUCT),
+        products: table.vector(&masses::PRODUCTS),
         inertia_place,
     })
 }
 
 /// `mass_kg`, or `total_kg` divided by `shares`.
 fn read_masses(table: &Table) -> Option<Located<Vec<f64>>> {
-    let (field, value) = table.either(&["mass_kg", "total_kg"])?;
+    let (field, value) = table.either(&masses::MASSES)?;
     let place = value.place.clone();
-    if field == "mass_kg" {
-        for excluded in ["shares", "shares_of"].into_iter().filter_map(|field| table.optional(field)) {
+    if std::ptr::eq(field, &masses::EACH_MASS) {
+        for excluded in [&masses::SHARES, &masses::SHARES_OF].into_iter().filter_map(|f| table.optional(f)) {
             let allowed = "shares are allowed together with total_kg";
             table.report.add(Problem::Contradiction, &excluded.place, "found shares of mass_kg", allowed);
         }
-        let masses = value.one_or_more_numbers(&MASS)?;
+        let masses = value.one_or_more_numbers()?;
         return Some(Located { value: masses.into_iter().map(|mass| mass.value).collect(), place });
     }
-    let total = value.number(&MASS);
-    let shares = table.required("shares")?;
+    let total = value.number();
+    let shares = table.required(&masses::SHARES)?;
     let place = shares.place.clone();
-    let shares = shares.numbers(&SHARE)?;
-    let whole = table.number_or("shares_of", &SHARE, shares.iter().sum());
+    let shares = shares.numbers()?;
+    let whole = table.optional(&masses::SHARES_OF).and_then(|v| v.number());
+    let whole = whole.unwrap_or(shares.iter().sum());
     let total = total?;
     let masses: Vec<f64> = shares.iter().map(|share| total * (share / whole)).collect();
     let allowed = masses.iter().all(|mass| MASS.check(*mass, &place, table.report));
@@ -310,41 +236,40 @@ fn read_masses(table: &Table) -> Option<Located<Vec<f64>>> {
 /// Radii of gyration or moments; a mass without either is a point.
 fn read_inertia(table: &Table) -> (InertiaSpec, Place) {
     let point = || (InertiaSpec::Gyration(Vector3::zeros()), table.place.clone());
-    if table.optional("gyration_m").is_none() && table.optional("inertia_kg_m2").is_none() {
+    if masses::INERTIAS.iter().all(|field| table.optional(field).is_none()) {
         return point();
     }
-    let Some((field, value)) = table.either(&["gyration_m", "inertia_kg_m2"]) else { return point() };
-    let allowed = if field == "gyration_m" { &GYRATION } else { &INERTIA };
-    let Some(vector) = value.vector(allowed) else { return point() };
-    let inertia =
-        if field == "gyration_m" { InertiaSpec::Gyration(vector) } else { InertiaSpec::Moments(vector) };
+    let Some((field, value)) = table.either(&masses::INERTIAS) else { return point() };
+    let Some(vector) = value.vector() else { return point() };
+    let is_gyration = std::ptr::eq(field, &masses::GYRATION_RADII);
+    let inertia = if is_gyration { InertiaSpec::Gyration(vector) } else { InertiaSpec::Moments(vector) };
     (inertia, value.place)
 }
 
 fn read_surface(table: &Table) -> Option<SurfaceSpec> {
     let stretch = read_stretch(table);
-    let law = |field, allowed| table.optional(field).and_then(|v| Law::read(&v, allowed));
-    let needed = |field, allowed| table.required(field).and_then(|v| Law::read(&v, allowed));
-    let (lift_slope, drag) = (needed("lift_slope_per_rad", &LIFT_SLOPE), needed("profile_drag", &DRAG));
-    let elastic_axis = needed("elastic_axis", &NEAR_THE_CHORD);
-    let moves: Vec<_> = table.tables("control", MOVE).iter().map(read_move).collect();
-    let flap = table.optional("flap");
+    let law = |field: &Field| table.optional(field).and_then(|v| Law::read(&v));
+    let needed = |field: &Field| table.required(field).and_then(|v| Law::read(&v));
+    let (lift_slope, drag) = (needed(&surface::LIFT), needed(&surface::PROFILE_DRAG));
+    let elastic_axis = needed(&surface::ELASTIC_AXIS);
+    let moves: Vec<_> = table.tables(&surface::MOVES).iter().map(read_move).collect();
+    let flap = table.optional(&surface::FLAP);
     if flap.is_none() && !moves.is_empty() {
         let (found, allowed) =
             ("found a control and no flap", "it is needed; allowed: { lift_slope_per_rad, hinge }");
-        table.report.add(Problem::MissingField, &table.place.within("flap"), found, allowed);
+        table.report.add(Problem::MissingField, &table.place.within(surface::FLAP.name), found, allowed);
     }
     Some(SurfaceSpec {
         place: table.place.clone(),
-        position: table.number_or("position_in_element", &FRACTION, 0.5),
+        position: table.number(&surface::POSITION),
         stretch,
-        chord: law("chord_m", &POSITIVE_LENGTH),
-        span_axis: table.optional("span_axis").and_then(|v| v.direction()),
-        incidence: law("incidence_deg", &ANGLE_DEG),
-        width: law("width_m", &POSITIVE_LENGTH),
-        zero_lift_offset: law("zero_lift_offset_deg", &ANGLE_DEG),
-        zero_lift_moment: law("zero_lift_moment", &MOMENT),
-        leading_edge_suction: law("leading_edge_suction", &FRACTION),
+        chord: law(&surface::CHORD),
+        span_axis: table.optional(&surface::SPAN_AXIS).and_then(|v| v.direction()),
+        incidence: law(&surface::INCIDENCE),
+        width: law(&surface::WIDTH),
+        zero_lift_offset: law(&surface::ZERO_LIFT_OFFSET),
+        zero_lift_moment: law(&surface::ZERO_LIFT_MOMENT),
+        leading_edge_suction: law(&surface::SUCTION),
         flap: flap.and_then(|v| read_flap(&v)),
         moves: moves.into_iter().flatten().collect(),
         elastic_axis: elastic_axis?,
@@ -354,19 +279,18 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
 }
 
 fn read_flap(value: &Value) -> Option<FlapSpec> {
-    let table = value.table(&["lift_slope_per_rad", "hinge"])?;
-    let lift_slope = table.required("lift_slope_per_rad").and_then(|v| v.number(&FLAP_LIFT_SLOPE));
-    let hinge = table.required("hinge").and_then(|v| v.number(&INSIDE_THE_CHORD));
+    let table = value.table()?;
+    let lift_slope = table.required(&surface::FLAP_LIFT).and_then(|v| v.number());
+    let hinge = table.required(&surface::HINGE).and_then(|v| v.number());
     Some(FlapSpec { lift_slope: lift_slope?, hinge: hinge? })
 }
 
 fn read_move(table: &Table) -> Option<MoveSpec> {
-    let control = read_name(table, "input");
-    let gain = table.required("gain").and_then(|v| v.number(&GAIN));
+    let control = read_name(table, &surface::INPUT);
+    let gain = table.required(&surface::GAIN_FIELD).and_then(|v| v.number());
     let stretch = read_stretch(table);
-    let hands = [("right", Hand::Right), ("left", Hand::Left)];
-    let side = table.optional("side");
-    let hand = side.as_ref().and_then(|v| v.located(|v| v.one_of(&hands)));
+    let side = table.optional(&surface::SIDE);
+    let hand = side.as_ref().and_then(|v| v.located(|v| v.one_of(&[Hand::Right, Hand::Left])));
     // Nothing more is said of a side that could not be read.
     let is_readable = hand.is_some() == side.is_some();
     let control = control.filter(|_| is_readable)?;
@@ -374,20 +298,20 @@ fn read_move(table: &Table) -> Option<MoveSpec> {
 }
 
 fn read_engine(table: &Table) -> Option<EngineSpec> {
-    let (name, component) = (read_name(table, "name"), read_name(table, "component"));
+    let (name, component) = (read_name(table, &places::ENGINE_NAME), read_name(table, &places::COMPONENT));
     let along = read_along(table);
-    let direction = table.required("direction").and_then(|v| v.direction());
+    let direction = table.required(&places::DIRECTION).and_then(|v| v.direction());
     Some(EngineSpec {
         name: name?,
         component: component?,
         along: along?,
-        offset: vector_or_zero(table, "offset_m", &LENGTH),
+        offset: table.vector(&places::THRUST_OFFSET),
         direction: direction?,
     })
 }
 
 fn read_station(table: &Table) -> Option<StationSpec> {
-    let (name, component) = (read_name(table, "name"), read_name(table, "component"));
+    let (name, component) = (read_name(table, &places::STATION_NAME), read_name(table, &places::COMPONENT));
     let along = read_along(table);
     Some(StationSpec { name: name?, component: component?, along: along? })
 }

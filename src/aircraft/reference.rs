@@ -3,12 +3,9 @@
 
 use nalgebra::Vector3;
 
-use super::allowed::{POSITIVE_LENGTH, REFERENCE_AREA};
 use super::document::Table;
+use super::format::{Field, file};
 use super::model::{Aircraft, GivenReference, Strip};
-
-/// What `[reference]` may hold.
-const REFERENCE: &[&str] = &["chord_m", "area_m2", "span_m"];
 
 /// Reference lengths of an aircraft.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,15 +19,15 @@ pub struct ReferenceLengths {
 }
 
 /// Reads the table `reference`.
-pub(super) fn read_reference(file: &Table) -> GivenReference {
-    let Some(table) = file.optional("reference").and_then(|value| value.table(REFERENCE)) else {
+pub(super) fn read_reference(table: &Table) -> GivenReference {
+    let Some(table) = table.optional(&file::REFERENCE).and_then(|value| value.table()) else {
         return GivenReference::default();
     };
-    let length = |field| table.optional(field).and_then(|value| value.number(&POSITIVE_LENGTH));
+    let given = |field: &Field| table.optional(field).and_then(|value| value.number());
     GivenReference {
-        chord: length("chord_m"),
-        area: table.optional("area_m2").and_then(|value| value.number(&REFERENCE_AREA)),
-        span: length("span_m"),
+        chord: given(&file::REFERENCE_CHORD),
+        area: given(&file::REFERENCE_AREA_FIELD),
+        span: given(&file::REFERENCE_SPAN),
     }
 }
 

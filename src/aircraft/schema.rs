@@ -11,9 +11,6 @@ use super::limits::Limits;
 use super::model::{GivenReference, ModeBasis, Support, TunnelAir};
 use super::stretch::Stretch;
 
-/// EA, GJ, EI_y, EI_z in the order in which [`ComponentSpec::stiffness`] holds them.
-pub(super) const STIFFNESS: [&str; 4] = ["EA_N", "GJ_N_m2", "EI_y_N_m2", "EI_z_N_m2"];
-
 pub(super) struct FileSpec {
     pub(super) name: String,
     pub(super) gravity: f64,

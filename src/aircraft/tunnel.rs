@@ -2,16 +2,17 @@
 
 use nalgebra::Vector3;
 
-use super::allowed::{DENSITY, TEMPERATURE, TURN_DEG};
 use super::document::{Located, Table, Value};
 use super::error::Problem;
+use super::format::allowed::PITCH_DEG;
+use super::format::file;
 use super::model::TunnelAir;
 
 /// `density_kg_m3` and, with it alone, `temperature_K`.
 pub(super) fn read_air(table: &Table) -> Option<Located<TunnelAir>> {
-    let temperature = table.number_or("temperature_K", &TEMPERATURE, 288.15);
-    let Some(density) = table.optional("density_kg_m3") else {
-        if let Some(temperature) = table.optional("temperature_K") {
+    let temperature = table.number(&file::TEMPERATURE_FIELD);
+    let Some(density) = table.optional(&file::DENSITY_FIELD) else {
+        if let Some(temperature) = table.optional(&file::TEMPERATURE_FIELD) {
             let found = "found a temperature without density_kg_m3";
             let allowed =
                 "both together are allowed; at an altitude_m the air has that of the standard atmosphere";
@@ -19,24 +20,19 @@ pub(super) fn read_air(table: &Table) -> Option<Located<TunnelAir>> {
         }
         return None;
     };
-    if let Some(altitude) = table.optional("altitude_m") {
+    if let Some(altitude) = table.optional(&file::ALTITUDE_FIELD) {
         let found = "found \"altitude_m\" and \"density_kg_m3\"";
         table.report.add(Problem::Contradiction, &altitude.place, found, "one of the two is allowed");
     }
-    density.located(|value| Some(TunnelAir { density: value.number(&DENSITY)?, temperature }))
+    density.located(|value| Some(TunnelAir { density: value.number()?, temperature }))
 }
 
 /// Roll, pitch and yaw, rad.
 pub(super) fn read_mount(value: &Value) -> Option<Vector3<f64>> {
-    let degrees = value.vector(&TURN_DEG)?;
-    if degrees.y.abs() > 89.0 {
+    let degrees = value.vector()?;
+    if !PITCH_DEG.range.contains(degrees.y) {
         let found = format!("found a pitch of {}", degrees.y);
-        value.report.add(
-            Problem::OutOfRange,
-            &value.place,
-            found,
-            "a pitch in degrees from -89 to 89 is allowed",
-        );
+        value.report.add(Problem::OutOfRange, &value.place, found, PITCH_DEG.text());
         return None;
     }
     Some(degrees.map(f64::to_radians))

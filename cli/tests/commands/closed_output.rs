@@ -36,6 +36,7 @@ fn lines() -> Vec<(&'static str, String, Option<&'static str>)> {
         ("sweep", "sweep sweep.toml --output swept".into(), Some("swept/manifest.json")),
         ("view", "view --modes 2 --trim --output page.html".into(), Some("page.html")),
         ("new", "new wing.toml --kind wing-on-wall".into(), Some("wing.toml")),
+        ("schema", "schema --output aircraft.schema.json".into(), Some("aircraft.schema.json")),
         ("aircraft", "aircraft".into(), None),
         ("completions", "completions bash".into(), None),
         ("help", "help".into(), None),

@@ -1,0 +1,120 @@
+//! Places along components, and what there is at them: `[[engine]]`, `[[station]]`, `[[cut]]`.
+
+use super::allowed::{ANY, FRACTION, LENGTH};
+use super::table::{Absent, Field, Kind, Rule, Table};
+
+/// Where along a component.
+pub static ALONG: [&Field; 2] = [&AT_METRES, &AT];
+
+pub static AT_METRES: Field = Field {
+    name: "at_m",
+    kind: Kind::NumberOrMore(&ANY),
+    unit: "m",
+    absent: Absent::Nothing,
+    sentence: "distance along the component from its root; a number or a list",
+};
+pub static AT: Field = Field {
+    name: "at",
+    kind: Kind::NumberOrMore(&ANY),
+    unit: "",
+    absent: Absent::Nothing,
+    sentence: "fraction of the component's length; a number or a list",
+};
+
+/// Where a stretch of a component begins.
+pub static FROM: Field = Field {
+    name: "from",
+    kind: Kind::Number(&FRACTION),
+    unit: "",
+    absent: Absent::Number(0.0),
+    sentence: "where the stretch begins, as a fraction of the component's length",
+};
+/// Where it ends.
+pub static TO: Field = Field {
+    name: "to",
+    kind: Kind::Number(&FRACTION),
+    unit: "",
+    absent: Absent::Number(1.0),
+    sentence: "where it ends, beyond `from`",
+};
+
+/// From the elastic axis.
+pub static OFFSET: Field = Field {
+    name: "offset_m",
+    kind: Kind::Vector(&LENGTH),
+    unit: "m",
+    absent: Absent::Zeros,
+    sentence: "centre of mass from the elastic axis, body axes",
+};
+
+pub(super) static ENGINE: Table = Table {
+    path: "engine",
+    sentence: "Where thrust acts. Engines weigh nothing by themselves: their masses are point masses",
+    fields: &[&ENGINE_NAME, &COMPONENT, &AT_METRES, &AT, &THRUST_OFFSET, &DIRECTION],
+    rules: &[Rule::ExactlyOne(&ALONG)],
+    former: &[],
+};
+pub static ENGINE_NAME: Field = name("the input `thrust_<name>`");
+pub static THRUST_OFFSET: Field = Field {
+    name: "offset_m",
+    kind: Kind::Vector(&LENGTH),
+    unit: "m",
+    absent: Absent::Zeros,
+    sentence: "where the thrust acts, from the elastic axis, body axes",
+};
+pub static DIRECTION: Field = Field {
+    name: "direction",
+    kind: Kind::Direction,
+    unit: "",
+    absent: Absent::Needed,
+    sentence: "that of the thrust, body axes",
+};
+
+pub(super) static STATION: Table = Table {
+    path: "station",
+    sentence: "A point whose deflections are outputs",
+    fields: &[&STATION_NAME, &COMPONENT, &AT_METRES, &AT],
+    rules: &[Rule::ExactlyOne(&ALONG)],
+    former: &[],
+};
+pub static STATION_NAME: Field = name("the outputs `deflection.<name>.*`");
+
+/// Of engines and stations.
+pub static COMPONENT: Field = Field {
+    name: "component",
+    kind: Kind::Name,
+    unit: "",
+    absent: Absent::Needed,
+    sentence: "where it sits; mirror images have their names too",
+};
+
+pub(super) static CUT: Table = Table {
+    path: "cut",
+    sentence: "A section of the airframe whose loads are outputs; it changes no flight",
+    fields: &[&CUT_NAME, &CUT_COMPONENT, &CUT_AT],
+    rules: &[],
+    former: &[],
+};
+pub static CUT_NAME: Field = name(
+    "of the cut: the outputs are `loads.<name>.shear`, `.shear_chordwise`, `.axial` (N), `.torsion`, `.bending`, \
+     `.bending_chordwise` (N m)",
+);
+pub static CUT_COMPONENT: Field = Field {
+    name: "component",
+    kind: Kind::Name,
+    unit: "",
+    absent: Absent::Needed,
+    sentence: "the component that is cut",
+};
+pub static CUT_AT: Field = Field {
+    name: "at",
+    kind: Kind::Number(&FRACTION),
+    unit: "",
+    absent: Absent::Needed,
+    sentence: "where, as a fraction of its length along the axis; the cut stands at the nearest node, of two the inner one: \
+               the descriptions of its outputs say where",
+};
+
+const fn name(sentence: &'static str) -> Field {
+    Field { name: "name", kind: Kind::Name, unit: "", absent: Absent::Needed, sentence }
+}
