@@ -22,7 +22,7 @@ pub fn edited(text: &str, edits: &[Edit]) -> Value {
         });
         match (holder, value) {
             (Value::Object(table), Some(value)) => {
-                drop(table.insert(last.as_str().unwrap().into(), value.clone()))
+                drop(table.insert(last.as_str().unwrap().into(), value.clone()));
             }
             (Value::Object(table), None) => drop(table.remove(last.as_str().unwrap())),
             (Value::Array(list), Some(value)) => list[last.as_u64().unwrap() as usize] = value.clone(),

@@ -131,11 +131,11 @@ pub enum Error {
     #[error("such an aircraft does not fly: {0}")]
     Flight(String),
     #[error(
-        "no stiffness, payload and incidence were found with which such an aircraft flies level with a static margin of {}: allowed are numbers nearer to \
-         what is usual, which `flexair new` takes where they are not given",
-        fit::STATIC_MARGIN
+        "such an aircraft was not found to fly level with a static margin of {margin}; the last that was tried had {0}. Allowed are numbers nearer to what is \
+         usual, which `flexair new` takes where they are not given",
+        margin = fit::STATIC_MARGIN
     )]
-    NotFound,
+    NotFound(String),
     #[error(transparent)]
     File(#[from] FileError),
 }
@@ -182,23 +182,21 @@ fn report(file: &Path, sizing: &Sizing, found: &fit::Found) -> String {
     let shown = file.display();
     let mut text = format!("{shown}: {}\n\n", sizing.usual.name);
     text += &text::choices(&sizing.choices).iter().map(|line| format!("  {line}\n")).collect::<String>();
-    text += &format!("\nfirst bending of the wing {} Hz", fixed(found.frequency, 3));
+    text += &format!("\n{}", found.told());
     if let Some(flight) = &found.flight {
-        let angle = |angle: f64| fixed(angle, 1);
         let pushed = match sizing.engines {
-            0 => format!("path {} deg", angle(flight.climb)),
+            0 => format!("path {} deg", fixed(flight.climb, 1)),
             _ => format!("thrust {} N of each engine", text::short_of(flight.thrust)),
         };
         text += &format!(
-            ", static margin {}\ntrim at {} m/s and {} m: angle of attack {} deg, elevator {} deg, {pushed}",
-            fixed(flight.margin, 3),
+            ", {pushed}, trimmed at {} m/s and {} m",
             short(sizing.airspeed),
-            short(sizing.altitude),
-            angle(flight.angle_of_attack),
-            angle(flight.elevator),
+            short(sizing.altitude)
         );
     }
     text + &format!(
-        "\n\nThe file says how the rest was found. Next:\n  flexair describe {shown}\n  flexair view {shown}\n  flexair package --aircraft {shown}\n"
+        "\n\nThe file says how the rest was found. Next:\n  flexair describe {shown}\n  flexair view {shown}\n  flexair package --aircraft {shown}\n\
+         Editors complete and mark the file after:\n  flexair schema --output {}\n",
+        file.with_file_name(text::SCHEMA).display()
     )
 }

@@ -1,10 +1,13 @@
 //! An aircraft as a file: its tables in TOML with what is said of them.
 
-use super::design::{Component, Control, Design, Engine, Place, Structure, Surface};
+use super::design::{Component, Control, Design, Engine, Part, Place, Structure, Surface};
 use super::interview::Choice;
 use super::kind::Kind;
 use super::sizing::Sizing;
 use crate::numbers::{Plain, short};
+
+/// What `flexair schema` is told to write beside the file.
+pub const SCHEMA: &str = "aircraft.schema.json";
 
 /// Where comments begin that stand behind a value.
 const COLUMN: usize = 56;
@@ -56,13 +59,14 @@ pub fn choices(choices: &[Choice]) -> Vec<String> {
     choices.iter().map(line).collect()
 }
 
+/// Editors read from its first line where the schema lies, and from the rest of it people what was given.
 fn heading(sizing: &Sizing) -> String {
     let mut lines =
         vec!["Written by `flexair new`. What was given, and what was assumed:".to_owned(), String::new()];
     lines.extend(choices(&sizing.choices).into_iter().map(|line| format!("  {line}")));
     lines.push(String::new());
-    let mut text: String =
-        lines.iter().map(|line| format!("# {line}").trim_end().to_owned() + "\n").collect();
+    let mut text = format!("#:schema ./{SCHEMA}\n");
+    text.extend(lines.iter().map(|line| format!("# {line}").trim_end().to_owned() + "\n"));
     let rest = match sizing.kind {
         Kind::WingOnWall => "The rest follows from rules of conceptual design, as said beside the numbers.",
         Kind::FlyingWing => {
@@ -173,13 +177,16 @@ fn stiffnesses(component: &Component) -> String {
 }
 
 fn of_structure(structure: &Structure) -> String {
-    let mut text = String::from("\n[[component.distributed_mass]]\nparts = [\n");
-    for part in &structure.parts {
-        let power = part.chord_power.map_or(String::new(), |power| format!(", chord_power = {power}"));
-        let to = part.to.map_or(String::new(), |to| format!(", to = {to}"));
-        text += &line(&format!("    {{ total_kg = {}{power}{to} }},", digits(part.mass)), part.comment);
-    }
-    text += "]\n";
+    let mut text = String::from("\n[[component.distributed_mass]]\n");
+    let parts: Vec<(String, &str)> =
+        structure.parts.iter().map(|part| (of_part(part), part.comment)).collect();
+    text += &match parts.as_slice() {
+        [(part, comment)] => line(&format!("parts = [{part}]"), comment),
+        several => {
+            let lines = several.iter().map(|(part, comment)| line(&format!("    {part},"), comment));
+            format!("parts = [\n{}]\n", lines.collect::<String>())
+        }
+    };
     if let Some(aft) = structure.aft {
         text += &format!("offset_chords = [{}, 0, 0]\n", Plain(-aft));
     }
@@ -191,6 +198,12 @@ fn of_structure(structure: &Structure) -> String {
         text += &format!("added_inertia_kg_m2 = {}\n", vector(&[inertia, 0.5 * inertia, 0.5 * inertia]));
     }
     text
+}
+
+fn of_part(part: &Part) -> String {
+    let power = part.chord_power.map_or(String::new(), |power| format!(", chord_power = {power}"));
+    let to = part.to.map_or(String::new(), |to| format!(", to = {to}"));
+    format!("{{ total_kg = {}{power}{to} }}", digits(part.mass))
 }
 
 fn of_surface(surface: &Surface) -> String {
@@ -278,8 +291,11 @@ fn vector(numbers: &[f64; 3]) -> String {
     format!("[{}, {}, {}]", digits(numbers[0]), digits(numbers[1]), digits(numbers[2]))
 }
 
-/// With four digits: more would say what rules do not know.
+/// With four digits: more would say what rules do not know. What is left of rounding is 0.
 fn digits(number: f64) -> String {
+    if number.abs() < 1e-12 {
+        return "0".to_owned();
+    }
     // PROOF: what is written as a number is read as one; the number itself stands in for any doubt.
     Plain(format!("{number:.3e}").parse().unwrap_or(number)).to_string()
 }

@@ -37,8 +37,8 @@ impl Allowed {
         let quantity = self.quantity;
         match self.range {
             Range::All => format!("{quantity} is allowed"),
-            range if self.is_range_last => format!("{quantity} is allowed, {}", range.from_to()),
-            range => format!("{quantity} {} is allowed", range.from_to()),
+            range if self.is_range_last => format!("{quantity} is allowed, {}", range.in_a_sentence()),
+            range => format!("{quantity} {} is allowed", range.in_a_sentence()),
         }
     }
 }
@@ -66,7 +66,7 @@ impl Range {
     }
 
     /// Within a sentence.
-    fn from_to(self) -> String {
+    fn in_a_sentence(self) -> String {
         match self {
             Range::All => String::new(),
             Range::Closed(least, most) => format!("from {} to {}", in_digits(least), in_digits(most)),
