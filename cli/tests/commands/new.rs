@@ -42,7 +42,7 @@ fn check_kind(kind: &str, spans: [f64; 3]) {
         assert!(written.starts_with("#:schema ./aircraft.schema.json\n# Written by"), "{written}");
         assert!(printed.ends_with("  flexair schema --output aircraft.schema.json\n"), "{printed}");
         assert!(
-            written.contains("\nmodel = \"geometrically_exact\"") && written.contains("# span "),
+            written.contains("\nmodel = \"geometrically_exact\"") && written.contains("\n#   span "),
             "{written}"
         );
         check_described(folder, (kind, &file, span));
