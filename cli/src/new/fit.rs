@@ -16,6 +16,7 @@ use super::sizing::Sizing;
 use super::tails::{HINGE, kept_lift};
 use super::text;
 use crate::describe::modes::{self, NaturalMode};
+use crate::numbers::fixed;
 
 /// An aircraft file, and what was found of it.
 pub struct Fitted {
@@ -64,6 +65,23 @@ const MODES: usize = 12;
 /// How a wing's zero-lift moment moves its elevons, per degree: the search begins with this and finds its own.
 const MOMENT_PER_DEGREE: f64 = 0.008;
 
+/// No aerofoil has a greater zero-lift moment: elevons that need it do nothing.
+const MOST_MOMENT: f64 = 0.5;
+
+impl Found {
+    /// For people.
+    pub fn told(&self) -> String {
+        let bending = format!("first bending of the wing {} Hz", fixed(self.frequency, 3));
+        let Some(flight) = &self.flight else { return bending };
+        format!(
+            "{bending}, static margin {}, angle of attack {} deg, elevator {} deg",
+            fixed(flight.margin, 3),
+            fixed(flight.angle_of_attack, 1),
+            fixed(flight.elevator, 1)
+        )
+    }
+}
+
 /// Finds it all.
 ///
 /// # Errors
@@ -71,6 +89,7 @@ const MOMENT_PER_DEGREE: f64 = 0.008;
 pub fn fit(name: &str, sizing: &Sizing) -> Result<Fitted, Error> {
     let mut unknowns = Unknowns::first(sizing);
     let mut slope = Slope { latest: None, value: MOMENT_PER_DEGREE };
+    let mut latest = String::new();
     for _ in 0..MOST_ROUNDS {
         let basis = Basis::new(sizing, unknowns);
         let text = text::file(name, sizing, &basis.design());
@@ -78,9 +97,13 @@ pub fn fit(name: &str, sizing: &Sizing) -> Result<Fitted, Error> {
         if is_near(&found, sizing) {
             return Ok(Fitted { text, found });
         }
+        latest = found.told();
         improve(&mut unknowns, &found, (&basis, &mut slope));
+        if sizing.kind == Kind::FlyingWing && unknowns.relief.abs() > MOST_MOMENT {
+            break;
+        }
     }
-    Err(Error::NotFound)
+    Err(Error::NotFound(latest))
 }
 
 fn is_near(found: &Found, sizing: &Sizing) -> bool {
@@ -140,8 +163,8 @@ fn look(text: &str, basis: &Basis) -> Result<Found, Error> {
     let model = ReducedModel::of_basis(&structure, modes)?;
     let settings =
         PlantSettings { mode_count: MODES.min(model.natural_modes()), ..PlantSettings::of(&model) };
-    let frequency =
-        bending(&modes::name(&aircraft, &model.modes, &motions, &settings)).ok_or(Error::NotFound)?;
+    let frequency = bending(&modes::name(&aircraft, &model.modes, &motions, &settings))
+        .ok_or_else(|| Error::NotFound(format!("none that bends the wing among its {MODES} lowest modes")))?;
     let flight = match basis.sizing.kind {
         Kind::WingOnWall => None,
         _ => Some(flight(&aircraft, (&model, &settings), basis)?),

@@ -8,7 +8,7 @@ use flexible_aircraft::aircraft::AircraftFileError;
 use flexible_aircraft::structure::StructureError;
 use flexible_aircraft_packaging::FileError;
 
-use crate::files::{Drafts, STANDARD};
+use crate::files::{Drafts, STANDARD, named};
 use crate::numbers::{fixed, short};
 use crate::terminal;
 
@@ -131,11 +131,11 @@ pub enum Error {
     #[error("such an aircraft does not fly: {0}")]
     Flight(String),
     #[error(
-        "no stiffness, payload and incidence were found with which such an aircraft flies level with a static margin of {}: allowed are numbers nearer to \
-         what is usual, which `flexair new` takes where they are not given",
-        fit::STATIC_MARGIN
+        "such an aircraft was not found to fly level with a static margin of {margin}; the last that was tried had {0}. Allowed are numbers nearer to what is \
+         usual, which `flexair new` takes where they are not given",
+        margin = fit::STATIC_MARGIN
     )]
-    NotFound,
+    NotFound(String),
     #[error(transparent)]
     File(#[from] FileError),
 }
@@ -179,26 +179,26 @@ fn name(file: &Path, sizing: &Sizing) -> String {
 
 /// What was assumed and what it came to.
 fn report(file: &Path, sizing: &Sizing, found: &fit::Found) -> String {
-    let shown = file.display();
+    let shown = named(file, "standard output");
     let mut text = format!("{shown}: {}\n\n", sizing.usual.name);
     text += &text::choices(&sizing.choices).iter().map(|line| format!("  {line}\n")).collect::<String>();
-    text += &format!("\nfirst bending of the wing {} Hz", fixed(found.frequency, 3));
+    text += &format!("\n{}", found.told());
     if let Some(flight) = &found.flight {
-        let angle = |angle: f64| fixed(angle, 1);
         let pushed = match sizing.engines {
-            0 => format!("path {} deg", angle(flight.climb)),
+            0 => format!("path {} deg", fixed(flight.climb, 1)),
             _ => format!("thrust {} N of each engine", text::short_of(flight.thrust)),
         };
         text += &format!(
-            ", static margin {}\ntrim at {} m/s and {} m: angle of attack {} deg, elevator {} deg, {pushed}",
-            fixed(flight.margin, 3),
+            ", {pushed}, trimmed at {} m/s and {} m",
             short(sizing.airspeed),
-            short(sizing.altitude),
-            angle(flight.angle_of_attack),
-            angle(flight.elevator),
+            short(sizing.altitude)
         );
     }
-    text + &format!(
-        "\n\nThe file says how the rest was found. Next:\n  flexair describe {shown}\n  flexair view {shown}\n  flexair package --aircraft {shown}\n"
-    )
+    text += "\n\nThe file says how the rest was found.";
+    if file == Path::new(STANDARD) {
+        return text;
+    }
+    let next =
+        ["describe", "view", "package --aircraft"].map(|command| format!("\n  flexair {command} {shown}"));
+    text + " Next:" + &next.concat() + "\n"
 }

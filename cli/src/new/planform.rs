@@ -88,9 +88,10 @@ impl Planform {
         2.0 * PI * ratio / (2.0 + (4.0 + ratio * ratio * (1.0 + tan * tan)).sqrt())
     }
 
-    /// The share of leading-edge suction that leaves the induced drag of C_L²/(π A e) [theory: air-loads.drag].
-    pub fn suction(&self) -> f64 {
-        1.0 - self.lift_slope() / (PI * self.aspect_ratio * OSWALD)
+    /// The share of leading-edge suction that leaves the induced drag of C_L²/(π A e) to strips with a lift slope, 1/rad
+    /// [theory: air-loads.drag].
+    pub fn suction(&self, lift_slope: f64) -> f64 {
+        1.0 - lift_slope / (PI * self.aspect_ratio * OSWALD)
     }
 
     /// C_Lδ of a plain flap before thin-aerofoil theory's factor for its chord, 1/rad.

@@ -72,6 +72,7 @@ fn tail(basis: &Basis) -> Option<Component> {
     let surface = Surface {
         incidence: [basis.unknowns.relief; 2],
         lift_slope: planform.lift_slope() * kept,
+        suction: planform.suction(planform.lift_slope() * kept),
         lift_comment,
         ..surface(&planform, Some([planform.flap_slope(), HINGE]), moves)
     };
@@ -87,7 +88,7 @@ fn tail(basis: &Basis) -> Option<Component> {
 fn fins(basis: &Basis) -> Option<Component> {
     let (kind, masses) = (basis.sizing.kind, &basis.layout.masses);
     let planform = basis.layout.fin?;
-    let tip = planform.tip(ELASTIC_AXIS).map(|along| if along.abs() < 1e-9 { 0.0 } else { along });
+    let tip = planform.tip(ELASTIC_AXIS);
     let on_top = if matches!(kind, Kind::TTail | Kind::Sailplane) { 2.0 * masses.tail } else { 0.0 };
     let rudder = || vec![Move { input: "rudder", gain: 1.0, stretch: None }];
     let at = |component: &str| Some((component.to_owned(), 1.0));
@@ -114,7 +115,7 @@ fn area_of(planform: &Planform, sides: f64) -> String {
     let angle =
         if (1.0..89.0).contains(&angle) { format!(" at {} deg", short_of(angle)) } else { String::new() };
     format!(
-        "{} m2{angle}, aspect ratio {}",
+        "{} m2{angle}, acts with an aspect ratio of {}",
         short_of(sides * planform.area()),
         short_of(planform.aspect_ratio)
     )
@@ -128,7 +129,7 @@ fn surface(planform: &Planform, flap: Option<[f64; 2]>, moves: Vec<Move>) -> Sur
         lift_comment: "Raymer eq. 12.6, with the aspect ratio above".to_owned(),
         profile_drag: PROFILE_DRAG,
         drag_comment: String::new(),
-        suction: planform.suction(),
+        suction: planform.suction(planform.lift_slope()),
         zero_lift_offset: 0.0,
         zero_lift_moment: 0.0,
         flap,

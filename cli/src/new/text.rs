@@ -1,6 +1,6 @@
 //! An aircraft as a file: its tables in TOML with what is said of them.
 
-use super::design::{Component, Control, Design, Engine, Place, Structure, Surface};
+use super::design::{Component, Control, Design, Engine, Part, Place, Structure, Surface};
 use super::interview::Choice;
 use super::kind::Kind;
 use super::sizing::Sizing;
@@ -63,20 +63,19 @@ fn heading(sizing: &Sizing) -> String {
     lines.push(String::new());
     let mut text: String =
         lines.iter().map(|line| format!("# {line}").trim_end().to_owned() + "\n").collect();
-    let rest = match sizing.kind {
-        Kind::WingOnWall => "The rest follows from rules of conceptual design, as said beside the numbers.",
+    let found = match sizing.kind {
+        Kind::WingOnWall => "One number was found with the library: EI of the wing for its frequency.",
         Kind::FlyingWing => {
-            "The rest follows from rules of conceptual design, as said beside the numbers. Three numbers were found with the \
-             library: EI of the wing for its frequency, the place of the payload for a static margin of 0.1 of the mean \
-             chord, and the wing's zero-lift moment for an elevator at 0 in the trim."
+            "Three numbers were found with the library: EI of the wing for its frequency, the place of the payload for a static \
+             margin of 0.1 of the mean chord, and the wing's zero-lift moment for an elevator at 0 in the trim."
         }
         _ => {
-            "The rest follows from rules of conceptual design, as said beside the numbers. Four numbers were found with the \
-             library: EI of the wing for its frequency, the place of the payload for a static margin of 0.1 of the mean \
-             chord, and the incidences of wing and tail for a level body and an elevator at 0 in the trim."
+            "Four numbers were found with the library: EI of the wing for its frequency, the place of the payload for a static \
+             margin of 0.1 of the mean chord, and the incidences of wing and tail for a level body and an elevator at 0 in the trim."
         }
     };
-    text += &comment(rest);
+    let rules = "The rest follows from rules of conceptual design, as said beside the numbers.";
+    text += &comment(&format!("{rules} {found}"));
     text += "#\n";
     text += &comment(
         "SI units, as the ends of field names say. Body axes: x forward, y right, z down; O at the root of the wing, on its \
@@ -173,13 +172,16 @@ fn stiffnesses(component: &Component) -> String {
 }
 
 fn of_structure(structure: &Structure) -> String {
-    let mut text = String::from("\n[[component.distributed_mass]]\nparts = [\n");
-    for part in &structure.parts {
-        let power = part.chord_power.map_or(String::new(), |power| format!(", chord_power = {power}"));
-        let to = part.to.map_or(String::new(), |to| format!(", to = {to}"));
-        text += &line(&format!("    {{ total_kg = {}{power}{to} }},", digits(part.mass)), part.comment);
-    }
-    text += "]\n";
+    let mut text = String::from("\n[[component.distributed_mass]]\n");
+    let parts: Vec<(String, &str)> =
+        structure.parts.iter().map(|part| (of_part(part), part.comment)).collect();
+    text += &match parts.as_slice() {
+        [(part, comment)] => line(&format!("parts = [{part}]"), comment),
+        several => {
+            let lines = several.iter().map(|(part, comment)| line(&format!("    {part},"), comment));
+            format!("parts = [\n{}]\n", lines.collect::<String>())
+        }
+    };
     if let Some(aft) = structure.aft {
         text += &format!("offset_chords = [{}, 0, 0]\n", Plain(-aft));
     }
@@ -191,6 +193,12 @@ fn of_structure(structure: &Structure) -> String {
         text += &format!("added_inertia_kg_m2 = {}\n", vector(&[inertia, 0.5 * inertia, 0.5 * inertia]));
     }
     text
+}
+
+fn of_part(part: &Part) -> String {
+    let power = part.chord_power.map_or(String::new(), |power| format!(", chord_power = {power}"));
+    let to = part.to.map_or(String::new(), |to| format!(", to = {to}"));
+    format!("{{ total_kg = {}{power}{to} }}", digits(part.mass))
 }
 
 fn of_surface(surface: &Surface) -> String {
@@ -278,8 +286,11 @@ fn vector(numbers: &[f64; 3]) -> String {
     format!("[{}, {}, {}]", digits(numbers[0]), digits(numbers[1]), digits(numbers[2]))
 }
 
-/// With four digits: more would say what rules do not know.
+/// With four digits: more would say what rules do not know. What is left of rounding is 0.
 fn digits(number: f64) -> String {
+    if number.abs() < 1e-12 {
+        return "0".to_owned();
+    }
     // PROOF: what is written as a number is read as one; the number itself stands in for any doubt.
     Plain(format!("{number:.3e}").parse().unwrap_or(number)).to_string()
 }

@@ -97,7 +97,7 @@ fn surface(basis: &Basis) -> Surface {
             Kind::WingOnWall => String::new(),
             _ => "of the whole aircraft but its tails, which is all put here".to_owned(),
         },
-        suction: wing.suction(),
+        suction: wing.suction(wing.lift_slope()),
         zero_lift_offset: camber[0],
         zero_lift_moment: camber[1],
         flap: Some([wing.flap_slope(), HINGE]),
