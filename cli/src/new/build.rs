@@ -43,7 +43,7 @@ impl Unknowns {
         // Tapered wings have their mass inboard.
         let bending = 0.5 * stiffness::cantilever(sizing.frequency, [wing_mass, 0.0], length);
         let incidence = match sizing.kind {
-            Kind::FlyingWing => 0.0,
+            Kind::FlyingWing | Kind::WingOnWall => 0.0,
             _ => 2.0,
         };
         Unknowns { bending, incidence, relief: 0.0, load: -sizing.wing.setback() }

@@ -74,19 +74,16 @@ impl<'t> Interview<'t> {
     ) -> Result<f64, Error> {
         let Quantity { option, label, unit, .. } = *quantity;
         let is_allowed = |number: &f64| quantity.allowed.contains(number);
-        let allowed = || {
-            let ends = [quantity.allowed.start(), quantity.allowed.end()].map(|end| Plain(*end).to_string());
-            format!("{} to {} {unit}", ends[0], ends[1])
-        };
+        let allowed = || quantity.allowed();
         if let Some(found) = given.filter(|number| !is_allowed(number)) {
             let found = format!("{} {unit}", Plain(found));
             return Err(Error::NotAllowed { option, found, allowed: allowed() });
         }
-        let default = short_of(default.clamp(*quantity.allowed.start(), *quantity.allowed.end()));
+        let default = short_of(default).clamp(*quantity.allowed.start(), *quantity.allowed.end());
         let read = |answer: &str| answer.parse().ok().filter(is_allowed).ok_or_else(allowed);
         let chosen = match given {
             Some(number) => Some(number),
-            None => self.ask(&format!("{label}, {unit}"), Plain(default), read)?.flatten(),
+            None => self.ask(&format!("{label}, {unit}"), short(default), read)?.flatten(),
         };
         let number = chosen.unwrap_or(default);
         let assumed = chosen.is_none().then_some(reason);

@@ -8,7 +8,7 @@ use flexible_aircraft::aircraft::AircraftFileError;
 use flexible_aircraft::structure::StructureError;
 use flexible_aircraft_packaging::FileError;
 
-use crate::files::{Drafts, STANDARD};
+use crate::files::{Drafts, STANDARD, named};
 use crate::numbers::{fixed, short};
 use crate::terminal;
 
@@ -179,7 +179,7 @@ fn name(file: &Path, sizing: &Sizing) -> String {
 
 /// What was assumed and what it came to.
 fn report(file: &Path, sizing: &Sizing, found: &fit::Found) -> String {
-    let shown = file.display();
+    let shown = named(file, "standard output");
     let mut text = format!("{shown}: {}\n\n", sizing.usual.name);
     text += &text::choices(&sizing.choices).iter().map(|line| format!("  {line}\n")).collect::<String>();
     text += &format!("\n{}", found.told());
@@ -194,9 +194,17 @@ fn report(file: &Path, sizing: &Sizing, found: &fit::Found) -> String {
             short(sizing.altitude)
         );
     }
-    text + &format!(
-        "\n\nThe file says how the rest was found. Next:\n  flexair describe {shown}\n  flexair view {shown}\n  flexair package --aircraft {shown}\n\
-         Editors complete and mark the file after:\n  flexair schema --output {}\n",
-        file.with_file_name(text::SCHEMA).display()
-    )
+    text += "\n\nThe file says how the rest was found.";
+    if file == Path::new(STANDARD) {
+        return text;
+    }
+    let next =
+        ["describe", "view", "package --aircraft"].map(|command| format!("\n  flexair {command} {shown}"));
+    let schema = file.with_file_name(text::SCHEMA);
+    text + " Next:"
+        + &next.concat()
+        + &format!(
+            "\nEditors complete and mark the file after:\n  flexair schema --output {}\n",
+            schema.display()
+        )
 }

@@ -2,6 +2,8 @@
 
 use std::ops::RangeInclusive;
 
+use crate::numbers::short;
+
 /// A number that describes an aircraft.
 pub struct Quantity {
     /// On the command line.
@@ -11,40 +13,54 @@ pub struct Quantity {
     pub unit: &'static str,
     /// Numbers outside are slips of the pen, or aircraft for which the rules here do not hold.
     pub allowed: RangeInclusive<f64>,
+    /// Why, where other numbers decide.
+    pub because: &'static str,
 }
 
-pub const SPAN: Quantity = Quantity { option: "--span", label: "span", unit: "m", allowed: 0.5..=100.0 };
-pub const ROOT_CHORD: Quantity =
-    Quantity { option: "--root-chord", label: "chord at the root", unit: "m", allowed: 0.01..=40.0 };
-pub const TIP_CHORD: Quantity =
-    Quantity { option: "--tip-chord", label: "chord at the tip", unit: "m", allowed: 0.005..=40.0 };
-pub const SWEEP: Quantity =
-    Quantity { option: "--sweep", label: "sweep of the quarter chord", unit: "deg", allowed: -20.0..=40.0 };
-pub const DIHEDRAL: Quantity =
-    Quantity { option: "--dihedral", label: "dihedral", unit: "deg", allowed: -10.0..=15.0 };
-pub const MASS: Quantity = Quantity { option: "--mass", label: "mass", unit: "kg", allowed: 0.01..=1e6 };
-pub const ALTITUDE: Quantity =
-    Quantity { option: "--altitude", label: "altitude", unit: "m", allowed: -500.0..=20000.0 };
-pub const AIRSPEED: Quantity =
-    Quantity { option: "--airspeed", label: "true airspeed", unit: "m/s", allowed: 2.0..=250.0 };
-pub const FREQUENCY: Quantity = Quantity {
-    option: "--bending-frequency",
-    label: "first bending of the wing",
-    unit: "Hz",
-    allowed: 0.05..=200.0,
-};
+pub const SPAN: Quantity = of("--span", "span", "m", 0.5..=100.0);
+pub const ROOT_CHORD: Quantity = of("--root-chord", "chord at the root", "m", 0.01..=40.0);
+pub const TIP_CHORD: Quantity = of("--tip-chord", "chord at the tip", "m", 0.005..=40.0);
+pub const SWEEP: Quantity = of("--sweep", "sweep of the quarter chord", "deg", -20.0..=40.0);
+pub const DIHEDRAL: Quantity = of("--dihedral", "dihedral", "deg", -10.0..=15.0);
+pub const MASS: Quantity = of("--mass", "mass", "kg", 0.01..=1e6);
+pub const ALTITUDE: Quantity = of("--altitude", "altitude", "m", -500.0..=20000.0);
+pub const AIRSPEED: Quantity = of("--airspeed", "true airspeed", "m/s", 2.0..=250.0);
+pub const FREQUENCY: Quantity = of("--bending-frequency", "first bending of the wing", "Hz", 0.05..=200.0);
+
+const fn of(
+    option: &'static str,
+    label: &'static str,
+    unit: &'static str,
+    allowed: RangeInclusive<f64>,
+) -> Quantity {
+    Quantity { option, label, unit, allowed, because: "" }
+}
+
+impl Quantity {
+    /// With narrower ends.
+    pub fn within(self, [low, high]: [f64; 2], because: &'static str) -> Self {
+        let allowed = low.max(*self.allowed.start())..=high.min(*self.allowed.end());
+        Quantity { allowed, because, ..self }
+    }
+
+    /// What is allowed, for people.
+    pub fn allowed(&self) -> String {
+        let [low, high] = [self.allowed.start(), self.allowed.end()].map(|end| short(*end));
+        format!("{low} to {high} {}{}", self.unit, self.because)
+    }
+}
 
 /// Of both chords and the span together, b²/S.
-pub const ASPECT_RATIOS: RangeInclusive<f64> = 3.0..=60.0;
+pub const ASPECT_RATIOS: [f64; 2] = [3.0, 60.0];
 
 /// Tip chord by root chord.
-pub const TAPERS: RangeInclusive<f64> = 0.1..=1.0;
+pub const TAPERS: [f64; 2] = [0.1, 1.0];
 
 /// Lift coefficients of trims: nothing stalls in this program, the aircraft that is meant does.
-pub const LIFT_COEFFICIENTS: RangeInclusive<f64> = 0.1..=1.3;
+pub const LIFT_COEFFICIENTS: [f64; 2] = [0.1, 1.3];
 
 /// The highest Mach number: the air is incompressible in this program.
 pub const MOST_MACH: f64 = 0.65;
 
 /// How many bends a second a wing may have by what is usual of its span.
-pub const FREQUENCY_RATIOS: RangeInclusive<f64> = 0.2..=5.0;
+pub const FREQUENCY_RATIOS: [f64; 2] = [0.2, 5.0];

@@ -2,7 +2,7 @@
 
 use flexible_aircraft::air::{Air, STANDARD_GRAVITY};
 
-use super::interview::{Choice, Interview};
+use super::interview::{Choice, Interview, short_of};
 use super::kind::{Kind, Usual};
 use super::planform::Planform;
 use super::quantity::{
@@ -87,15 +87,9 @@ impl Sizing {
         let usual_frequency =
             (usual.frequency_span / (2.0 * half_span)).clamp(FREQUENCIES[0], FREQUENCIES[1]);
         let reason = format!("{} m/s by the span of both halves, usual of the kind", usual.frequency_span);
-        let frequency = interview.number(&FREQUENCY, given.bending_frequency, (usual_frequency, reason))?;
-        let allowed = [FREQUENCY_RATIOS.start(), FREQUENCY_RATIOS.end()].map(|ratio| ratio * usual_frequency);
-        if !(allowed[0]..=allowed[1]).contains(&frequency) {
-            return Err(Error::NotAllowed {
-                option: FREQUENCY.option,
-                found: format!("{} Hz", short(frequency)),
-                allowed: format!("{} to {} Hz at this span", short(allowed[0]), short(allowed[1])),
-            });
-        }
+        let quantity =
+            FREQUENCY.within(FREQUENCY_RATIOS.map(|ratio| ratio * usual_frequency), " at this span");
+        let frequency = interview.number(&quantity, given.bending_frequency, (usual_frequency, reason))?;
         let choices = interview.choices;
         Ok(Sizing { kind, usual, wing, span, area, mass, engines, airspeed, altitude, frequency, choices })
     }
@@ -124,23 +118,14 @@ fn chords(given: &Given, interview: &mut Interview, usual: &Usual, span: f64) ->
         Some(tip) => (tip / taper, from_taper.clone()),
         None => (2.0 * span / (aspect_ratio * (1.0 + taper)), from_ratio),
     };
-    let root = interview.number(&ROOT_CHORD, given.root_chord, (root, reason))?;
-    let tip = interview.number(&TIP_CHORD, given.tip_chord, (taper * root, from_taper))?;
-    let not_allowed = |what: &str, found: f64, [low, high]: [f64; 2]| Error::NotAllowed {
-        option: "--root-chord and --tip-chord",
-        found: format!("{what} {}", short(found)),
-        allowed: format!("{low} to {high}"),
-    };
-    let ends = |range: &std::ops::RangeInclusive<f64>| [*range.start(), *range.end()];
-    let found = [tip / root, 2.0 * span / (root + tip)];
-    // What was rounded to three digits is at the end of its range all the same.
-    let is_in = |[low, high]: [f64; 2], found: f64| (0.99 * low..=1.01 * high).contains(&found);
-    if !is_in(ends(&TAPERS), found[0]) {
-        return Err(not_allowed("tip by root", found[0], ends(&TAPERS)));
-    }
-    if !is_in(ends(&ASPECT_RATIOS), found[1]) {
-        return Err(not_allowed("aspect ratio", found[1], ends(&ASPECT_RATIOS)));
-    }
+    // Of root and tip, m.
+    let [least, most] = [ASPECT_RATIOS[1], ASPECT_RATIOS[0]].map(|ratio| 2.0 * span / ratio);
+    let ends = [least / (1.0 + TAPERS[1]), most / (1.0 + TAPERS[0])];
+    let quantity = ROOT_CHORD.within(ends, " for aspect ratios from 3 to 60 at this span");
+    let root = interview.number(&quantity, given.root_chord, (root, reason))?;
+    let ends = [(TAPERS[0] * root).max(least - root), (TAPERS[1] * root).min(most - root)];
+    let quantity = TIP_CHORD.within(ends, " for tapers from 0.1 to 1 and aspect ratios from 3 to 60");
+    let tip = interview.number(&quantity, given.tip_chord, (taper * root, from_taper))?;
     Ok([root, tip])
 }
 
@@ -152,34 +137,23 @@ fn airspeed(
 ) -> Result<f64, Error> {
     let air = Air::at(altitude);
     let at = |coefficient: f64| (2.0 * loading / (air.density * coefficient)).sqrt();
-    let usual = at(coefficient).min(USUAL_MACH * air.speed_of_sound);
-    let actual = 2.0 * loading / (air.density * usual * usual);
-    let reason = format!("lift coefficient {}, usual of the kind", fixed_digits(actual));
-    let speed = interview.number(&AIRSPEED, given.airspeed, (usual, reason))?;
-    let [slowest, fastest] =
-        [LIFT_COEFFICIENTS.end(), LIFT_COEFFICIENTS.start()].map(|coefficient| at(*coefficient));
-    let fastest = fastest.min(MOST_MACH * air.speed_of_sound);
-    if !(slowest..=fastest).contains(&speed) {
+    let [fastest, slowest] = LIFT_COEFFICIENTS.map(at);
+    let ends = [slowest, fastest.min(MOST_MACH * air.speed_of_sound)];
+    let why = " with this mass and wing, for lift coefficients from 0.1 to 1.3 and Mach numbers up to 0.65";
+    let quantity = AIRSPEED.within(ends, why);
+    if quantity.allowed.is_empty() {
+        let [low, high] =
+            [quantity.allowed.start(), quantity.allowed.end()].map(|speed| short(short_of(*speed)));
         return Err(Error::NotAllowed {
-            option: AIRSPEED.option,
-            found: format!(
-                "{} m/s, lift coefficient {}",
-                short(speed),
-                fixed_digits(2.0 * loading / (air.density * speed * speed))
-            ),
+            option: "--mass and the wing's area",
+            found: format!("{} kg/m2", short(short_of(loading / STANDARD_GRAVITY))),
             allowed: format!(
-                "{} to {} m/s with this mass and wing, for lift coefficients from {} to {} and Mach numbers up to {MOST_MACH}",
-                fixed_digits(slowest),
-                fixed_digits(fastest),
-                LIFT_COEFFICIENTS.start(),
-                LIFT_COEFFICIENTS.end()
+                "what flies at this altitude: it would be faster than {low} and slower than {high} m/s"
             ),
         });
     }
-    Ok(speed)
-}
-
-/// With three digits.
-fn fixed_digits(number: f64) -> String {
-    short(super::interview::short_of(number)).to_string()
+    let usual = at(coefficient).min(USUAL_MACH * air.speed_of_sound);
+    let actual = short(short_of(2.0 * loading / (air.density * usual * usual)));
+    let reason = format!("lift coefficient {actual}, usual of the kind");
+    interview.number(&quantity, given.airspeed, (usual, reason))
 }

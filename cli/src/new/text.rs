@@ -67,20 +67,19 @@ fn heading(sizing: &Sizing) -> String {
     lines.push(String::new());
     let mut text = format!("#:schema ./{SCHEMA}\n");
     text.extend(lines.iter().map(|line| format!("# {line}").trim_end().to_owned() + "\n"));
-    let rest = match sizing.kind {
-        Kind::WingOnWall => "The rest follows from rules of conceptual design, as said beside the numbers.",
+    let found = match sizing.kind {
+        Kind::WingOnWall => "One number was found with the library: EI of the wing for its frequency.",
         Kind::FlyingWing => {
-            "The rest follows from rules of conceptual design, as said beside the numbers. Three numbers were found with the \
-             library: EI of the wing for its frequency, the place of the payload for a static margin of 0.1 of the mean \
-             chord, and the wing's zero-lift moment for an elevator at 0 in the trim."
+            "Three numbers were found with the library: EI of the wing for its frequency, the place of the payload for a static \
+             margin of 0.1 of the mean chord, and the wing's zero-lift moment for an elevator at 0 in the trim."
         }
         _ => {
-            "The rest follows from rules of conceptual design, as said beside the numbers. Four numbers were found with the \
-             library: EI of the wing for its frequency, the place of the payload for a static margin of 0.1 of the mean \
-             chord, and the incidences of wing and tail for a level body and an elevator at 0 in the trim."
+            "Four numbers were found with the library: EI of the wing for its frequency, the place of the payload for a static \
+             margin of 0.1 of the mean chord, and the incidences of wing and tail for a level body and an elevator at 0 in the trim."
         }
     };
-    text += &comment(rest);
+    let rules = "The rest follows from rules of conceptual design, as said beside the numbers.";
+    text += &comment(&format!("{rules} {found}"));
     text += "#\n";
     text += &comment(
         "SI units, as the ends of field names say. Body axes: x forward, y right, z down; O at the root of the wing, on its \

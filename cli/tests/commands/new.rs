@@ -193,9 +193,19 @@ fn what_is_not_allowed_is_told_with_what_is_and_nothing_is_written() {
         ("--kind canard --span 500", "--span: found 500 m, allowed is 0.5 to 100 m"),
         ("--kind canard --sweep -30", "--sweep: found -30 deg, allowed is -20 to 40 deg"),
         ("--kind sailplane --engines 2", "--engines: found 2, allowed is 0 to 1 of this kind"),
-        ("--kind canard --root-chord 8 --tip-chord 8", "found aspect ratio 1, allowed is 3 to 60"),
-        ("--kind canard --root-chord 2 --tip-chord 0.01", "found tip by root 0.005, allowed is 0.1 to 1"),
-        ("--kind sailplane --airspeed 5", "--airspeed: found 5 m/s, lift coefficient "),
+        (
+            "--kind canard --root-chord 8 --tip-chord 8",
+            "--root-chord: found 8 m, allowed is 0.133333 to 4.84848 m for aspect ratios from 3 to 60 at this span",
+        ),
+        (
+            "--kind canard --root-chord 2 --tip-chord 0.01",
+            "--tip-chord: found 0.01 m, allowed is 0.2 to 2 m for tapers from 0.1 to 1",
+        ),
+        (
+            "--kind canard --mass 100000",
+            "--mass and the wing's area: found 12500 kg/m2, allowed is what flies",
+        ),
+        ("--kind sailplane --airspeed 5", "--airspeed: found 5 m/s, allowed is 24."),
         (
             "--kind sailplane --bending-frequency 100",
             "--bending-frequency: found 100 Hz, allowed is 0.5 to 12.5 Hz",
