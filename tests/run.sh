@@ -57,11 +57,8 @@ is_made $environments "$target/environments.log"
 export GEMSEO_PYTHON=$target/venv-gemseo/bin/python
 export FMU=$target/fmu/FlexibleAircraft.fmu FLEXAIR=$target/release/flexair EXAMPLES=$target/checked/examples
 for tests in fmpy masters coupling view; do
-    # A file of tests stays with one process: its tests share what is costly to make. The importers stay in one, in one order: whose
-    # libraries in C meet there must not change from run to run.
-    processes=auto
-    [ $tests = masters ] && processes=0
-    "$target/venv-$tests/bin/python" -m pytest -rs --numprocesses "$processes" --dist loadfile tests/$tests
+    # A file of tests stays with one process: its tests share what is costly to make.
+    "$target/venv-$tests/bin/python" -m pytest -rs --numprocesses auto --dist loadfile tests/$tests
 done
 
 bash tests/view/run.sh
