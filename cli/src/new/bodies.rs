@@ -1,11 +1,11 @@
 //! Fuselages, pods and booms.
 
-use super::build::Basis;
+use super::basis::Basis;
 use super::design::{Component, Lump, Part, Place, Structure};
 use super::kind::Kind;
 use super::layout::BOOM_PLACE;
+use super::quantity::in_three_digits;
 use super::stiffness;
-use super::text::short_of;
 
 /// Frequencies of bodies by the wing's: they are stiffer.
 const STIFFER: f64 = 2.5;
@@ -34,8 +34,8 @@ pub fn components(basis: &Basis) -> Vec<Component> {
         .collect();
     all[0].comment = format!(
         "from O to the nose; {} m long with the rest, {} m thick. Bodies lift nothing here, their drag is the wing's",
-        short_of(whole),
-        short_of(2.0 * layout.radius)
+        in_three_digits(whole),
+        in_three_digits(2.0 * layout.radius)
     );
     all[1].comment = "from O to the tail".to_owned();
     if basis.sizing.kind == Kind::TwinBoom {

@@ -1,94 +1,39 @@
-//! The tables of an aircraft from its main numbers, its layout, and what is still to be found by trying.
+//! The tables of an aircraft from what it is built of.
 
-use super::controls;
+use super::basis::Basis;
 use super::design::{Component, Design};
-use super::engines::{self, Mount};
 use super::kind::Kind;
-use super::layout::Layout;
-use super::sizing::Sizing;
-use super::stiffness;
-use super::wing;
-use super::{bodies, tails};
+use super::{bodies, controls, engines, tails, wing};
 
-/// What rules do not say, and the equations of the aircraft do.
-#[derive(Clone, Copy, Debug)]
-pub struct Unknowns {
-    /// EI at the root of the wing, N m².
-    pub bending: f64,
-    /// Of the wing, degrees.
-    pub incidence: f64,
-    /// What relieves the control for pitch: the incidence of the tail, degrees, or the zero-lift moment of a wing without one.
-    pub relief: f64,
-    /// Where the payload is, m ahead of O.
-    pub load: f64,
-}
-
-/// What is built of.
-pub struct Basis<'s> {
-    pub sizing: &'s Sizing,
-    pub layout: Layout,
-    pub unknowns: Unknowns,
-    pub mounts: Vec<Mount>,
-}
-
-/// Payload this far out on a fuselage needs a longer one.
-const MOST_LOAD_PLACE: f64 = 0.85;
-
-impl Unknowns {
-    /// From which the search begins.
-    pub fn first(sizing: &Sizing) -> Self {
-        let layout = Layout::new(sizing);
-        let wing_mass = layout.masses.wing + layout.masses.fuel;
-        let length = sizing.wing.axis_length(wing::ELASTIC_AXIS);
-        // Tapered wings have their mass inboard.
-        let bending = 0.5 * stiffness::cantilever(sizing.frequency, [wing_mass, 0.0], length);
-        let incidence = match sizing.kind {
-            Kind::FlyingWing | Kind::WingOnWall => 0.0,
-            _ => 2.0,
-        };
-        Unknowns { bending, incidence, relief: 0.0, load: -sizing.wing.setback() }
+/// All tables.
+pub fn design(basis: &Basis) -> Design {
+    let kind = basis.sizing.kind;
+    let wing = wing::component(basis);
+    let mut components: Vec<Component> = vec![wing];
+    if kind != Kind::WingOnWall {
+        components.extend(bodies::components(basis));
+        components.extend(tails::components(basis));
     }
-}
-
-impl<'s> Basis<'s> {
-    pub fn new(sizing: &'s Sizing, unknowns: Unknowns) -> Self {
-        let mut layout = Layout::new(sizing);
-        layout.nose = layout.nose.max(unknowns.load / MOST_LOAD_PLACE);
-        layout.aft = layout.aft.max(-unknowns.load / MOST_LOAD_PLACE);
-        let mounts = engines::mounts(sizing, &layout);
-        Basis { sizing, layout, unknowns, mounts }
+    let side = |name: &str| match kind {
+        Kind::WingOnWall => vec![name.to_owned()],
+        _ => ["right", "left"].map(|side| format!("{name}_{side}")).to_vec(),
+    };
+    let mut watched = side("wing");
+    let mut cut = side("wing");
+    match kind {
+        Kind::Conventional | Kind::TTail | Kind::Sailplane | Kind::VTail | Kind::Canard => {
+            let tail = tails::name(kind);
+            watched.extend(side(tail));
+            cut.extend(side(tail).into_iter().chain(["fuselage_aft".to_owned()]));
+        }
+        Kind::TwinBoom => cut.extend(side("boom").into_iter().chain(side("fin"))),
+        Kind::FlyingWing | Kind::WingOnWall => {}
     }
-
-    /// All tables.
-    pub fn design(&self) -> Design {
-        let kind = self.sizing.kind;
-        let wing = wing::component(self);
-        let mut components: Vec<Component> = vec![wing];
-        if kind != Kind::WingOnWall {
-            components.extend(bodies::components(self));
-            components.extend(tails::components(self));
-        }
-        let side = |name: &str| match kind {
-            Kind::WingOnWall => vec![name.to_owned()],
-            _ => ["right", "left"].map(|side| format!("{name}_{side}")).to_vec(),
-        };
-        let mut watched = side("wing");
-        let mut cut = side("wing");
-        match kind {
-            Kind::Conventional | Kind::TTail | Kind::Sailplane | Kind::VTail | Kind::Canard => {
-                let tail = tails::name(kind);
-                watched.extend(side(tail));
-                cut.extend(side(tail).into_iter().chain(["fuselage_aft".to_owned()]));
-            }
-            Kind::TwinBoom => cut.extend(side("boom").into_iter().chain(side("fin"))),
-            Kind::FlyingWing | Kind::WingOnWall => {}
-        }
-        let fin = ["fin".to_owned()];
-        if components.iter().any(|component| component.name == fin[0]) {
-            watched.extend(fin.clone());
-            cut.extend(fin);
-        }
-        let engines = engines::engines(&self.mounts);
-        Design { controls: controls::of(kind), components, engines, watched, cut }
+    let fin = ["fin".to_owned()];
+    if components.iter().any(|component| component.name == fin[0]) {
+        watched.extend(fin.clone());
+        cut.extend(fin);
     }
+    let engines = engines::engines(&basis.mounts);
+    Design { controls: controls::of(kind), components, engines, watched, cut }
 }

@@ -2,9 +2,8 @@
 
 use super::design::{Engine, Lump, Place};
 use super::kind::Kind;
-use super::layout::{BOOM_PLACE, Layout};
+use super::layout::{BOOM_PLACE, ELASTIC_AXIS, Layout};
 use super::sizing::Sizing;
-use super::wing;
 
 /// An engine, or a pair of them on both wings, of which this is the right one.
 pub struct Mount {
@@ -36,9 +35,9 @@ pub fn mounts(sizing: &Sizing, layout: &Layout) -> Vec<Mount> {
     }
     for (pair, place) in PLACES.into_iter().take(pairs).enumerate() {
         let number = if pairs > 1 { format!("_{}", pair + 1) } else { String::new() };
-        let rear = if sizing.kind == Kind::TTail { "wing_" } else { "" };
+        let prefix = if sizing.kind == Kind::TTail { "wing_" } else { "" };
         for (side, sign) in [("right", 1.0), ("left", -1.0)] {
-            mounts.push(on_wing(sizing, layout, (format!("{rear}{side}{number}"), sign, place)));
+            mounts.push(on_wing(sizing, layout, (format!("{prefix}{side}{number}"), sign, place)));
         }
     }
     mounts
@@ -77,7 +76,7 @@ fn on_wing(sizing: &Sizing, layout: &Layout, (name, sign, place): (String, f64, 
         name,
         component: if sign > 0.0 { "wing_right" } else { "wing_left" },
         at: Place::Fraction(place),
-        offset: [(wing::ELASTIC_AXIS + 0.15) * chord, 0.0, 0.12 * chord],
+        offset: [(ELASTIC_AXIS + 0.15) * chord, 0.0, 0.12 * chord],
         mass: layout.masses.engine,
     }
 }
@@ -92,7 +91,7 @@ impl Mount {
             at: self.at,
             mass: self.mass,
             offset: self.offset,
-            gyration: [size, 1.5 * size, 1.5 * size],
+            gyration: [size, 1.8 * size, 1.8 * size],
         })
     }
 }

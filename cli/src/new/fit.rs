@@ -9,9 +9,11 @@ use flexible_aircraft::structure::{
 use flexible_aircraft::symmetry::Plants;
 
 use super::Error;
-use super::build::{Basis, Unknowns};
+use super::basis::{Basis, Unknowns};
+use super::build;
 use super::kind::Kind;
 use super::planform::flap_share;
+use super::quantity::STATIC_MARGIN;
 use super::sizing::Sizing;
 use super::tails::{HINGE, kept_lift};
 use super::text;
@@ -47,9 +49,6 @@ pub struct Flight {
     /// Of each engine, N.
     pub thrust: f64,
 }
-
-/// Of the mean aerodynamic chord.
-pub const STATIC_MARGIN: f64 = 0.1;
 
 /// How near is near enough: frequency by the one asked for, static margin, degrees.
 const FREQUENCY: f64 = 2e-3;
@@ -92,7 +91,7 @@ pub fn fit(name: &str, sizing: &Sizing) -> Result<Fitted, Error> {
     let mut latest = String::new();
     for _ in 0..MOST_ROUNDS {
         let basis = Basis::new(sizing, unknowns);
-        let text = text::file(name, sizing, &basis.design());
+        let text = text::file(name, sizing, &build::design(&basis));
         let found = look(&text, &basis)?;
         if is_near(&found, sizing) {
             return Ok(Fitted { text, found });

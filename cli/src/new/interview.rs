@@ -8,7 +8,7 @@ use clap::ValueEnum;
 
 use super::Error;
 use super::kind::Kind;
-use super::quantity::Quantity;
+use super::quantity::{Quantity, to_three_digits};
 use crate::numbers::{Plain, short};
 
 /// A number of the aircraft and where it comes from.
@@ -72,14 +72,11 @@ impl<'t> Interview<'t> {
         given: Option<f64>,
         (default, reason): (f64, String),
     ) -> Result<f64, Error> {
-        let Quantity { option, label, unit, .. } = *quantity;
+        check(quantity, given)?;
+        let Quantity { label, unit, .. } = *quantity;
         let is_allowed = |number: &f64| quantity.allowed.contains(number);
         let allowed = || quantity.allowed();
-        if let Some(found) = given.filter(|number| !is_allowed(number)) {
-            let found = format!("{} {unit}", Plain(found));
-            return Err(Error::NotAllowed { option, found, allowed: allowed() });
-        }
-        let default = short_of(default).clamp(*quantity.allowed.start(), *quantity.allowed.end());
+        let default = to_three_digits(default).max(*quantity.allowed.start()).min(*quantity.allowed.end());
         let read = |answer: &str| answer.parse().ok().filter(is_allowed).ok_or_else(allowed);
         let chosen = match given {
             Some(number) => Some(number),
@@ -143,6 +140,22 @@ impl<'t> Interview<'t> {
     }
 }
 
+/// Makes sure that a number that is given is allowed.
+///
+/// # Errors
+/// When it is not.
+pub fn check(quantity: &Quantity, given: Option<f64>) -> Result<(), Error> {
+    let Quantity { option, unit, .. } = *quantity;
+    match given.filter(|number| !quantity.allowed.contains(number)) {
+        None => Ok(()),
+        Some(found) => Err(Error::NotAllowed {
+            option,
+            found: format!("{} {unit}", Plain(found)),
+            allowed: quantity.allowed(),
+        }),
+    }
+}
+
 impl Terminal<'_> {
     fn say(&mut self, text: &str) -> Result<(), Error> {
         self.questions
@@ -159,12 +172,6 @@ impl Terminal<'_> {
             Err(error) => Err(Error::Terminal(error)),
         }
     }
-}
-
-/// A number with three digits, as people give them.
-pub fn short_of(number: f64) -> f64 {
-    // PROOF: what is written as a number is read as one; the number itself stands in for any doubt.
-    format!("{number:.2e}").parse().unwrap_or(number)
 }
 
 #[cfg(test)]

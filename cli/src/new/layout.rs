@@ -15,8 +15,9 @@ pub struct Layout {
     pub boom: f64,
     /// One side of a horizontal tail, a V-tail or a canard.
     pub tail: Option<Planform>,
-    /// A fin: one of two on booms.
+    /// A fin: one of two on booms and of two winglets.
     pub fin: Option<Planform>,
+    pub has_pair_of_fins: bool,
     pub masses: Masses,
     /// What sized tail and fin, for people.
     pub tail_rule: String,
@@ -56,12 +57,17 @@ struct Proportions {
 /// Of wing area and mean chord, of a canard that lifts its share: its area by the wing's [Raymer §6.5: up to 0.25].
 const CANARD_AREA: f64 = 0.15;
 
-/// Length of a fuselage by its diameter [Raymer §6.5: 8 has the least drag of a given diameter, 3 of a given volume].
+/// Of a canard's fin, by one whose arm begins at the wing: our own.
+const CANARD_FIN: f64 = 0.75;
+
+/// Length of a fuselage by its diameter: our own, round.
 const FINENESS: f64 = 8.0;
 
-/// Aspect ratio and taper of horizontal tails and fins [Raymer table 4.3: 3 to 5 and 0.3 to 0.6; 1.3 to 2.0 and 0.3 to 0.6,
+/// Aspect ratio and taper of horizontal tails and fins [Raymer table 4.3: 3 to 5 and 0.3 to 0.6, of
+/// sailplanes 6 to 10 and 0.3 to 0.5; 1.3 to 2.0 and 0.3 to 0.6,
 /// 0.7 to 1.2 and 0.6 to 1.0 under a T-tail], and sweep of fins, rad.
 const TAIL: [f64; 2] = [4.5, 0.6];
+const TAIL_OF_SAILPLANE: [f64; 2] = [6.0, 0.5];
 const FIN: [f64; 2] = [1.6, 0.5];
 const FIN_UNDER_TAIL: [f64; 2] = [1.2, 0.7];
 const FIN_SWEEP: f64 = 0.5;
@@ -69,8 +75,12 @@ const FIN_SWEEP: f64 = 0.5;
 /// Aspect ratio that a fin on a body acts with by its own [Raymer §16.4.4].
 const FIN_ON_BODY: f64 = 1.55;
 
-/// Where booms stand on the wing: a node of its elements.
+/// The wing's, behind the leading edge, chords: in the middle of the box.
+pub const ELASTIC_AXIS: f64 = 0.37;
+
+/// Where booms stand on the wing: a node of its elements; and how far behind it their tails are, by the span.
 pub const BOOM_PLACE: f64 = 0.3125;
+const BOOM_REACH: f64 = 0.42;
 
 /// Winglets by the half span, and their root chord by the tip chord of the wing.
 const WINGLET: [f64; 2] = [0.15, 0.9];
@@ -97,6 +107,7 @@ impl Layout {
             boom: 0.0,
             tail: None,
             fin: None,
+            has_pair_of_fins: matches!(kind, Kind::FlyingWing | Kind::TwinBoom),
             masses: masses(sizing),
             tail_rule: format!(
                 "volume coefficients {tail_volume} (tail) and {fin_volume} (fin), Raymer table 6.4"
@@ -111,32 +122,38 @@ impl Layout {
                 layout.fin = Some(fin(fin_area, FIN));
             }
             Kind::TTail | Kind::Sailplane => {
-                layout.tail = Some(Planform::of_area(tail_area, TAIL[0], TAIL[1], 2.0));
+                let [aspect_ratio, taper] = if kind == Kind::Sailplane { TAIL_OF_SAILPLANE } else { TAIL };
+                layout.tail = Some(Planform::of_area(tail_area, aspect_ratio, taper, 2.0));
                 layout.fin = Some(fin(fin_area, FIN_UNDER_TAIL));
             }
             Kind::VTail => {
-                // The area of both, at the angle at which their sides are those of the two [Raymer §4.5.2].
+                // The area of both, at the angle at which their sides are those of the two. Where lift is less for the wing's
+                // downwash, side forces would be too.
+                let fin_area = fin_area / wing.kept_behind();
                 let tail = Planform::of_area(tail_area + fin_area, TAIL[0], TAIL[1], 2.0);
                 layout.tail = Some(Planform { dihedral: (fin_area / tail_area).sqrt().atan(), ..tail });
             }
             Kind::Canard => {
                 layout.tail = Some(Planform::of_area(CANARD_AREA * area, 1.6 * TAIL[0], TAIL[1], 2.0));
                 // The centre of mass is ahead of the wing.
-                layout.fin = Some(fin(0.75 * fin_area, FIN));
-                layout.tail_rule =
-                    format!("canard of {CANARD_AREA} of the wing's area, {}", layout.tail_rule);
+                layout.fin = Some(fin(CANARD_FIN * fin_area, FIN));
+                layout.tail_rule = format!(
+                    "canard of {CANARD_AREA} of the wing's area; fin of {CANARD_FIN} of a volume coefficient {fin_volume}, Raymer table 6.4"
+                );
             }
             Kind::FlyingWing => {
                 layout.nose = 0.45 * wing.root_chord;
                 layout.aft = 0.75 * wing.root_chord;
                 layout.fin = Some(winglet(wing));
-                layout.tail_rule = "winglets of 0.15 of the half span".to_owned();
+                layout.tail_rule = format!("winglets of {} of the half span", WINGLET[0]);
             }
             Kind::TwinBoom => {
-                layout.boom = 0.42 * span + setback - BOOM_PLACE * wing.length * wing.sweep.tan();
-                let [tail_area, fin_area] = [tail_area, fin_area].map(|area| area * aft / 0.42);
-                layout.tail = Some(between_booms(tail_area, 2.0 * BOOM_PLACE * wing.length));
-                layout.fin = Some(fin(0.5 * fin_area, FIN));
+                layout.boom = BOOM_REACH * span + setback - BOOM_PLACE * wing.length * wing.sweep.tan();
+                let [tail_area, fin_area] = [tail_area, fin_area].map(|area| area * aft / BOOM_REACH);
+                let fin = fin(0.5 * fin_area, FIN);
+                let apart = 2.0 * BOOM_PLACE * wing.length * wing.dihedral.cos();
+                layout.tail = Some(between_booms(tail_area, apart, fin.length));
+                layout.fin = Some(fin);
             }
             Kind::WingOnWall => {}
         }
@@ -145,6 +162,15 @@ impl Layout {
             _ => 0.5 * (layout.nose + layout.aft) / FINENESS,
         };
         layout
+    }
+}
+
+impl Layout {
+    /// Of all tails, fins and winglets, m².
+    pub fn area_of_tails(&self) -> f64 {
+        let fins = if self.has_pair_of_fins { 2.0 } else { 1.0 };
+        let area = |planform: Option<Planform>| planform.map_or(0.0, |planform| planform.area());
+        2.0 * area(self.tail) + fins * area(self.fin)
     }
 }
 
@@ -185,8 +211,8 @@ fn winglet(wing: &Planform) -> Planform {
     }
 }
 
-/// One half of a tail of an area, as wide as booms stand apart.
-fn between_booms(area: f64, width: f64) -> Planform {
+/// One half of a tail of an area, as wide as booms stand apart, between fins of a height.
+fn between_booms(area: f64, width: f64, height: f64) -> Planform {
     let chord = area / width;
     Planform {
         length: 0.5 * width,
@@ -194,8 +220,8 @@ fn between_booms(area: f64, width: f64) -> Planform {
         tip_chord: chord,
         sweep: 0.0,
         dihedral: 0.0,
-        // The fins hold the flow at its ends [Raymer §12.4.1: about 1.2 of the aspect ratio with endplates of this height].
-        aspect_ratio: 1.2 * width / chord,
+        // The fins hold the flow at its ends [Raymer eq. 12.10, endplates: 1 + 1.9 h/b].
+        aspect_ratio: (1.0 + 1.9 * height / width) * width / chord,
     }
 }
 

@@ -12,6 +12,7 @@ use crate::files::{Drafts, STANDARD, named};
 use crate::numbers::{fixed, short};
 use crate::terminal;
 
+mod basis;
 mod bodies;
 mod build;
 mod controls;
@@ -133,7 +134,7 @@ pub enum Error {
     #[error(
         "such an aircraft was not found to fly level with a static margin of {margin}; the last that was tried had {0}. Allowed are numbers nearer to what is \
          usual, which `flexair new` takes where they are not given",
-        margin = fit::STATIC_MARGIN
+        margin = quantity::STATIC_MARGIN
     )]
     NotFound(String),
     #[error(transparent)]
@@ -177,6 +178,13 @@ fn name(file: &Path, sizing: &Sizing) -> String {
     format!("{printable}, {}", sizing.usual.name)
 }
 
+/// As a shell takes it.
+fn quoted(path: &Path) -> String {
+    let text = path.display().to_string();
+    let is_plain = |letter: char| letter.is_alphanumeric() || "_-./".contains(letter);
+    if text.chars().all(is_plain) { text } else { format!("'{}'", text.replace('\'', r"'\''")) }
+}
+
 /// What was assumed and what it came to.
 fn report(file: &Path, sizing: &Sizing, found: &fit::Found) -> String {
     let shown = named(file, "standard output");
@@ -186,7 +194,7 @@ fn report(file: &Path, sizing: &Sizing, found: &fit::Found) -> String {
     if let Some(flight) = &found.flight {
         let pushed = match sizing.engines {
             0 => format!("path {} deg", fixed(flight.climb, 1)),
-            _ => format!("thrust {} N of each engine", text::short_of(flight.thrust)),
+            _ => format!("thrust {} N of each engine", quantity::in_three_digits(flight.thrust)),
         };
         text += &format!(
             ", {pushed}, trimmed at {} m/s and {} m",
@@ -198,13 +206,10 @@ fn report(file: &Path, sizing: &Sizing, found: &fit::Found) -> String {
     if file == Path::new(STANDARD) {
         return text;
     }
+    let (own, schema) = (quoted(file), quoted(&file.with_file_name(text::SCHEMA)));
     let next =
-        ["describe", "view", "package --aircraft"].map(|command| format!("\n  flexair {command} {shown}"));
-    let schema = file.with_file_name(text::SCHEMA);
+        ["describe", "view", "package --aircraft"].map(|command| format!("\n  flexair {command} {own}"));
     text + " Next:"
         + &next.concat()
-        + &format!(
-            "\nEditors complete and mark the file after:\n  flexair schema --output {}\n",
-            schema.display()
-        )
+        + &format!("\nEditors complete and mark the file after:\n  flexair schema --output {}\n", schema)
 }

@@ -25,6 +25,9 @@ const OSWALD: f64 = 0.85;
 /// Of a flap's lift by that of thin-aerofoil theory, for the boundary layer at its hinge [Raymer figure 16.6, up to 20°].
 const FLAP_LOSS: f64 = 0.8;
 
+/// Profile drag of sections with a smooth surface, by their own area [Abbott and von Doenhoff: 0.006 to 0.010].
+pub const SECTION_DRAG: f64 = 0.009;
+
 impl Planform {
     /// A pair of tails, or a fin that stands on a body, of an area (both sides, m²).
     pub fn of_area(area: f64, aspect_ratio: f64, taper: f64, sides: f64) -> Self {
@@ -99,9 +102,10 @@ impl Planform {
         FLAP_LOSS * self.lift_slope()
     }
 
-    /// How fast the air behind the surface goes down as it turns up, dε/dα [far behind an elliptic lift: 2 C_Lα/(π A)].
-    pub fn downwash(&self) -> f64 {
-        2.0 * self.lift_slope() / (PI * self.aspect_ratio)
+    /// How fast a tail behind the surface turns against the air as both turn up, 1 − dε/dα, for the air goes down there
+    /// [far behind an elliptic lift: dε/dα = 2 C_Lα/(π A)].
+    pub fn kept_behind(&self) -> f64 {
+        1.0 - 2.0 * self.lift_slope() / (PI * self.aspect_ratio)
     }
 }
 

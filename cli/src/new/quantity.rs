@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::numbers::short;
+use crate::numbers::{Plain, short};
 
 /// A number that describes an aircraft.
 pub struct Quantity {
@@ -50,8 +50,25 @@ impl Quantity {
     }
 }
 
+/// As people give numbers.
+pub fn to_three_digits(number: f64) -> f64 {
+    // PROOF: what is written as a number is read as one; the number itself stands in for any doubt.
+    format!("{number:.2e}").parse().unwrap_or(number)
+}
+
+/// For people, with three digits.
+pub fn in_three_digits(number: f64) -> String {
+    Plain(to_three_digits(number)).to_string()
+}
+
+/// What is aimed at, by the mean aerodynamic chord.
+pub const STATIC_MARGIN: f64 = 0.1;
+
 /// Of both chords and the span together, b²/S.
 pub const ASPECT_RATIOS: [f64; 2] = [3.0, 60.0];
+
+/// Sweeps of what has no tail, degrees: less gives elevons no arm.
+pub const SWEEPS_WITHOUT_TAIL: [f64; 2] = [10.0, 40.0];
 
 /// Tip chord by root chord.
 pub const TAPERS: [f64; 2] = [0.1, 1.0];

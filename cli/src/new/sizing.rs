@@ -2,12 +2,12 @@
 
 use flexible_aircraft::air::{Air, STANDARD_GRAVITY};
 
-use super::interview::{Choice, Interview, short_of};
+use super::interview::{self, Choice, Interview};
 use super::kind::{Kind, Usual};
 use super::planform::Planform;
 use super::quantity::{
     AIRSPEED, ALTITUDE, ASPECT_RATIOS, DIHEDRAL, FREQUENCY, FREQUENCY_RATIOS, LIFT_COEFFICIENTS, MASS,
-    MOST_MACH, ROOT_CHORD, SPAN, SWEEP, TAPERS, TIP_CHORD,
+    MOST_MACH, ROOT_CHORD, SPAN, SWEEP, SWEEPS_WITHOUT_TAIL, TAPERS, TIP_CHORD, in_three_digits,
 };
 use super::{Error, Given};
 use crate::numbers::short;
@@ -61,7 +61,7 @@ impl Sizing {
         let span = interview.number(&SPAN, given.span, (usual.span, OF_KIND.to_owned()))?;
         let halves = if kind == Kind::WingOnWall { 1.0 } else { 2.0 };
         let half_span = span / halves;
-        let wing = wing(given, &mut interview, (&usual, half_span))?;
+        let wing = wing(given, &mut interview, (kind, &usual, half_span))?;
         let area = halves * half_span * 0.5 * (wing.root_chord + wing.tip_chord);
 
         // A wing on a wall is that of an aircraft, of whose mass it is a part.
@@ -99,10 +99,14 @@ impl Sizing {
 fn wing(
     given: &Given,
     interview: &mut Interview,
-    (usual, half_span): (&Usual, f64),
+    (kind, usual, half_span): (Kind, &Usual, f64),
 ) -> Result<Planform, Error> {
     let [root_chord, tip_chord] = chords(given, interview, usual, 2.0 * half_span)?;
-    let sweep = interview.number(&SWEEP, given.sweep, (usual.sweep, OF_KIND.to_owned()))?.to_radians();
+    let sweeps = match kind {
+        Kind::FlyingWing => SWEEP.within(SWEEPS_WITHOUT_TAIL, " of a flying wing, whose tips are its tail"),
+        _ => SWEEP,
+    };
+    let sweep = interview.number(&sweeps, given.sweep, (usual.sweep, OF_KIND.to_owned()))?.to_radians();
     let dihedral =
         interview.number(&DIHEDRAL, given.dihedral, (usual.dihedral, OF_KIND.to_owned()))?.to_radians();
     let aspect_ratio = 4.0 * half_span / (root_chord + tip_chord);
@@ -120,10 +124,26 @@ fn chords(given: &Given, interview: &mut Interview, usual: &Usual, span: f64) ->
     };
     // Of root and tip, m.
     let [least, most] = [ASPECT_RATIOS[1], ASPECT_RATIOS[0]].map(|ratio| 2.0 * span / ratio);
-    let ends = [least / (1.0 + TAPERS[1]), most / (1.0 + TAPERS[0])];
-    let quantity = ROOT_CHORD.within(ends, " for aspect ratios from 3 to 60 at this span");
+    let ends = [least / (1.0 + 1.0 / TAPERS[0]), most / (1.0 + 1.0 / TAPERS[1])];
+    interview::check(
+        &TIP_CHORD.within(ends, " for aspect ratios from 3 to 60 at this span"),
+        given.tip_chord,
+    )?;
+    let quantity = match given.tip_chord {
+        None => {
+            let ends = [least / (1.0 + TAPERS[1]), most / (1.0 + TAPERS[0])];
+            ROOT_CHORD.within(ends, " for aspect ratios from 3 to 60 at this span")
+        }
+        Some(tip) => {
+            let ends = [(tip / TAPERS[1]).max(least - tip), (tip / TAPERS[0]).min(most - tip)];
+            ROOT_CHORD
+                .within(ends, " beside this tip, for tapers from 0.1 to 1 and aspect ratios from 3 to 60")
+        }
+    };
     let root = interview.number(&quantity, given.root_chord, (root, reason))?;
-    let ends = [(TAPERS[0] * root).max(least - root), (TAPERS[1] * root).min(most - root)];
+    let low = (TAPERS[0] * root).max(least - root);
+    // At an end of the range both are one number but for its rounding, and what is given was checked.
+    let ends = [low.min(given.tip_chord.unwrap_or(low)), (TAPERS[1] * root).min(most - root).max(low)];
     let quantity = TIP_CHORD.within(ends, " for tapers from 0.1 to 1 and aspect ratios from 3 to 60");
     let tip = interview.number(&quantity, given.tip_chord, (taper * root, from_taper))?;
     Ok([root, tip])
@@ -143,17 +163,19 @@ fn airspeed(
     let quantity = AIRSPEED.within(ends, why);
     if quantity.allowed.is_empty() {
         let [low, high] =
-            [quantity.allowed.start(), quantity.allowed.end()].map(|speed| short(short_of(*speed)));
+            [quantity.allowed.start(), quantity.allowed.end()].map(|speed| in_three_digits(*speed));
         return Err(Error::NotAllowed {
             option: "--mass and the wing's area",
-            found: format!("{} kg/m2", short(short_of(loading / STANDARD_GRAVITY))),
+            found: format!("{} kg/m2", in_three_digits(loading / STANDARD_GRAVITY)),
             allowed: format!(
                 "what flies at this altitude: it would be faster than {low} and slower than {high} m/s"
             ),
         });
     }
-    let usual = at(coefficient).min(USUAL_MACH * air.speed_of_sound);
-    let actual = short(short_of(2.0 * loading / (air.density * usual * usual)));
-    let reason = format!("lift coefficient {actual}, usual of the kind");
-    interview.number(&quantity, given.airspeed, (usual, reason))
+    let most = USUAL_MACH * air.speed_of_sound;
+    let usual = match at(coefficient) {
+        speed if speed > most => (most, format!("Mach {USUAL_MACH}, the most that is usual")),
+        speed => (speed, format!("lift coefficient {coefficient}, usual of the kind")),
+    };
+    interview.number(&quantity, given.airspeed, usual)
 }

@@ -1,11 +1,11 @@
 //! Tails, canards, fins and winglets.
 
-use super::build::Basis;
+use super::basis::Basis;
 use super::design::{Component, Move, Part, Structure, Surface};
 use super::kind::Kind;
-use super::planform::Planform;
+use super::planform::{Planform, SECTION_DRAG};
+use super::quantity::in_three_digits;
 use super::stiffness;
-use super::text::short_of;
 
 /// Behind the leading edge, chords.
 const ELASTIC_AXIS: f64 = 0.4;
@@ -14,9 +14,6 @@ const ELASTIC_AXIS: f64 = 0.4;
 const STIFFER: f64 = 3.0;
 
 const ELEMENTS: usize = 6;
-
-/// Of sections with a smooth surface, by their own area [Abbott and von Doenhoff: 0.006 to 0.010].
-const PROFILE_DRAG: f64 = 0.009;
 
 pub const HINGE: f64 = 0.68;
 
@@ -35,9 +32,9 @@ pub fn components(basis: &Basis) -> Vec<Component> {
     all
 }
 
-/// How much of the wing's lift slope the tail keeps, for the air goes down behind the wing [no downwash in this program].
+/// How much of its lift slope a tail keeps, for the air goes down behind the wing [no downwash in this program].
 pub fn kept_lift(basis: &Basis) -> f64 {
-    if basis.sizing.kind == Kind::Canard { 1.0 } else { 1.0 - basis.sizing.wing.downwash() }
+    if basis.sizing.kind == Kind::Canard { 1.0 } else { basis.sizing.wing.kept_behind() }
 }
 
 fn tail(basis: &Basis) -> Option<Component> {
@@ -61,7 +58,10 @@ fn tail(basis: &Basis) -> Option<Component> {
     let kept = kept_lift(basis);
     let lift_comment = match kind {
         Kind::Canard => "of the finite canard: Raymer eq. 12.6. Its wake on the wing is left out".to_owned(),
-        _ => format!("of the finite tail, times 1 - 2 a/(pi A) = {} for the wing's downwash", short_of(kept)),
+        _ => format!(
+            "of the finite tail, times 1 - 2 a/(pi A) = {} for the wing's downwash, and so are damping and gusts",
+            in_three_digits(kept)
+        ),
     };
     let mut tip = planform.tip(ELASTIC_AXIS);
     let mut comment = format!("{}; tail and fin: {}", area_of(&planform, 2.0), basis.layout.tail_rule);
@@ -112,12 +112,15 @@ fn fins(basis: &Basis) -> Option<Component> {
 
 fn area_of(planform: &Planform, sides: f64) -> String {
     let angle = planform.dihedral.to_degrees();
-    let angle =
-        if (1.0..89.0).contains(&angle) { format!(" at {} deg", short_of(angle)) } else { String::new() };
+    let angle = if (1.0..89.0).contains(&angle) {
+        format!(" at {} deg", in_three_digits(angle))
+    } else {
+        String::new()
+    };
     format!(
         "{} m2{angle}, acts with an aspect ratio of {}",
-        short_of(sides * planform.area()),
-        short_of(planform.aspect_ratio)
+        in_three_digits(sides * planform.area()),
+        in_three_digits(planform.aspect_ratio)
     )
 }
 
@@ -127,7 +130,7 @@ fn surface(planform: &Planform, flap: Option<[f64; 2]>, moves: Vec<Move>) -> Sur
         incidence: [0.0; 2],
         lift_slope: planform.lift_slope(),
         lift_comment: "Raymer eq. 12.6, with the aspect ratio above".to_owned(),
-        profile_drag: PROFILE_DRAG,
+        profile_drag: SECTION_DRAG,
         drag_comment: String::new(),
         suction: planform.suction(planform.lift_slope()),
         zero_lift_offset: 0.0,

@@ -3,6 +3,7 @@
 use super::design::{Component, Control, Design, Engine, Part, Place, Structure, Surface};
 use super::interview::Choice;
 use super::kind::Kind;
+use super::quantity::STATIC_MARGIN;
 use super::sizing::Sizing;
 use crate::numbers::{Plain, short};
 
@@ -30,22 +31,27 @@ pub fn file(name: &str, sizing: &Sizing, design: &Design) -> String {
         text += &design.engines.iter().map(of_engine).collect::<String>();
     }
     text += &part("what is watched");
-    let tip = |name: &str| match name.rsplit_once('_') {
-        Some((surface, side @ ("right" | "left"))) => format!("{surface}_tip_{side}"),
-        _ => format!("{name}_tip"),
-    };
     for component in &design.watched {
-        text +=
-            &format!("[[station]]\nname = \"{}\"\ncomponent = \"{component}\"\nat = 1\n\n", tip(component));
+        text += &format!(
+            "[[station]]\nname = \"{}\"\ncomponent = \"{component}\"\nat = 1\n\n",
+            end(component, "tip")
+        );
     }
-    let root = |name: &str| match name.rsplit_once('_') {
-        Some((surface, side @ ("right" | "left"))) => format!("{surface}_root_{side}"),
-        _ => format!("{name}_root"),
-    };
     for component in &design.cut {
-        text += &format!("[[cut]]\nname = \"{}\"\ncomponent = \"{component}\"\nat = 0\n\n", root(component));
+        text += &format!(
+            "[[cut]]\nname = \"{}\"\ncomponent = \"{component}\"\nat = 0\n\n",
+            end(component, "root")
+        );
     }
     text.trim_end().to_owned() + "\n"
+}
+
+/// What an end of a component is called: that of `wing_right` `wing_tip_right`.
+fn end(component: &str, end: &str) -> String {
+    match component.rsplit_once('_') {
+        Some((surface, side @ ("right" | "left"))) => format!("{surface}_{end}_{side}"),
+        _ => format!("{component}_{end}"),
+    }
 }
 
 /// What was given and what was assumed, in columns.
@@ -67,16 +73,18 @@ fn heading(sizing: &Sizing) -> String {
     lines.push(String::new());
     let mut text = format!("#:schema ./{SCHEMA}\n");
     text.extend(lines.iter().map(|line| format!("# {line}").trim_end().to_owned() + "\n"));
+    let stiffness = "EI of the wing for its frequency";
+    let margin = format!("the place of the payload for a static margin of {STATIC_MARGIN} of the mean chord");
     let found = match sizing.kind {
-        Kind::WingOnWall => "One number was found with the library: EI of the wing for its frequency.",
-        Kind::FlyingWing => {
-            "Three numbers were found with the library: EI of the wing for its frequency, the place of the payload for a static \
-             margin of 0.1 of the mean chord, and the wing's zero-lift moment for an elevator at 0 in the trim."
-        }
-        _ => {
-            "Four numbers were found with the library: EI of the wing for its frequency, the place of the payload for a static \
-             margin of 0.1 of the mean chord, and the incidences of wing and tail for a level body and an elevator at 0 in the trim."
-        }
+        Kind::WingOnWall => format!("One number was found with the library: {stiffness}."),
+        Kind::FlyingWing => format!(
+            "Three numbers were found with the library: {stiffness}, {margin}, and the wing's zero-lift moment for an elevator at \
+             0 in the trim."
+        ),
+        _ => format!(
+            "Four numbers were found with the library: {stiffness}, {margin}, and the incidences of wing and tail for a level \
+             body and an elevator at 0 in the trim."
+        ),
     };
     let rules = "The rest follows from rules of conceptual design, as said beside the numbers.";
     text += &comment(&format!("{rules} {found}"));
@@ -108,7 +116,7 @@ fn top(name: &str, sizing: &Sizing) -> String {
         let thrust = 0.3 * weight / sizing.engines as f64;
         let thrust = line(
             &format!("maximum_thrust_N = {}", digits(thrust)),
-            "0.3 of the weight by the engines: Raymer table 5.1",
+            "0.3 of the weight by the engines: our own, of jets and of propellers at low speed",
         );
         text += &format!("\n[limits]\n{thrust}");
     }
@@ -297,9 +305,4 @@ fn digits(number: f64) -> String {
     }
     // PROOF: what is written as a number is read as one; the number itself stands in for any doubt.
     Plain(format!("{number:.3e}").parse().unwrap_or(number)).to_string()
-}
-
-/// For people, with three digits.
-pub fn short_of(number: f64) -> String {
-    Plain(super::interview::short_of(number)).to_string()
 }

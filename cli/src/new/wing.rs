@@ -1,13 +1,12 @@
 //! The wing.
 
-use super::build::Basis;
+use super::basis::Basis;
 use super::design::{Component, Move, Part, Structure, Surface};
 use super::kind::Kind;
+use super::layout::ELASTIC_AXIS;
+use super::planform::SECTION_DRAG;
+use super::quantity::in_three_digits;
 use super::stiffness;
-use super::text::short_of;
-
-/// Behind the leading edge, chords: in the middle of the box.
-pub const ELASTIC_AXIS: f64 = 0.37;
 
 /// Centre of mass of the structure behind the elastic axis, chords: skins and flaps aft of the box.
 pub const MASS_AFT: f64 = 0.04;
@@ -31,14 +30,14 @@ pub fn component(basis: &Basis) -> Component {
     let sizing = basis.sizing;
     let (kind, wing) = (sizing.kind, &sizing.wing);
     let is_pair = kind != Kind::WingOnWall;
-    let frequency = short_of(sizing.frequency);
+    let frequency = in_three_digits(sizing.frequency);
     let comment =
         format!("a flat box; EI is such that the first symmetric bending has {frequency} Hz with O held");
-    let [sweep, dihedral] = [wing.sweep, wing.dihedral].map(f64::to_degrees).map(short_of);
+    let [sweep, dihedral] = [wing.sweep, wing.dihedral].map(f64::to_degrees).map(in_three_digits);
     Component {
         comment: format!(
             "aspect ratio {}, sweep of the quarter chord {sweep} deg, dihedral {dihedral} deg; the axis is at {ELASTIC_AXIS} of the chord",
-            short_of(wing.aspect_ratio)
+            in_three_digits(wing.aspect_ratio)
         ),
         name: if is_pair { "wing_right" } else { "wing" }.to_owned(),
         mirror: is_pair.then(|| "wing_left".to_owned()),
@@ -92,7 +91,7 @@ fn surface(basis: &Basis) -> Surface {
         incidence: [incidence, tip_incidence],
         lift_slope: wing.lift_slope(),
         lift_comment: "of the finite wing: Raymer eq. 12.6".to_owned(),
-        profile_drag: sizing.usual.profile_drag,
+        profile_drag: sizing.usual.profile_drag - SECTION_DRAG * basis.layout.area_of_tails() / sizing.area,
         drag_comment: match sizing.kind {
             Kind::WingOnWall => String::new(),
             _ => "of the whole aircraft but its tails, which is all put here".to_owned(),

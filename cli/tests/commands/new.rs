@@ -26,7 +26,7 @@ fn columns(table: &str, names: &[&str]) -> Vec<Vec<f64>> {
     (0..names.len()).map(|column| rows.iter().map(|row| row[column]).collect()).collect()
 }
 
-/// Writes, describes, flies and shakes an aircraft of a kind in three spans, m; the second flies for longer.
+/// Writes, describes and flies an aircraft of a kind in three spans, m; the second is shaken too.
 #[track_caller]
 fn check_kind(kind: &str, spans: [f64; 3]) {
     let folder = tempfile::tempdir().unwrap();
@@ -46,7 +46,8 @@ fn check_kind(kind: &str, spans: [f64; 3]) {
             "{written}"
         );
         check_described(folder, (kind, &file, span));
-        check_flight(folder, (kind, &file), if size == 1 { 10.0 } else { 2.0 });
+        check_flight(folder, (kind, &file));
+        check_senses(folder, (kind, &file));
         if size == 1 {
             check_flutter(folder, (&file, &written));
         }
@@ -80,25 +81,49 @@ fn bending(described: &Value) -> f64 {
     modes.iter().find(is_it).unwrap()["frequency"].as_f64().unwrap()
 }
 
-/// An elevator doublet, or a flap's: what it does stays small and, in the longer flight, has nearly gone.
+/// Ten seconds with an elevator doublet, or a flap's: the nose goes down first, what it does stays small and has nearly gone in the end.
 #[track_caller]
-fn check_flight(folder: &Path, (kind, file): (&str, &str), duration: f64) {
+fn check_flight(folder: &Path, (kind, file): (&str, &str)) {
     let is_free = kind != "wing-on-wall";
     let (control, watched) = match kind {
         "wing-on-wall" => ("flap", "deflection.wing_tip.up"),
         _ => ("elevator", "attitude.pitch"),
     };
     let line = format!(
-        "simulate --aircraft {file} --modes 6 --step 0.05 --input {control}=doublet:0.01@0.2:0.4 --duration {duration}"
+        "simulate --aircraft {file} --modes 6 --step 0.05 --input {control}=doublet:0.01@0.2:0.4 --duration 10"
     );
-    let flight = quietly(folder, &line);
-    let watched = &columns(&flight, &[watched])[0];
-    assert!(watched.iter().all(|value| value.is_finite()), "{file}");
+    let flight = columns(&quietly(folder, &line), &["time", watched]);
+    let (times, values) = (&flight[0], &flight[1]);
+    let away = |value: &f64| value - values[0];
+    let far = values.iter().map(away).fold(0.0, |far: f64, away| far.max(away.abs()));
+    let left = away(&values[values.len() - 1]).abs();
+    let early = times.iter().position(|time| *time >= 0.55).unwrap();
     if is_free {
-        let far = watched.iter().map(|pitch| (pitch - watched[0]).abs()).fold(0.0, f64::max);
-        assert!((1e-5..0.1).contains(&far), "{file}: {far}");
-        let left = (watched[watched.len() - 1] - watched[0]).abs();
-        assert!(left < 0.02, "{file}: {left}");
+        assert!(away(&values[early]) < 0.0, "{file}: {}", away(&values[early]));
+        assert!((2e-3..0.05).contains(&far), "{file}: {far}");
+        assert!(left < 0.005, "{file}: {left}");
+    } else {
+        assert!(away(&values[early]) > 0.0 && far > 1e-6 && left < 0.01 * far, "{file}: {far} {left}");
+    }
+}
+
+/// A step of the aileron rolls right, one of the rudder turns the nose right, within a fifth of a second (a small aircraft swings back after it).
+#[track_caller]
+fn check_senses(folder: &Path, (kind, file): (&str, &str)) {
+    if kind == "wing-on-wall" {
+        return;
+    }
+    let controls: &[(&str, &str)] = match kind {
+        "flying-wing" => &[("aileron", "rate.x")],
+        _ => &[("aileron", "rate.x"), ("rudder", "rate.z")],
+    };
+    for (control, rate) in controls {
+        let line = format!(
+            "simulate --aircraft {file} --modes 6 --step 0.05 --input {control}=step:0.01@0.1 --duration 0.3"
+        );
+        let rates = &columns(&quietly(folder, &line), &[rate])[0];
+        let last = rates[rates.len() - 1] - rates[0];
+        assert!(last > 1e-4, "{file}: {control} {last}");
     }
 }
 
@@ -194,12 +219,16 @@ fn what_is_not_allowed_is_told_with_what_is_and_nothing_is_written() {
         ("--kind canard --sweep -30", "--sweep: found -30 deg, allowed is -20 to 40 deg"),
         ("--kind sailplane --engines 2", "--engines: found 2, allowed is 0 to 1 of this kind"),
         (
-            "--kind canard --root-chord 8 --tip-chord 8",
+            "--kind canard --tip-chord 8",
+            "--tip-chord: found 8 m, allowed is 0.0242424 to 2.66667 m for aspect ratios from 3 to 60 at this span",
+        ),
+        (
+            "--kind canard --root-chord 8",
             "--root-chord: found 8 m, allowed is 0.133333 to 4.84848 m for aspect ratios from 3 to 60 at this span",
         ),
         (
-            "--kind canard --root-chord 2 --tip-chord 0.01",
-            "--tip-chord: found 0.01 m, allowed is 0.2 to 2 m for tapers from 0.1 to 1",
+            "--kind canard --root-chord 2 --tip-chord 0.1",
+            "--root-chord: found 2 m, allowed is 0.166667 to 1 m beside this tip, for tapers from 0.1 to 1 and aspect",
         ),
         (
             "--kind canard --mass 100000",
