@@ -15,7 +15,7 @@ import sharp from "sharp";
 import { launch, missing, open } from "../tests/view/browser.mjs";
 
 const root = resolve(import.meta.dirname, "..");
-const flexair = process.env.FLEXAIR ?? join(root, "target/release/flexair");
+const flexair = resolve(process.env.FLEXAIR ?? join(root, "target/release/flexair"));
 
 /** CSS pixels of a frame, so few that texts can be read where the film is 400 wide; and pixels of the film for each. */
 const SIZE = { width: 480, height: 300 };

@@ -117,7 +117,7 @@ pub struct ViewOptions {
 
     /// Also write files for ParaView into a folder: of each show strips with lift and beams with section loads, a .vtu for each frame and
     /// .pvd that list them over time
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", value_parser = picture())]
     vtk: Option<PathBuf>,
 
     /// Also write the aircraft for game engines: a skeleton with a skin that the FMU's outputs drive, an animation for each show
@@ -193,7 +193,11 @@ pub fn run(options: &ViewOptions, home: &Home) -> Result<(), Error> {
         .flatten()
         .map(PathBuf::as_path)
         .collect();
-    refuse_overwriting(&outputs, [Some(options.file.path()), table].into_iter().flatten())?;
+    let places: Vec<&Path> = outputs.iter().copied().chain(options.vtk.as_deref()).collect();
+    refuse_overwriting(&places, [Some(options.file.path()), table].into_iter().flatten())?;
+    if let Some(folder) = &options.vtk {
+        vtk::check(folder)?;
+    }
     let drafts = Drafts::new(outputs.iter().copied())?;
     let aircraft = options.aircraft()?;
     let settings = |variables: &VariableTable, model: &ReducedModel| options.flown.settings(variables, model);

@@ -72,6 +72,14 @@ pub fn write(airframe: &Airframe, shows: &[Show], folder: &Path) -> Result<Vec<P
     Ok(lists)
 }
 
+/// Makes sure that a folder can be written to, before what is written is computed.
+///
+/// # Errors
+/// When it cannot.
+pub fn check(folder: &Path) -> Result<(), FileError> {
+    Drafts::new([folder.join("shows.pvd").as_path()]).map(drop)
+}
+
 /// Removes files, up to the first that is not there: those of a longer show that was written here before. ParaView takes all that are
 /// numbered alike for one series.
 fn remove(mut files: impl Iterator<Item = PathBuf>) -> Result<(), FileError> {

@@ -137,6 +137,9 @@ fn what_cannot_be_written_leaves_nothing() {
             1,
             "--stations-along wing: found component \"wing\", allowed are",
         ),
+        ("--vtk a.glb --gltf a.glb", 1, "found a.glb twice among the outputs"),
+        ("--vtk -", 2, "pictures do not go to standard output"),
+        ("--vtk frames --duration 0.1 --input wobble=step:1 --modes 2", 1, "--input wobble=step:1"),
         ("--gltf a.glb --duration 0.1 --input wobble=step:1 --modes 2", 1, "--input wobble=step:1"),
     ] {
         let found = run(folder.path(), &format!("view {options}"));

@@ -11,7 +11,7 @@ use super::super::show::Show;
 use super::axes;
 use super::document::{Document, Numbers, extras};
 use super::joints::Joints;
-use super::skeleton::Skeleton;
+use super::rig::Skeleton;
 
 /// An animation as it grows.
 struct Film<'d> {

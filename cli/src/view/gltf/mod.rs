@@ -17,6 +17,7 @@ mod joints;
 mod leaders;
 mod mesh;
 mod morph;
+mod rig;
 mod shape;
 mod skeleton;
 mod strips;
