@@ -10,6 +10,7 @@ mod functions;
 mod instance;
 mod log;
 mod symbol;
+mod value_reference;
 
 use std::ffi::{CString, c_void};
 use std::path::{Path, PathBuf};
@@ -22,13 +23,11 @@ use libloading::Library;
 use functions::Functions;
 pub use instance::Instance;
 use log::{Log, drain, log_message};
+pub use value_reference::ValueReference;
 
 use crate::model_description::ModelDescription;
 use crate::temporary::TemporaryFolder;
 use crate::{FileError, FmuError, Platform, Processor};
-
-/// A value reference: the address of a variable.
-pub type ValueReference = u32;
 
 /// An unpacked FMU whose library is loaded.
 pub struct Fmu {

@@ -4,9 +4,9 @@ use std::ffi::{c_char, c_int, c_void};
 
 use libloading::Library;
 
-use super::ValueReference;
 use super::log::flexible_aircraft_importer_logger;
 use super::symbol::function;
+use super::value_reference::ValueReference;
 
 pub(super) type Component = *mut c_void;
 pub(super) type Status = c_int;

@@ -6,7 +6,8 @@ use std::rc::Rc;
 
 use super::functions::Functions;
 use super::log::{Log, drain};
-use super::{ValueReference, fmi2, fmi3};
+use super::value_reference::ValueReference;
+use super::{fmi2, fmi3};
 use crate::FmuError;
 
 /// One aircraft in an FMU; freed when dropped.

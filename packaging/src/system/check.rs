@@ -2,8 +2,10 @@
 
 use flexible_aircraft::variables::nearest;
 
-use super::error::Misfit;
-use super::{Component, Connection, ConnectionError, Endpoint, SystemError};
+use super::component::Component;
+use super::connection::Connection;
+use super::endpoint::Endpoint;
+use super::error::{ConnectionError, Misfit, SystemError};
 use crate::model_description::Variable;
 
 /// The connections, each with its output first.

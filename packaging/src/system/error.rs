@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use flexible_aircraft::fmi::Interface;
 
-use super::Experiment;
+use super::experiment::Experiment;
 use crate::FileError;
 use crate::model_description::VariableType;
 

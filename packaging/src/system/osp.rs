@@ -4,8 +4,10 @@ use std::io;
 
 use quick_xml::events::BytesText;
 
+use super::component::Component;
+use super::connection::Connection;
+use super::whole::System;
 use super::xml::{Xml, document, element, leaf};
-use super::{Component, Connection, System};
 
 const NAMESPACE: (&str, &str) = ("xmlns", "http://opensimulationplatform.com/MSMI/OSPSystemStructure");
 

@@ -3,8 +3,10 @@
 use flexible_aircraft::variables::{instead_of_degrees, probably_meant};
 
 use super::check::{component, described, feeder, variable};
-use super::error::Misfit;
-use super::{Component, Connection, ConnectionError, Endpoint, SystemError};
+use super::component::Component;
+use super::connection::Connection;
+use super::endpoint::Endpoint;
+use super::error::{ConnectionError, Misfit, SystemError};
 use crate::model_description::{Variable, VariableType};
 
 /// A start value, checked.

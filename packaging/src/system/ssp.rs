@@ -10,9 +10,11 @@ use std::io;
 
 use flexible_aircraft::fmi::{Kind, Version};
 
+use super::component::Component;
+use super::connection::Connection;
 use super::setting::Setting;
+use super::whole::System;
 use super::xml::{Xml, document, element, leaf};
-use super::{Component, Connection, System};
 use crate::PackageError;
 use crate::archive::{self, Entry};
 use crate::model_description::{Variable, VariableType};

@@ -1,6 +1,7 @@
 //! Small systems of made-up FMUs.
 
 use super::*;
+use crate::model_description::ModelDescription;
 
 const PLANT: &str = r#"<fmiModelDescription fmiVersion="2.0" guid="p"><CoSimulation modelIdentifier="P"/>
     <UnitDefinitions><Unit name="rad"><BaseUnit rad="1"/></Unit></UnitDefinitions><TypeDefinitions>

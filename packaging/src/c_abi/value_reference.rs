@@ -1,0 +1,4 @@
+//! How variables are asked for.
+
+/// A value reference: the address of a variable.
+pub type ValueReference = u32;
