@@ -2,7 +2,7 @@
 //! holds where one is left out.
 
 use super::error::{Place, Problem, Report};
-use super::format::{Absent, Allowed, Kind, Table};
+use super::format::{Absent, Allowed, Field, Kind, Table};
 
 impl Allowed {
     /// Complains about a number that is not finite or not allowed; true when it is in order.
@@ -34,6 +34,11 @@ impl Table {
     /// Whether it has a field of this name, or had one.
     pub(super) fn knows(&self, name: &str) -> bool {
         self.fields.iter().chain(self.former).any(|field| field.name == name)
+    }
+
+    /// Whether it has this field, not just one of the same name, or had it.
+    pub(super) fn has(&self, field: &Field) -> bool {
+        self.fields.iter().chain(self.former).any(|known| std::ptr::eq(*known, field))
     }
 }
 

@@ -21,12 +21,17 @@ pub(super) fn read_controls(table: &Table) -> (Vec<ControlSpec>, bool) {
 
 /// A control with a name; where something else was complained about, something stands in its place.
 fn read_control(table: &Table) -> Option<ControlSpec> {
-    let mirrorings = [Mirroring::Same, Mirroring::Opposite, Mirroring::None];
+    let mirrorings = [
+        (fields::SAME.word, Mirroring::Same),
+        (fields::OPPOSITE.word, Mirroring::Opposite),
+        (fields::NONE.word, Mirroring::None),
+    ];
+    let roles = TrimRole::ALL.map(|role| (role.word(), role));
     let name = table.required(&fields::NAME).and_then(|v| v.located(Value::name));
     let description = table.optional(&fields::DESCRIPTION).and_then(|v| v.phrase());
     let positive = table.required(&fields::POSITIVE).and_then(|v| v.phrase());
     let mirroring = table.required(&fields::MIRROR).and_then(|v| v.one_of(&mirrorings));
-    let role = table.optional(&fields::TRIM).and_then(|v| v.located(|v| v.one_of(&TrimRole::ALL)));
+    let role = table.optional(&fields::TRIM).and_then(|v| v.located(|v| v.one_of(&roles)));
     let limits = read_control_limits(table);
     if table.optional(&fields::TRIM).is_none() {
         check_neutral(table, &limits);

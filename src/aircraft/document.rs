@@ -8,7 +8,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::{Place, Problem, Report, join};
-use super::format::{self, Absent, Allowed, Field, Kind};
+use super::format::{self, Absent, Allowed, Field, Kind, LEAST_COMPONENT, Word};
 use super::toml_value::{toml_found, toml_number};
 
 /// A value that was read, with its place for later complaints.
@@ -124,15 +124,16 @@ impl<'r, 't> Value<'r, 't> {
         self.wrong("a name of letters, digits and underscores that does not begin with a digit")
     }
 
-    /// What one of the words means, in the order of the format.
-    pub(super) fn one_of<T: Copy>(&self, meanings: &[T]) -> Option<T> {
+    /// What one of the words means.
+    pub(super) fn one_of<T: Copy>(&self, meanings: &[(&str, T)]) -> Option<T> {
         let words = self.kind.words();
         let chosen = match self.value {
-            DeValue::String(text) => words.iter().position(|word| word.word == text),
+            DeValue::String(text) => words.iter().find(|word| word.word == text),
             _ => None,
         };
         let list = || words.iter().map(|word| format!("\"{}\"", word.word)).collect::<Vec<_>>().join(" or ");
-        chosen.and_then(|place| meanings.get(place)).copied().or_else(|| self.wrong(&list()))
+        let meaning = |word: &Word| meanings.iter().find(|(other, _)| *other == word.word);
+        chosen.and_then(meaning).map(|(_, meaning)| *meaning).or_else(|| self.wrong(&list()))
     }
 
     pub(super) fn list(&self, what: &str) -> Option<Vec<Value<'r, 't>>> {
@@ -181,7 +182,7 @@ impl<'r, 't> Value<'r, 't> {
     pub(super) fn direction(&self) -> Option<Vector3<f64>> {
         let vector = self.vector()?;
         let greatest = vector.amax();
-        if greatest >= 1e-9 {
+        if greatest >= LEAST_COMPONENT {
             return Some((vector / greatest).normalize());
         }
         let (found, allowed) = ("found a vector of length 0", "a vector with a direction is allowed");
@@ -251,7 +252,7 @@ impl<'r, 't> Table<'r, 't> {
 
     pub(super) fn optional(&self, field: &Field) -> Option<Value<'r, 't>> {
         let Field { name, kind, .. } = *field;
-        debug_assert!(self.format.knows(name), "{name} must be among the fields of the table");
+        debug_assert!(self.format.has(field), "{name} must be among the fields of the table");
         let value = self.table.get(name)?;
         Some(Value::new(value, kind, join(&self.place.field, name), self.report))
     }

@@ -343,14 +343,8 @@ fn gains_on((side, hand): (Side, Hand), moves: &[&MoveSpec], controls: &[Control
 /// One place on a component, mirror images included.
 fn attach(name: &Located<String>, along: &Along, placed: &[Placed], report: &Report) -> Option<Attachment> {
     let component = &placed[component_named(name, placed.iter().map(|other| other.name), report)?];
-    let local = match component.line.locate(along, report)?.as_slice() {
-        [one] => *one,
-        several => {
-            let (found, allowed) = (format!("found {} places", several.len()), "one place is allowed");
-            report.add(Problem::WrongType, &name.place, found, allowed);
-            return None;
-        }
-    };
+    // The format has one place there.
+    let local = *component.line.locate(along, report)?.first()?;
     Some(Attachment { beam: component.first_beam + local.beam, ..local })
 }
 

@@ -41,6 +41,9 @@ impl Fidelity {
         Fidelity::GeometricallyExact,
     ];
 
+    /// That of a file that names none.
+    pub const USUAL: Fidelity = Fidelity::GeometricallyExact;
+
     /// Those that the thesis compares.
     pub const OF_THESIS: [Fidelity; 5] = [
         Fidelity::Exact,

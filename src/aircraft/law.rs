@@ -1,8 +1,8 @@
 //! How a quantity varies along a component: a number, or one of five forms.
 
-use super::document::{Table, Value};
+use super::document::{self, Value};
 use super::error::{Place, Problem, Report};
-use super::format::{Allowed, law as fields};
+use super::format::{Allowed, Field, Table, law as fields};
 
 /// A point of a component: the fraction s of its length and the element in which it lies.
 #[derive(Clone, Copy, Debug)]
@@ -42,8 +42,11 @@ pub(super) struct Law {
     allowed: &'static Allowed,
 }
 
-const FORMS_TEXT: &str = "a number or a table of one form ({ per_element }, { at, values }, { polynomial }, \
-                          { root, chord_power }, { multiple_of, factor })";
+/// What a law may be, by the fields of its forms.
+fn forms_text(forms: &[&Table]) -> String {
+    let form = |form: &&Table| format!("{{ {} }}", form.names());
+    format!("a number or a table of one form ({})", forms.iter().map(form).collect::<Vec<_>>().join(", "))
+}
 
 impl Law {
     /// Reads a law whose values must be what its field allows.
@@ -53,8 +56,9 @@ impl Law {
             return Some(Law { form: LawForm::Constant(value.number()?), place, allowed });
         }
         // The first field tells the forms apart.
-        let Some(format) = fields::FORMS.into_iter().find(|format| value.has_field(format.fields[0])) else {
-            return value.wrong(FORMS_TEXT);
+        let forms = value.kind.forms();
+        let Some(format) = forms.iter().find(|format| value.has_field(format.fields[0])) else {
+            return value.wrong(&forms_text(forms));
         };
         let table = value.table_of(format)?;
         let number = |field| table.required(field).and_then(|v| v.number());
@@ -77,7 +81,7 @@ impl Law {
     }
 }
 
-fn read_piecewise(table: &Table, allowed: &'static Allowed) -> Option<LawForm> {
+fn read_piecewise(table: &document::Table, allowed: &'static Allowed) -> Option<LawForm> {
     let at = table.required(&fields::AT).and_then(|v| v.numbers());
     let values = table.required(&fields::VALUES).and_then(|v| v.within(allowed).numbers());
     let (at, values) = (at?, values?);
@@ -134,9 +138,14 @@ impl Laws<'_> {
         Some(values)
     }
 
-    /// The values of a law that a field may leave out: 0 everywhere then.
-    pub(super) fn values_or_zero(&self, law: Option<&Law>, points: &[AxisPoint]) -> Option<Vec<f64>> {
-        law.map_or_else(|| Some(vec![0.0; points.len()]), |law| self.values(law, points))
+    /// The values of a law, or everywhere the number that holds where its field is left out.
+    pub(super) fn values_or_usual(
+        &self,
+        law: Option<&Law>,
+        field: &Field,
+        points: &[AxisPoint],
+    ) -> Option<Vec<f64>> {
+        law.map_or_else(|| Some(vec![field.absent.number(); points.len()]), |law| self.values(law, points))
     }
 
     /// The chord at some points; complains at the `place` that needs it when the component has none.
@@ -147,12 +156,7 @@ impl Laws<'_> {
             self.report.add(Problem::MissingField, place, found, allowed);
             return None;
         };
-        if let LawForm::ChordPower { .. } | LawForm::Multiple { .. } = chord.form {
-            let found = "found a chord in terms of another law";
-            let allowed = "a number or a table { per_element }, { at, values } or { polynomial } is allowed";
-            self.report.add(Problem::Contradiction, &chord.place, found, allowed);
-            return None;
-        }
+        // Its forms are none that would ask for a chord.
         self.values(chord, points)
     }
 

@@ -16,7 +16,7 @@ pub(super) fn read_limits(table: &Table) -> (Limits, Vec<FormerLimits>) {
     let Some(table) = table.optional(&file::LIMITS_FIELD).and_then(|value| value.table()) else {
         return (limits, Vec::new());
     };
-    let attack = [&fields::LEAST_ATTACK, &fields::MOST_ATTACK];
+    let attack = [&fields::LEAST_ANGLE_OF_ATTACK, &fields::MOST_ANGLE_OF_ATTACK];
     take(&mut limits.angle_of_attack, &table, attack, "degrees", f64::to_radians);
     if let Some(mach) = table.optional(&fields::MOST_MACH).and_then(|value| value.number()) {
         limits.mach.maximum = Bound::Given(mach);

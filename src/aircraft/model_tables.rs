@@ -5,16 +5,12 @@
 
 use super::document::Table;
 use super::fidelity::Fidelity;
-use super::format::{Absent, file};
+use super::format::file;
 
 /// The level of fidelity at which the aircraft flies.
 pub(super) fn read_fidelity(table: &Table) -> Fidelity {
-    let usual = || match file::MODEL.absent {
-        Absent::Word(word) => Fidelity::named(word),
-        _ => None,
-    };
-    let given = table.optional(&file::MODEL).and_then(|v| v.one_of(&Fidelity::ALL));
-    given.or_else(usual).unwrap_or(Fidelity::GeometricallyExact)
+    let levels = Fidelity::ALL.map(|level| (level.name(), level));
+    table.optional(&file::MODEL).and_then(|v| v.one_of(&levels)).unwrap_or(Fidelity::USUAL)
 }
 
 /// Whether the modal basis holds the shapes of static loads too.

@@ -27,10 +27,12 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
     table.required(&file::FORMAT).and_then(|v| v.integer());
     let name = table.required(&file::NAME).and_then(|v| v.text());
     let tunnel_air = tunnel::read_air(&table);
+    let supports = [(file::FREE.word, Support::Free), (file::CLAMPED.word, Support::Clamped)];
+    let bases = [(file::BENDING_TORSION.word, ModeBasis::BendingTorsion), (file::FULL.word, ModeBasis::Full)];
     let support = table.required(&file::SUPPORT);
-    let support = support.and_then(|v| v.located(|v| v.one_of(&[Support::Free, Support::Clamped])));
+    let support = support.and_then(|v| v.located(|v| v.one_of(&supports)));
     let mode_basis = table.required(&file::MODE_BASIS);
-    let mode_basis = mode_basis.and_then(|v| v.one_of(&[ModeBasis::BendingTorsion, ModeBasis::Full]));
+    let mode_basis = mode_basis.and_then(|v| v.one_of(&bases));
     let (controls, has_all_controls) = read_controls(&table);
     let (limits, former_limits) = read_limits(&table);
     table.required(&file::COMPONENTS);
@@ -83,12 +85,17 @@ fn read_stretch(table: &Table) -> Stretch {
 
 fn read_along(table: &Table) -> Option<Along> {
     let (field, value) = table.either(&places::ALONG)?;
-    let places = value.one_or_more_numbers()?;
-    Some(if std::ptr::eq(field, &places::AT_METRES) {
-        Along::Metres(places)
-    } else {
-        Along::Fractions(places)
-    })
+    Some(along(field, value.one_or_more_numbers()?))
+}
+
+/// Where one thing is.
+fn read_place(table: &Table) -> Option<Along> {
+    let (field, value) = table.either(&places::PLACE)?;
+    Some(along(field, vec![value.located(Value::number)?]))
+}
+
+fn along(field: &Field, places: Vec<Located<f64>>) -> Along {
+    if field.name == places::AT_METRES.name { Along::Metres(places) } else { Along::Fractions(places) }
 }
 
 fn read_name(table: &Table, field: &Field) -> Option<Located<String>> {
@@ -128,7 +135,7 @@ fn read_component(table: &Table) -> Option<ComponentSpec> {
 
 fn read_parent(value: &Value) -> Option<ParentSpec> {
     if !value.has_field(&component::PARENT_NAME) {
-        return value.one_of(&[()]).map(|()| ParentSpec::Origin);
+        return value.one_of(&[(component::ORIGIN.word, ())]).map(|()| ParentSpec::Origin);
     }
     let table = value.table()?;
     let name = read_name(&table, &component::PARENT_NAME);
@@ -289,8 +296,9 @@ fn read_move(table: &Table) -> Option<MoveSpec> {
     let control = read_name(table, &surface::INPUT);
     let gain = table.required(&surface::GAIN_FIELD).and_then(|v| v.number());
     let stretch = read_stretch(table);
+    let hands = [(surface::RIGHT.word, Hand::Right), (surface::LEFT.word, Hand::Left)];
     let side = table.optional(&surface::SIDE);
-    let hand = side.as_ref().and_then(|v| v.located(|v| v.one_of(&[Hand::Right, Hand::Left])));
+    let hand = side.as_ref().and_then(|v| v.located(|v| v.one_of(&hands)));
     // Nothing more is said of a side that could not be read.
     let is_readable = hand.is_some() == side.is_some();
     let control = control.filter(|_| is_readable)?;
@@ -299,7 +307,7 @@ fn read_move(table: &Table) -> Option<MoveSpec> {
 
 fn read_engine(table: &Table) -> Option<EngineSpec> {
     let (name, component) = (read_name(table, &places::ENGINE_NAME), read_name(table, &places::COMPONENT));
-    let along = read_along(table);
+    let along = read_place(table);
     let direction = table.required(&places::DIRECTION).and_then(|v| v.direction());
     Some(EngineSpec {
         name: name?,
@@ -312,6 +320,6 @@ fn read_engine(table: &Table) -> Option<EngineSpec> {
 
 fn read_station(table: &Table) -> Option<StationSpec> {
     let (name, component) = (read_name(table, &places::STATION_NAME), read_name(table, &places::COMPONENT));
-    let along = read_along(table);
+    let along = read_place(table);
     Some(StationSpec { name: name?, component: component?, along: along? })
 }

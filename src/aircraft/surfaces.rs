@@ -3,6 +3,7 @@
 use nalgebra::{Unit, UnitQuaternion, Vector3};
 
 use super::error::{Place, Problem, Report};
+use super::format::surface as fields;
 use super::geometry::{Line, SAME_PLACE};
 use super::law::{AxisPoint, Law, Laws};
 use super::model::{Flap, Strip};
@@ -36,9 +37,11 @@ pub(super) fn strips<'s>(spec: &'s SurfaceSpec, line: &Line, laws: &Laws) -> Opt
     let elastic_axes = laws.values(&spec.elastic_axis, &points);
     let lift_slopes = laws.values(&spec.lift_slope, &points);
     let drags = laws.values(&spec.profile_drag, &points);
-    let optional = |law: &Option<Law>| laws.values_or_zero(law.as_ref(), &points);
-    let (incidences, offsets) = (optional(&spec.incidence), optional(&spec.zero_lift_offset));
-    let (moments, suctions) = (optional(&spec.zero_lift_moment), optional(&spec.leading_edge_suction));
+    let optional = |law: &Option<Law>, field| laws.values_or_usual(law.as_ref(), field, &points);
+    let incidences = optional(&spec.incidence, &fields::INCIDENCE);
+    let offsets = optional(&spec.zero_lift_offset, &fields::ZERO_LIFT_OFFSET);
+    let moments = optional(&spec.zero_lift_moment, &fields::ZERO_LIFT_MOMENT);
+    let suctions = optional(&spec.leading_edge_suction, &fields::SUCTION);
     let axes = incidences.and_then(|incidences| axes(spec, line, &pieces, &incidences, laws.report));
     let moves = moves(&spec.moves, &pieces, laws.report);
     let (chords, elastic_axes, lift_slopes, drags) = (chords?, elastic_axes?, lift_slopes?, drags?);

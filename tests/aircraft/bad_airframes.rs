@@ -96,7 +96,7 @@ fn y_axis_along_the_beam() {
 fn station_off_the_beam() {
     assert_messages(
         &[("component = \"wing_left\"\nat = 1", "component = \"wing_left\"\nat = 1.02")],
-        &["small.toml:72:6: station.tip.at: found 1.02; a place on the component is allowed, from 0 to 1"],
+        &["small.toml:72:6: station.tip.at: found 1.02; a fraction from 0 to 1 is allowed"],
     );
 }
 

@@ -6,11 +6,12 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use flexible_aircraft::aircraft::format::{Absent, Allowed, FILE, Field, Kind, Range, Rule, Table};
+use flexible_aircraft::aircraft::format::{Absent, Allowed, FILE, Field, Kind, Rule, Table};
 use flexible_aircraft::aircraft::{Aircraft, Diagnostic, Problem};
 use serde_json::{Value, json};
 
 use super::format_edits::{Edit, edited, text_of};
+use super::format_samples::{all_forms, at_the_ends, form_with, middle, sample};
 
 const BASE: &str = include_str!("../data/every-field.toml");
 
@@ -53,7 +54,9 @@ impl Case {
         is_here
             && match &self.allowed {
                 Some(allowed) => diagnostic.allowed.starts_with(allowed.as_str()),
-                None => self.is_refused || diagnostic.problem == Problem::WrongType,
+                None => {
+                    self.is_refused || matches!(diagnostic.problem, Problem::WrongType | Problem::OutOfRange)
+                }
             }
     }
 }
@@ -116,11 +119,17 @@ impl Cases {
         match field.kind {
             Kind::Number(allowed) => self.of_numbers(allowed, at, name, &|number| json!(number)),
             Kind::NumberOrMore(allowed) | Kind::Numbers(allowed) => {
+                if matches!(field.kind, Kind::NumberOrMore(_)) {
+                    self.beyond(allowed, at, name, &|number| json!(number));
+                }
                 self.of_numbers(allowed, at, name, &|number| json!([number]));
                 self.add(at, json!([]), true, name);
             }
             Kind::Whole(least, most) => self.of_whole(least, most, at, name),
-            Kind::WholeOrMore(least, most) => self.of_whole(least, most, &within(at, 0), name),
+            Kind::WholeOrMore(least, most) => {
+                self.add(at, json!(most + 1), true, name);
+                self.of_whole(least, most, &within(at, 0), name);
+            }
             Kind::Text => self.add(at, json!("a\u{1}b"), true, name),
             Kind::Phrase => self.add(at, json!(" . "), true, name),
             Kind::Name => {
@@ -190,6 +199,21 @@ impl Cases {
         }
     }
 
+    /// What is just beyond the ends of a range, where more than the number decides whether it is taken within.
+    fn beyond(
+        &mut self,
+        allowed: &'static Allowed,
+        at: &[Value],
+        name: &'static str,
+        value: &dyn Fn(f64) -> Value,
+    ) {
+        let beyond = at_the_ends(allowed.range).into_iter().filter(|(_, is_inside)| !is_inside);
+        for (number, _) in beyond {
+            let case = Case::of(at, Some(value(number)), true, name);
+            self.cases.push(Case { allowed: Some(allowed.text()), ..case });
+        }
+    }
+
     /// Each form with numbers of the law's quantity, with what another form has, and without what it needs.
     fn of_law(
         &mut self,
@@ -206,13 +230,26 @@ impl Cases {
                 let mut part = whole.clone();
                 part.as_object_mut().unwrap().remove(field.name);
                 self.add(at, part, true, name);
-                if matches!(field.kind, Kind::LawNumbers) {
-                    self.of_numbers(allowed, at, name, &|number| form_with(form, number));
+                match field.kind {
+                    Kind::LawNumbers => self.of_numbers(allowed, at, name, &|number| form_with(form, number)),
+                    Kind::LawNumber => self.beyond(allowed, at, name, &|number| form_with(form, number)),
+                    Kind::Numbers(own) => {
+                        let number = middle(allowed.range);
+                        self.beyond(own, at, field.name, &|place| {
+                            let mut changed = form_with(form, number);
+                            changed[field.name] = json!([place]);
+                            changed
+                        });
+                    }
+                    _ => {}
                 }
             }
             let mut more = whole;
             more["odd_field"] = json!(1);
             self.add(at, more, true, name);
+        }
+        for form in all_forms().iter().filter(|form| forms.iter().all(|own| own.path != form.path)) {
+            self.add(at, form_with(form, middle(allowed.range)), true, name);
         }
     }
 
@@ -223,6 +260,7 @@ impl Cases {
             let about = fields.iter().map(|field| field.name).collect();
             self.cases.push(Case { edits, is_refused: true, about, allowed: None });
         };
+        let mut more = Vec::new();
         match *rule {
             Rule::ExactlyOne(fields) | Rule::AtMostOne(fields) => {
                 for field in fields {
@@ -231,6 +269,33 @@ impl Cases {
                     }
                     if !is_there(field) && fields.iter().any(|other| is_there(other)) {
                         refused(vec![edit(field, Some(sample(field.kind)))], fields);
+                    }
+                    if let (false, Kind::Number(allowed), Rule::AtMostOne(_)) =
+                        (is_there(field), field.kind, rule)
+                    {
+                        // In the place of the others, and of what needs these.
+                        let needing = table.rules.iter().filter_map(|rule| match rule {
+                            Rule::Needs(other, needed)
+                                if fields.iter().any(|one| one.name == needed.name) =>
+                            {
+                                Some(*other)
+                            }
+                            _ => None,
+                        });
+                        let gone = fields.iter().copied().chain(needing);
+                        let gone: Vec<Edit> =
+                            gone.filter(|one| is_there(one)).map(|one| edit(one, None)).collect();
+                        for (number, is_inside) in at_the_ends(allowed.range) {
+                            let edits =
+                                gone.iter().cloned().chain([edit(field, Some(json!(number)))]).collect();
+                            let allowed = Some(allowed.text());
+                            more.push(Case {
+                                edits,
+                                is_refused: !is_inside,
+                                about: vec![field.name],
+                                allowed,
+                            });
+                        }
                     }
                 }
             }
@@ -264,65 +329,18 @@ impl Cases {
                     edits.push(edit(other, Some(json!(word))));
                     edits.push(edit(field, Some(json!(number))));
                     let allowed = Some(allowed.text());
-                    self.cases.push(Case { edits, is_refused: !is_inside, about: vec![field.name], allowed });
+                    more.push(Case { edits, is_refused: !is_inside, about: vec![field.name], allowed });
                 }
             }
             _ => {}
         }
+        self.cases.extend(more);
     }
 }
 
 /// The same path and one step more.
 fn within(at: &[Value], step: impl Into<Value>) -> Vec<Value> {
     at.iter().cloned().chain([step.into()]).collect()
-}
-
-/// Numbers just beyond and just within the ends of a range, and whether they are in it.
-fn at_the_ends(range: Range) -> Vec<(f64, bool)> {
-    let hair = |end: f64| if end == 0.0 { 1e-9 } else { 1e-9 * end.abs() };
-    let (low, below) = match range {
-        Range::All => return Vec::new(),
-        Range::Closed(least, _) => (least, least - hair(least)),
-        Range::Above(low, _) | Range::Between(low, _) => (low + hair(low), low),
-    };
-    let (high, above) = match range {
-        Range::All => return Vec::new(),
-        Range::Closed(_, most) | Range::Above(_, most) => (most, most + hair(most)),
-        Range::Between(_, high) => (high - hair(high), high),
-    };
-    vec![(below, false), (low, true), (high, true), (above, false)]
-}
-
-/// A number of a range, and a usual one of all.
-fn middle(range: Range) -> f64 {
-    match range {
-        Range::All => 1.0,
-        Range::Closed(low, high) | Range::Above(low, high) | Range::Between(low, high) => 0.5 * (low + high),
-    }
-}
-
-/// A form of a law whose numbers are all this one.
-fn form_with(form: &Table, number: f64) -> Value {
-    let fields = form.fields.iter().map(|field| {
-        let value = match field.kind {
-            Kind::LawNumbers => json!([number]),
-            Kind::LawNumber => json!(number),
-            kind => sample(kind),
-        };
-        (field.name.to_owned(), value)
-    });
-    Value::Object(fields.collect())
-}
-
-/// Something that a field may hold.
-fn sample(kind: Kind) -> Value {
-    match kind {
-        Kind::Numbers(_) => json!([1]),
-        Kind::Vector(_) => json!([1, 1, 1]),
-        Kind::OneOf(words) => json!(words[0].word),
-        Kind::Tables(..) => json!([{ "input": "stick", "gain": 1 }]),
-        _ => json!(1),
-    }
 }
 
 fn cases() -> Vec<Case> {

@@ -9,6 +9,7 @@ mod cuts;
 mod format_cases;
 mod format_edits;
 mod format_page;
+mod format_samples;
 mod good_files;
 mod jet;
 mod mirrors;

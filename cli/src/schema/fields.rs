@@ -1,6 +1,8 @@
 //! Fields of the format as JSON Schema.
 
-use flexible_aircraft::aircraft::format::{Absent, Allowed, Field, Kind, Range, Table, Word};
+use flexible_aircraft::aircraft::format::{
+    Absent, Allowed, Field, Kind, LEAST_COMPONENT, Range, Table, Word,
+};
 use serde_json::{Value, json};
 
 use super::tables::table;
@@ -14,20 +16,17 @@ const PHRASE: &str = r"^[^\u0000-\u001f\u007f-\u009f\ufffe\uffff]*[^\u0000-\u001
 /// Part of a variable's name.
 const NAME: &str = "^[A-Za-z_][A-Za-z0-9_]*$";
 
-/// Components of a direction of which one at least is not 0.
-const LEAST_COMPONENT: f64 = 1e-9;
-
-/// What a field may hold, what it is for people, and what holds where it is left out.
-pub fn field(field: &Field) -> Value {
+/// What a field of a table may hold, what it is for people, and what holds where it is left out.
+pub fn field(table: &Table, field: &Field) -> Value {
     let mut schema = kind(&field.kind, None);
     let description = match description_of_words(field.kind.words()) {
         Some(words) => format!("{}\n\n{words}", sentence(field.sentence)),
         None => sentence(field.sentence),
     };
-    let default = if field.absent == Absent::Needed {
-        "Needed".to_owned()
-    } else {
-        format!("Default: {}", field.absent.in_words())
+    let default = match (table.alternatives(field), field.absent) {
+        (Some(names), _) => format!("{names} needed"),
+        (None, Absent::Needed) => "Needed".to_owned(),
+        (None, absent) => format!("Default: {}", absent.in_words()),
     };
     schema["title"] = field.name.into();
     schema["description"] =

@@ -23,7 +23,7 @@ pub fn file() -> Value {
 /// An object of its fields and no others.
 pub fn table(table: &Table) -> Value {
     let properties: Map<String, Value> =
-        table.fields.iter().map(|part| (part.name.to_owned(), field(part))).collect();
+        table.fields.iter().map(|part| (part.name.to_owned(), field(table, part))).collect();
     let needed = table.fields.iter().filter(|field| field.absent == Absent::Needed);
     let needed: Vec<&str> = needed.map(|field| field.name).collect();
     let mut schema = json!({

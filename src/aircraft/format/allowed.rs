@@ -60,7 +60,7 @@ impl Range {
         match self {
             Range::All => None,
             Range::Closed(least, most) => Some(format!("{} to {}", in_digits(least), in_digits(most))),
-            Range::Above(low, most) => Some(format!("above {} to {}", in_digits(low), in_digits(most))),
+            Range::Above(low, most) => Some(format!("above {} up to {}", in_digits(low), in_digits(most))),
             Range::Between(low, high) => Some(format!("between {} and {}", in_digits(low), in_digits(high))),
         }
     }
@@ -110,6 +110,8 @@ pub static THRUST: Allowed = Allowed::new("a thrust in N", Range::Closed(-1e9, 1
 
 pub static LENGTH: Allowed = Allowed::new("a length in metres", Range::Closed(-1000.0, 1000.0));
 pub static POSITIVE_LENGTH: Allowed = Allowed::new("a length in metres", Range::Closed(1e-6, 1000.0));
+/// Along a component, which ends somewhere.
+pub static DISTANCE: Allowed = Allowed::new("a distance in metres", Range::Closed(0.0, 1e6));
 pub static REFERENCE_AREA: Allowed = Allowed::new("an area in m²", Range::Closed(1e-12, 1e6));
 pub static GYRATION: Allowed = Allowed::new("a radius of gyration", Range::Closed(0.0, 1000.0));
 pub static CHORDS: Allowed = Allowed::new("a number of chords", Range::Closed(-1000.0, 1000.0));
@@ -123,8 +125,8 @@ pub static INERTIA_PRODUCT: Allowed =
 
 pub static LIFT_SLOPE: Allowed = Allowed::new("a lift slope per radian", Range::Closed(0.0, 100.0));
 pub static FLAP_LIFT_SLOPE: Allowed = Allowed::new("a lift slope per radian", Range::Closed(1e-6, 100.0));
-pub static DRAG: Allowed = Allowed::new("a drag coefficient", Range::Closed(0.0, 10.0));
-pub static MOMENT: Allowed = Allowed::new("a moment coefficient", Range::Closed(-10.0, 10.0));
+pub static DRAG_COEFFICIENT: Allowed = Allowed::new("a drag coefficient", Range::Closed(0.0, 10.0));
+pub static MOMENT_COEFFICIENT: Allowed = Allowed::new("a moment coefficient", Range::Closed(-10.0, 10.0));
 pub static GAIN: Allowed = Allowed::new("a gain", Range::Closed(-100.0, 100.0));
 pub static INSIDE_THE_CHORD: Allowed = Allowed {
     quantity: "a fraction of the chord behind the leading edge",

@@ -52,7 +52,7 @@ pub static ATTACHED_TO: Field = Field {
     kind: Kind::WordOrTable(&ORIGIN, &PARENT),
     unit: "",
     absent: Absent::Needed,
-    sentence: "`\"origin\"`, or `{ component = \"…\", at = 1 }` with the fraction of that component's length; there must be a node",
+    sentence: "`\"origin\"`, or `{ component = \"…\", at = 1 }` with the fraction of that component's length",
 };
 pub static AXIS: Field = Field {
     name: "axis_m",
@@ -83,8 +83,8 @@ pub static CHORD: Field = Field {
     name: "chord_m",
     kind: Kind::Law(&POSITIVE_LENGTH, &FORMS_OF_CHORD),
     unit: "m",
-    absent: Absent::Found("needed only where something uses it"),
-    sentence: "by any form but `root` and `multiple_of`",
+    absent: Absent::Found("none; needed where something uses it"),
+    sentence: "the chord, which surfaces and whatever is in chords use; by any form but `root` and `multiple_of`",
 };
 pub static DISTRIBUTED_MASSES: Field = carried("distributed_mass", &DISTRIBUTED_MASS, "structure, fuel");
 pub static POINT_MASSES_FIELD: Field = carried("point_masses", &POINT_MASSES, "engines, gear, payload");

@@ -48,8 +48,8 @@ pub static TRIM: Field = Field {
     kind: Kind::OneOf(&[PITCH, ROLL, YAW]),
     unit: "",
     absent: Absent::Nothing,
-    sentence: "its role where the aircraft is trimmed. One control at most has each, and its flaps must be able to: for pitch \
-               they act alike on both sides, for roll and yaw against each other, or stand upright as a fin's",
+    sentence: "its role in trims, which one control at most has and whose flaps must be able to (for pitch they act alike on both \
+               sides, for roll and yaw against each other, or stand upright as a fin's)",
 };
 pub static MINIMUM: Field = Field {
     name: "minimum_deg",
@@ -63,7 +63,7 @@ pub static MAXIMUM: Field = Field {
     kind: Kind::Number(&ANGLE_DEG),
     unit: "deg",
     absent: Absent::Number(USUAL_DEFLECTION),
-    sentence: "the greatest, above the least",
+    sentence: "the greatest angle that trims should have, above the least; it changes no flight",
 };
 
 pub const SAME: Word = Word { word: "same", sentence: "both sides alike, as an elevator" };
@@ -71,7 +71,8 @@ pub const OPPOSITE: Word = Word { word: "opposite", sentence: "with the other si
 pub const NONE: Word =
     Word { word: "none", sentence: "each side by itself: what the control turns there has a `side`" };
 
-const PITCH: Word =
+pub const PITCH: Word =
     Word { word: TrimRole::Pitch.word(), sentence: "balances every free flight, and is needed there" };
-const ROLL: Word = Word { word: TrimRole::Roll.word(), sentence: "balances flights that would roll aside" };
-const YAW: Word = Word { word: TrimRole::Yaw.word(), sentence: "balances flights that would yaw aside" };
+pub const ROLL: Word =
+    Word { word: TrimRole::Roll.word(), sentence: "balances flights that would roll aside" };
+pub const YAW: Word = Word { word: TrimRole::Yaw.word(), sentence: "balances flights that would yaw aside" };

@@ -88,7 +88,7 @@ pub static MODEL: Field = Field {
     name: "model",
     kind: Kind::OneOf(&LEVELS),
     unit: "",
-    absent: Absent::Word(Fidelity::GeometricallyExact.name()),
+    absent: Absent::Word(Fidelity::USUAL.name()),
     sentence: "the level of fidelity at which it flies unless the FMU's parameter `model` or an option says otherwise",
 };
 pub static INFLOW_STATES: Field = Field {
@@ -146,7 +146,11 @@ pub static SYMMETRIC: Field = Field {
                image in y = 0, on the mirrored branch of beams",
 };
 pub static BASIS: Field = once("basis", &BASIS_TABLE, "what stands beside the natural modes");
-pub static REFERENCE: Field = once("reference", &REFERENCE_TABLE, "the lengths of coefficients");
+pub static REFERENCE: Field = once(
+    "reference",
+    &REFERENCE_TABLE,
+    "lengths by which coefficients and the static margin are made dimensionless",
+);
 pub static LIMITS_FIELD: Field = once("limits", &LIMITS, "what it is flown within");
 pub static CONTROLS: Field = listed("control", &CONTROL, "what turns the flaps");
 pub static COMPONENTS: Field = Field {
@@ -233,5 +237,5 @@ pub static REFERENCE_SPAN: Field = Field {
     kind: Kind::Number(&POSITIVE_LENGTH),
     unit: "m",
     absent: Absent::Found("that of the wing's strips"),
-    sentence: "from tip to tip",
+    sentence: "the span from tip to tip",
 };

@@ -8,24 +8,24 @@ use crate::aircraft::limits::{USUAL_ANGLE_OF_ATTACK, USUAL_LEAST_THRUST, USUAL_M
 pub(super) static LIMITS: Table = Table {
     path: "limits",
     sentence: "What trims should stay within: beyond, they stand with a warning",
-    fields: &[&LEAST_ATTACK, &MOST_ATTACK, &MOST_MACH, &LEAST_THRUST, &MOST_THRUST],
+    fields: &[&LEAST_ANGLE_OF_ATTACK, &MOST_ANGLE_OF_ATTACK, &MOST_MACH, &LEAST_THRUST, &MOST_THRUST],
     rules: &[],
     former: &[&FORMER_SURFACE],
 };
 
-pub static LEAST_ATTACK: Field = Field {
+pub static LEAST_ANGLE_OF_ATTACK: Field = Field {
     name: "minimum_angle_of_attack_deg",
     kind: Kind::Number(&ANGLE_DEG),
     unit: "deg",
     absent: Absent::Number(-USUAL_ANGLE_OF_ATTACK),
     sentence: "the least angle of attack of body x at O",
 };
-pub static MOST_ATTACK: Field = Field {
+pub static MOST_ANGLE_OF_ATTACK: Field = Field {
     name: "maximum_angle_of_attack_deg",
     kind: Kind::Number(&ANGLE_DEG),
     unit: "deg",
     absent: Absent::Number(USUAL_ANGLE_OF_ATTACK),
-    sentence: "the greatest, above the least",
+    sentence: "the greatest angle of attack of body x at O, above the least",
 };
 pub static MOST_MACH: Field = Field {
     name: "maximum_mach",
@@ -46,7 +46,7 @@ pub static MOST_THRUST: Field = Field {
     kind: Kind::Number(&THRUST),
     unit: "N",
     absent: Absent::Nothing,
-    sentence: "the greatest, above the least",
+    sentence: "the greatest thrust of each engine, above the least",
 };
 
 /// Where limits of controls stood before controls had tables of their own.

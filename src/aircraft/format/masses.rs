@@ -41,7 +41,8 @@ pub static GYRATION_LENGTHS: Field = Field {
     kind: Kind::Vector(&GYRATION),
     unit: "lengths",
     absent: Absent::Zeros,
-    sentence: "radii of gyration in lengths of the element or its part (slender: 1/√12 = 0.2887 lengths)",
+    sentence: "radii of gyration about body axes through the centre of mass, in lengths of the element or its part (slender: 1/√12 = \
+               0.2887 lengths); squares are added to those of `gyration_chords`",
 };
 pub static ADDED_INERTIA: Field = Field {
     name: "added_inertia_kg_m2",
@@ -85,7 +86,7 @@ pub(super) static POINT_MASSES: Table = Table {
         &SHARES_OF,
         &OFFSET,
         &GYRATION_RADII,
-        &MOMENTS,
+        &MOMENTS_OF_INERTIA,
         &PRODUCTS,
     ],
     rules: &[
@@ -103,7 +104,7 @@ pub(super) static POINT_MASSES: Table = Table {
 pub static MASSES: [&Field; 2] = [&EACH_MASS, &TOTAL];
 
 /// How they resist turning.
-pub static INERTIAS: [&Field; 2] = [&GYRATION_RADII, &MOMENTS];
+pub static INERTIAS: [&Field; 2] = [&GYRATION_RADII, &MOMENTS_OF_INERTIA];
 
 pub static EACH_MASS: Field = Field {
     name: "mass_kg",
@@ -138,14 +139,14 @@ pub static GYRATION_RADII: Field = Field {
     kind: Kind::Vector(&GYRATION),
     unit: "m",
     absent: Absent::Zeros,
-    sentence: "radii of gyration about body axes through the centre of mass, three numbers",
+    sentence: "radii of gyration about body axes through the centre of mass",
 };
-pub static MOMENTS: Field = Field {
+pub static MOMENTS_OF_INERTIA: Field = Field {
     name: "inertia_kg_m2",
     kind: Kind::Vector(&INERTIA),
     unit: "kg m²",
     absent: Absent::Zeros,
-    sentence: "moments of inertia about the same axes, three numbers",
+    sentence: "moments of inertia about body axes through the centre of mass",
 };
 pub static PRODUCTS: Field = Field {
     name: "products_kg_m2",

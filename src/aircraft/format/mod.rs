@@ -30,4 +30,4 @@ mod table;
 
 pub use allowed::{Allowed, Range};
 pub use file::FILE;
-pub use table::{Absent, Field, Kind, Rule, Table, Word};
+pub use table::{Absent, Field, Kind, LEAST_COMPONENT, Rule, Table, Word};

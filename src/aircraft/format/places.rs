@@ -1,24 +1,40 @@
 //! Places along components, and what there is at them: `[[engine]]`, `[[station]]`, `[[cut]]`.
 
-use super::allowed::{ANY, FRACTION, LENGTH};
+use super::allowed::{DISTANCE, FRACTION, LENGTH};
 use super::table::{Absent, Field, Kind, Rule, Table};
 
-/// Where along a component.
+/// Where along a component some things are.
 pub static ALONG: [&Field; 2] = [&AT_METRES, &AT];
+/// Where along a component one thing is.
+pub static PLACE: [&Field; 2] = [&PLACE_METRES, &PLACE_FRACTION];
 
 pub static AT_METRES: Field = Field {
     name: "at_m",
-    kind: Kind::NumberOrMore(&ANY),
+    kind: Kind::NumberOrMore(&DISTANCE),
     unit: "m",
     absent: Absent::Nothing,
-    sentence: "distance along the component from its root; a number or a list",
+    sentence: "distances along the component from its root, up to its length",
 };
 pub static AT: Field = Field {
     name: "at",
-    kind: Kind::NumberOrMore(&ANY),
+    kind: Kind::NumberOrMore(&FRACTION),
     unit: "",
     absent: Absent::Nothing,
-    sentence: "fraction of the component's length; a number or a list",
+    sentence: "fractions of the component's length",
+};
+pub static PLACE_METRES: Field = Field {
+    name: AT_METRES.name,
+    kind: Kind::Number(&DISTANCE),
+    unit: "m",
+    absent: Absent::Nothing,
+    sentence: "distance along the component from its root, up to its length",
+};
+pub static PLACE_FRACTION: Field = Field {
+    name: AT.name,
+    kind: Kind::Number(&FRACTION),
+    unit: "",
+    absent: Absent::Nothing,
+    sentence: "fraction of the component's length",
 };
 
 /// Where a stretch of a component begins.
@@ -35,7 +51,7 @@ pub static TO: Field = Field {
     kind: Kind::Number(&FRACTION),
     unit: "",
     absent: Absent::Number(1.0),
-    sentence: "where it ends, beyond `from`",
+    sentence: "where the stretch ends, beyond `from`",
 };
 
 /// From the elastic axis.
@@ -44,14 +60,14 @@ pub static OFFSET: Field = Field {
     kind: Kind::Vector(&LENGTH),
     unit: "m",
     absent: Absent::Zeros,
-    sentence: "centre of mass from the elastic axis, body axes",
+    sentence: "centre of mass from the elastic axis, body axes; of a distributed mass added to that of `offset_chords`",
 };
 
 pub(super) static ENGINE: Table = Table {
     path: "engine",
     sentence: "Where thrust acts. Engines weigh nothing by themselves: their masses are point masses",
-    fields: &[&ENGINE_NAME, &COMPONENT, &AT_METRES, &AT, &THRUST_OFFSET, &DIRECTION],
-    rules: &[Rule::ExactlyOne(&ALONG)],
+    fields: &[&ENGINE_NAME, &COMPONENT, &PLACE_METRES, &PLACE_FRACTION, &THRUST_OFFSET, &DIRECTION],
+    rules: &[Rule::ExactlyOne(&PLACE)],
     former: &[],
 };
 pub static ENGINE_NAME: Field = name("the input `thrust_<name>`");
@@ -67,14 +83,14 @@ pub static DIRECTION: Field = Field {
     kind: Kind::Direction,
     unit: "",
     absent: Absent::Needed,
-    sentence: "that of the thrust, body axes",
+    sentence: "the direction of the thrust, body axes",
 };
 
 pub(super) static STATION: Table = Table {
     path: "station",
     sentence: "A point whose deflections are outputs",
-    fields: &[&STATION_NAME, &COMPONENT, &AT_METRES, &AT],
-    rules: &[Rule::ExactlyOne(&ALONG)],
+    fields: &[&STATION_NAME, &COMPONENT, &PLACE_METRES, &PLACE_FRACTION],
+    rules: &[Rule::ExactlyOne(&PLACE)],
     former: &[],
 };
 pub static STATION_NAME: Field = name("the outputs `deflection.<name>.*`");

@@ -1,8 +1,8 @@
 //! `[[component.surface]]`: aerodynamic strips, their flaps and what turns these.
 
 use super::allowed::{
-    ANGLE_DEG, DRAG, FLAP_LIFT_SLOPE, FRACTION, GAIN, INSIDE_THE_CHORD, LIFT_SLOPE, MOMENT, NEAR_THE_CHORD,
-    POSITIVE_LENGTH,
+    ANGLE_DEG, DRAG_COEFFICIENT, FLAP_LIFT_SLOPE, FRACTION, GAIN, INSIDE_THE_CHORD, LIFT_SLOPE,
+    MOMENT_COEFFICIENT, NEAR_THE_CHORD, POSITIVE_LENGTH,
 };
 use super::law::FORMS;
 use super::places::{FROM, TO};
@@ -52,7 +52,7 @@ pub static CHORD: Field = law(
     Kind::Law(&POSITIVE_LENGTH, &FORMS),
     "m",
     Absent::Found("the component's chord"),
-    "that of the strips",
+    "the chord of the strips",
 );
 pub static SPAN_AXIS: Field = Field {
     name: "span_axis",
@@ -74,10 +74,10 @@ pub static WIDTH: Field = law(
     Kind::Law(&POSITIVE_LENGTH, &FORMS),
     "m",
     Absent::Found("the element's extent along the span"),
-    "that of a whole element's strip",
+    "the width of a whole element's strip",
 );
 pub static LIFT: Field =
-    law("lift_slope_per_rad", Kind::Law(&LIFT_SLOPE, &FORMS), "1/rad", Absent::Needed, "CLα of the strips");
+    law("lift_slope_per_rad", Kind::Law(&LIFT_SLOPE, &FORMS), "per rad", Absent::Needed, "CLα of the strips");
 pub static ZERO_LIFT_OFFSET: Field = law(
     "zero_lift_offset_deg",
     Kind::Law(&ANGLE_DEG, &FORMS),
@@ -87,13 +87,14 @@ pub static ZERO_LIFT_OFFSET: Field = law(
 );
 pub static ZERO_LIFT_MOMENT: Field = law(
     "zero_lift_moment",
-    Kind::Law(&MOMENT, &FORMS),
+    Kind::Law(&MOMENT_COEFFICIENT, &FORMS),
     "",
     Absent::Number(0.0),
     "c_m0, moment coefficient about the aerodynamic centre, nose-up positive (camber: about −0.05 to −0.1); a moment of \
      ½ρU²·chord² · c_m0 per span",
 );
-pub static PROFILE_DRAG: Field = law("profile_drag", Kind::Law(&DRAG, &FORMS), "", Absent::Needed, "CD0");
+pub static PROFILE_DRAG: Field =
+    law("profile_drag", Kind::Law(&DRAG_COEFFICIENT, &FORMS), "", Absent::Needed, "CD0");
 pub static SUCTION: Field = law(
     "leading_edge_suction",
     Kind::Law(&FRACTION, &FORMS),
@@ -136,7 +137,7 @@ static FLAP_TABLE: Table = Table {
 pub static FLAP_LIFT: Field = Field {
     name: "lift_slope_per_rad",
     kind: Kind::Number(&FLAP_LIFT_SLOPE),
-    unit: "1/rad",
+    unit: "per rad",
     absent: Absent::Needed,
     sentence: "CLδ, of the angle of the flap",
 };
@@ -175,8 +176,8 @@ pub static SIDE: Field = Field {
     kind: Kind::OneOf(&[RIGHT, LEFT]),
     unit: "",
     absent: Absent::Nothing,
-    sentence: "which of the component and its mirror image it is on; for controls with `mirror = \"none\"` on a component that \
-               has an image, and only for those; a component in the plane y = 0 is on the right as written",
+    sentence: "for controls with `mirror = \"none\"` on a component that has an image, and only for those: which of the two it is \
+               on (a component in the plane y = 0 is on the right as written)",
 };
 
 pub const RIGHT: Word = Word { word: "right", sentence: "the right one" };

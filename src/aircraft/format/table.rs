@@ -2,6 +2,9 @@
 
 use super::allowed::{ANY, Allowed};
 
+/// What the largest component of a direction has at least.
+pub const LEAST_COMPONENT: f64 = 1e-9;
+
 /// A table of an aircraft file, or the file itself.
 #[derive(Debug)]
 pub struct Table {
@@ -59,7 +62,7 @@ pub enum Kind {
     Numbers(&'static Allowed),
     /// Three numbers.
     Vector(&'static Allowed),
-    /// Three numbers, of which at least one is not 0 (1e-9 or more).
+    /// Three numbers, of which at least one is not 0: [`LEAST_COMPONENT`] or more.
     Direction,
     /// Roll, pitch and yaw; the second for the pitch.
     Attitude(&'static Allowed, &'static Allowed),
@@ -128,6 +131,19 @@ pub enum Rule {
     Narrower(&'static Field, &'static Allowed, &'static Field, &'static str),
 }
 
+impl Table {
+    /// The fields of which exactly one is needed, if a field is one of them: "`at_m` or `at`".
+    pub fn alternatives(&self, field: &Field) -> Option<String> {
+        self.rules.iter().find_map(|rule| match rule {
+            Rule::ExactlyOne(fields) if fields.iter().any(|other| other.name == field.name) => {
+                let names = fields.iter().map(|field| format!("`{}`", field.name));
+                Some(names.collect::<Vec<_>>().join(" or "))
+            }
+            _ => None,
+        })
+    }
+}
+
 impl Field {
     /// What it may hold, for people: `law, 1e-6 to 1e15 N`.
     pub fn allowed_in_words(&self) -> String {
@@ -145,7 +161,8 @@ impl Field {
             Kind::OneOf(words) => words.iter().map(Word::in_quotes).collect::<Vec<_>>().join(", "),
             Kind::NumberOrMore(_) => with("number or list"),
             Kind::Numbers(_) | Kind::LawNumbers => with("list of numbers"),
-            Kind::Vector(_) | Kind::Attitude(..) | Kind::Direction => with("three numbers"),
+            Kind::Vector(_) | Kind::Attitude(..) => with("three numbers"),
+            Kind::Direction => "three numbers, not all 0".to_owned(),
             Kind::Corners(_) => with("list of points"),
             Kind::Law(..) => with("law"),
             Kind::Laws(..) => with("three laws"),
@@ -213,6 +230,14 @@ impl Kind {
         match self {
             Kind::Table(table) | Kind::Tables(table, _) | Kind::WordOrTable(_, table) => Some(table),
             _ => None,
+        }
+    }
+
+    /// The forms besides a number, where it is a law.
+    pub fn forms(&self) -> &'static [&'static Table] {
+        match self {
+            Kind::Law(_, forms) | Kind::Laws(_, forms) => forms,
+            _ => &[],
         }
     }
 
