@@ -1,221 +1,85 @@
-//! The flight that shows that a packaged FMU works: loaded and stepped through the C interface, as any
-//! importing tool would.
-//!
-//! A free aircraft flies the elevator 2-3-1-1 [theory: thesis-runs.inputs] by whichever control it has for pitch. One that is
-//! clamped in a wind tunnel may have no control and bends all the same when the wind does: a vertical gust goes up and down
-//! past it.
-//!
-//! For model exchange it is only the beginning of that, which this program integrates.
+//! `flexair check`: what is wrong with an aircraft file, what is unusual about the aircraft, and what the file describes.
 
-mod motion;
-#[cfg(test)]
-mod tests;
-mod trim;
+use std::path::{Path, PathBuf};
 
-use std::fmt;
-use std::ops::RangeInclusive;
-use std::time::{Duration, Instant};
+use clap::Args;
+use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
+use flexible_aircraft_packaging::FileError;
 
-use flexible_aircraft::aircraft::{Aircraft, Control, Support, TrimRole};
-use flexible_aircraft::fmi::Kind;
-use flexible_aircraft_packaging::FmuError;
-use flexible_aircraft_packaging::c_abi::Fmu;
+use crate::describe::Description;
+use crate::describe::{json, text};
+use crate::diagnostics::odd_trims;
+use crate::files::{Drafts, Overwriting, STANDARD, refuse_overwriting};
+use crate::flown::{self, FlownOptions};
+use crate::terminal;
 
-use crate::diagnostics;
-use crate::manoeuvre::Manoeuvre;
-use motion::{Motion, Moved, STEP};
-use trim::{Trim, with_role};
+/// Options of `flexair check`.
+#[derive(Args)]
+#[command(
+    after_help = "Mistakes are shown with their lines, all at once, and nothing else is printed: the exit code is 1. Otherwise the aircraft is described as \
+`flexair describe` does, with what is unusual at the end: mass by area, frequencies, static margin, volumes of tails and fins, ratios of \
+stiffnesses, radii of gyration against the aircraft's size, elements without strips, a trim that is beyond limits or not to be found. The exit code \
+is 2 where anything is unusual and 0 where nothing is. An unusual aircraft flies all the same.
 
-/// Time constant of the actuator, s.
-const LAG: f64 = 0.05;
+Example: in a script that goes on only where all is well
+  flexair check my-aircraft.toml > described.txt && flexair package --aircraft my-aircraft.toml"
+)]
+pub struct CheckOptions {
+    /// The aircraft file (TOML)
+    #[arg(value_name = "AIRCRAFT")]
+    file: PathBuf,
 
-/// What the flight showed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CheckFlight {
-    kind: Kind,
-    support: Support,
-    /// What moved the aircraft.
-    input: String,
-    trim: Trim,
-    deflection: Option<PeakDeflection>,
-    /// rad.
-    pitch: RangeInclusive<f64>,
-    load_factor: RangeInclusive<f64>,
-    /// Spent in setting inputs, stepping and getting outputs.
-    computing: Duration,
+    #[command(flatten)]
+    flown: FlownOptions,
+
+    /// Also write all of it as JSON, as `flexair describe` does; - is standard output
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
 }
 
-/// The largest deflection of any station, up or down.
-#[derive(Clone, Debug, PartialEq)]
-struct PeakDeflection {
-    station: String,
-    /// m.
-    up: f64,
-    /// m, at the beginning.
-    trimmed: f64,
-    /// s.
-    time: f64,
+/// Why an aircraft cannot be described.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    #[error(transparent)]
+    Aircraft(#[from] AircraftFileError),
+    #[error(transparent)]
+    Flown(#[from] flown::Error),
+    #[error(transparent)]
+    File(#[from] FileError),
+    #[error(transparent)]
+    Overwriting(#[from] Overwriting),
 }
 
-impl CheckFlight {
-    /// How long one is, s.
-    pub fn duration(kind: Kind) -> f64 {
-        STEP * f64::from(steps(kind))
+/// Checks an aircraft file and says how many things are unusual.
+///
+/// # Errors
+/// When there are mistakes in the file, or its aircraft has no modes or structure that could be described.
+pub fn run(options: &CheckOptions) -> Result<usize, Error> {
+    let outputs: Vec<&Path> = options.json.iter().map(PathBuf::as_path).collect();
+    refuse_overwriting(&outputs, [options.file.as_path()])?;
+    let to_standard = options.json.as_deref() == Some(Path::new(STANDARD));
+    let drafts = Drafts::new(outputs.into_iter().filter(|_| !to_standard))?;
+
+    let aircraft = Aircraft::read(&options.file)?;
+    let aircraft = options.flown.changed(aircraft);
+    let mut description = Description::new(&aircraft, &options.flown)?;
+    description.warnings.extend(odd_trims(&aircraft));
+    let count = description.warnings.len();
+
+    let json = options.json.as_ref().map(|_| json::text(&description));
+    match json.as_ref().filter(|_| to_standard) {
+        Some(json) => terminal::print(json)?,
+        None => terminal::print(&format!("{}\n{}\n", text::text(&description), verdict(options, count)))?,
     }
-
-    /// Flies a new instance of the FMU of an aircraft with the default parameters.
-    ///
-    /// # Errors
-    /// When the FMU refuses a call.
-    pub fn fly(fmu: &Fmu, aircraft: &Aircraft) -> Result<Self, FmuError> {
-        let (support, controls) = (aircraft.support, &aircraft.controls);
-        let kind = fmu.interface().kind;
-        let (name, manoeuvre) = excitation(kind, support, controls);
-        let moved = Moved { input: fmu.variable(name)?, manoeuvre };
-        let stations: Vec<&str> = fmu.variable_names().filter_map(station).collect();
-        let mut watched = fmu.variables(&["attitude.pitch", "load_factor.z"])?;
-        for station in &stations {
-            watched.push(fmu.variable(&format!("deflection.{station}.up"))?);
-        }
-
-        let mut aircraft = fmu.instantiate("check")?;
-        aircraft.initialise(0.0, None)?;
-        for line in aircraft.take_log().lines() {
-            if let Some(warning) = warning_of_trim(line) {
-                diagnostics::warn(warning);
-            }
-        }
-        let trim = Trim::read(fmu, &mut aircraft, controls)?;
-        let mut history = vec![vec![0.0; watched.len()]; steps(kind) as usize + 1];
-        aircraft.get_real(&watched, &mut history[0])?;
-
-        let beginning = Instant::now();
-        let mut motion = Motion::of(kind, &mut aircraft)?;
-        for (step, outputs) in (0..steps(kind)).zip(&mut history[1..]) {
-            motion.advance(&mut aircraft, &moved, f64::from(step) * STEP)?;
-            aircraft.get_real(&watched, outputs)?;
-        }
-        let computing = beginning.elapsed();
-        aircraft.terminate()?;
-
-        Ok(CheckFlight {
-            kind,
-            support,
-            input: name.to_owned(),
-            trim,
-            deflection: peak_deflection(&stations, &history),
-            pitch: range(history.iter().map(|outputs| outputs[0])),
-            load_factor: range(history.iter().map(|outputs| outputs[1])),
-            computing,
-        })
-    }
+    drafts.keep(json.filter(|_| !to_standard))?;
+    Ok(count)
 }
 
-/// How often the outputs are looked at.
-fn steps(kind: Kind) -> u32 {
-    match kind {
-        Kind::CoSimulation => 1500,
-        Kind::ModelExchange => 100,
-    }
-}
-
-/// What a line of the log warns of the trim.
-fn warning_of_trim(line: &str) -> Option<&str> {
-    let said = line.strip_prefix("[logStatusWarning] ")?;
-    ["fmi2", "fmi3"].iter().find_map(|version| {
-        said.strip_prefix(version).and_then(|said| said.strip_prefix("ExitInitializationMode: "))
-    })
-}
-
-/// The input that moves the aircraft, and how; soon in a short flight.
-fn excitation(kind: Kind, support: Support, controls: &[Control]) -> (&str, Manoeuvre) {
-    let start = match kind {
-        Kind::CoSimulation => 1.0,
-        Kind::ModelExchange => 0.1,
-    };
-    match (support, with_role(controls, TrimRole::Pitch)) {
-        // Of an elevator that is positive nose-down, nose-up first.
-        (Support::Free, Some(control)) => (control, Manoeuvre::two_three_one_one(-0.05, 0.7, start, LAG)),
-        _ => ("wind_down", Manoeuvre::doublet(-1.0, 2.0, start, LAG)),
-    }
-}
-
-/// The station, if the variable is its upward deflection.
-fn station(variable: &str) -> Option<&str> {
-    variable.strip_prefix("deflection.")?.strip_suffix(".up")
-}
-
-/// None when nothing deflects, as without modes. Over a history of outputs whose third and following columns are the deflections of the stations.
-fn peak_deflection(stations: &[&str], history: &[Vec<f64>]) -> Option<PeakDeflection> {
-    let peak = |column: usize| {
-        let steps = 0..history.len();
-        steps.max_by(|&a, &b| history[a][column].abs().total_cmp(&history[b][column].abs()))
-    };
-    let deflects = |peak: &PeakDeflection| peak.up != 0.0;
-    let peaks = stations.iter().enumerate().filter_map(|(index, station)| {
-        let (column, step) = (index + 2, peak(index + 2)?);
-        Some(PeakDeflection {
-            station: (*station).to_owned(),
-            up: history[step][column],
-            trimmed: history[0][column],
-            time: step as f64 * STEP,
-        })
-    });
-    peaks.filter(deflects).max_by(|a, b| a.up.abs().total_cmp(&b.up.abs()))
-}
-
-fn up_or_down(up: f64) -> String {
-    format!("{:.3} m {}", up.abs(), if up < 0.0 { "down" } else { "up" })
-}
-
-fn range(values: impl Iterator<Item = f64>) -> RangeInclusive<f64> {
-    let (low, high) = values
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (value.min(low), value.max(high)));
-    low..=high
-}
-
-impl fmt::Display for CheckFlight {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let duration = Self::duration(self.kind);
-        let part = match self.kind {
-            Kind::CoSimulation => "",
-            Kind::ModelExchange => "the first ",
-        };
-        match self.support {
-            Support::Free => {
-                write!(f, "Trimmed:\n{}", self.trim)?;
-                writeln!(f, "2-3-1-1 of 0.05 rad of {}, {part}{duration} s:", self.input)?;
-            }
-            Support::Clamped => {
-                writeln!(
-                    f,
-                    "Clamped in a wind tunnel, vertical gust of 1 m/s, 2 s up, 2 s down, {part}{duration} s:"
-                )?;
-            }
-        }
-        if let Some(PeakDeflection { station, up, trimmed, time }) = &self.deflection {
-            let [peak, trimmed] = [*up, *trimmed].map(up_or_down);
-            writeln!(f, "  peak deflection {peak:>13} at {time:.2} s, {station} ({trimmed} at first)")?;
-        }
-        if self.support == Support::Free {
-            let [low, high] = [self.pitch.start(), self.pitch.end()].map(|angle| angle.to_degrees());
-            writeln!(f, "  pitch           {low:8.3}° to {high:.3}°")?;
-            writeln!(
-                f,
-                "  load factor     {:8.3} to {:.3}",
-                self.load_factor.start(),
-                self.load_factor.end()
-            )?;
-        }
-        let seconds = self.computing.as_secs_f64();
-        match self.kind {
-            Kind::CoSimulation => {
-                let times = duration / seconds;
-                write!(f, "  computed in     {seconds:8.3} s: {times:.0} times faster than real time")
-            }
-            Kind::ModelExchange => {
-                write!(f, "  integrated in   {seconds:8.3} s, by Runge-Kutta steps of 1 ms")
-            }
-        }
+fn verdict(options: &CheckOptions, warnings: usize) -> String {
+    let file = options.file.display();
+    match warnings {
+        0 => format!("{file}: no mistakes, and nothing is unusual"),
+        1 => format!("{file}: no mistakes, 1 warning"),
+        _ => format!("{file}: no mistakes, {warnings} warnings"),
     }
 }

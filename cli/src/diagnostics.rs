@@ -50,14 +50,21 @@ impl<E: Error + 'static> Report for E {
 /// Reads an aircraft file, and warns of what makes its trims odd.
 pub fn read_aircraft(path: &Path) -> Result<Aircraft, AircraftFileError> {
     let aircraft = Aircraft::read(path)?;
-    if let Some(control) = aircraft.lopsided_pitch_control() {
-        warn(&format!(
+    if let Some(odd) = odd_trims(&aircraft) {
+        warn(&odd);
+    }
+    Ok(aircraft)
+}
+
+/// What makes the trims of an aircraft odd, for people.
+pub fn odd_trims(aircraft: &Aircraft) -> Option<String> {
+    aircraft.lopsided_pitch_control().map(|control| {
+        format!(
             "{} has trim = \"pitch\" and does not act alike on both sides: trims go aside, with bank angle, sideslip, or angles of \
              the controls for roll and yaw",
             control.name
-        ));
-    }
-    Ok(aircraft)
+        )
+    })
 }
 
 /// Warns on standard error.

@@ -49,9 +49,13 @@ pub enum Error {
 impl FlownOptions {
     /// The aircraft of a file.
     pub fn read(&self, file: &Path) -> Result<Aircraft, Error> {
-        let mut aircraft = diagnostics::read_aircraft(file)?;
+        Ok(self.changed(diagnostics::read_aircraft(file)?))
+    }
+
+    /// An aircraft as the options have it.
+    pub fn changed(&self, mut aircraft: Aircraft) -> Aircraft {
         aircraft.load_modes |= self.load_modes;
-        Ok(aircraft)
+        aircraft
     }
 
     /// The aircraft with its modes.

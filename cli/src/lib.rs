@@ -41,6 +41,7 @@ mod new;
 mod numbers;
 mod package;
 pub mod progress;
+mod proof;
 mod reproduce;
 mod schema;
 mod simulate;
@@ -80,6 +81,9 @@ enum Command {
 
     /// Say what an aircraft file describes: mass, balance, static margin, natural modes, and what is unusual
     Describe(describe::DescribeOptions),
+
+    /// Say what is wrong with an aircraft file, what is unusual, and what it describes; ends with 1 for mistakes, 2 for warnings
+    Check(check::CheckOptions),
 
     /// Write a linear model about a trim, for control laws: matrices with names and units as JSON, tables, for NumPy and MATLAB
     #[command(visible_alias = "linearize")]
@@ -254,6 +258,9 @@ const FAILURE: u8 = 1;
 /// What they take for a command line that is not right.
 const USAGE: u8 = 2;
 
+/// What a command ends with that did what was asked and has something to say of it.
+const REMARKS: u8 = 2;
+
 /// Does what a command line asks for, the program's name first, and returns what the program should end with.
 pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8 {
     stop_when_asked();
@@ -273,6 +280,11 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8
         Command::Simulate(options) => simulate::run(&options).map_err(|error| error.report()),
         Command::Trim(options) => trim::run(&options).map_err(|error| error.report()),
         Command::Describe(options) => describe::run(&options).map_err(|error| error.report()),
+        Command::Check(options) => match check::run(&options) {
+            Ok(0) => Ok(()),
+            Ok(_) => return REMARKS,
+            Err(error) => Err(error.report()),
+        },
         Command::Linearise(options) => linearise::run(&options).map_err(|error| error.report()),
         Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
         Command::Converge(options) => converge::run(&options).map_err(|error| error.report()),

@@ -12,11 +12,11 @@ use flexible_aircraft_packaging::c_abi::Fmu;
 use flexible_aircraft_packaging::{Draft, FileError, FmuError, Package, PackageError, Platform, Reduction};
 
 use crate::answer::Answer;
-use crate::check::CheckFlight;
 use crate::files::{Drafts, Overwriting, refuse_overwriting};
 use crate::home::Home;
 use crate::interfaces::{OneFile, places};
 use crate::progress::Audience;
+use crate::proof::ProofFlight;
 use crate::view::{self, archive};
 use crate::{PackageOptions, diagnostics, terminal, workspace};
 
@@ -52,7 +52,7 @@ struct Packaged {
     /// Bytes.
     size: u64,
     /// What it showed, if it was asked to.
-    flight: Option<CheckFlight>,
+    flight: Option<ProofFlight>,
 }
 
 /// Builds, packages, and flies what came out.
@@ -152,11 +152,11 @@ fn fly(
     interface: Interface,
     aircraft: &Aircraft,
     audience: &Audience,
-) -> Result<CheckFlight, FmuError> {
-    let duration = CheckFlight::duration(interface.kind);
+) -> Result<ProofFlight, FmuError> {
+    let duration = ProofFlight::duration(interface.kind);
     let what = if interface == Interface::USUAL { "it".to_owned() } else { format!("it as {interface}") };
     audience.note(&format!("Flying {what} for {duration} s"));
-    CheckFlight::fly(&Fmu::open(draft.path())?, aircraft)
+    ProofFlight::fly(&Fmu::open(draft.path())?, aircraft)
 }
 
 /// Adds the libraries of which none was given: in a checkout that of this machine, elsewhere those that came with the program.

@@ -17,8 +17,8 @@ pub struct Balance {
     pub stability: Result<StaticStability, String>,
     /// By the reference lengths, where there are any.
     pub margin: Option<Margin>,
-    /// What of the trim is beyond the limits of the aircraft.
-    pub beyond: Option<String>,
+    /// What is odd about the trim, for people: that there is none, or what of it is beyond the limits of the aircraft.
+    pub odd: Option<String>,
 }
 
 /// Static stability without dimensions.
@@ -36,12 +36,13 @@ impl Balance {
             Support::Clamped => "rest in the tunnel",
         };
         let condition = format!("{manoeuvre}, {}", flown::condition(model, settings));
-        let (stability, beyond) = stability(model, settings).unwrap_or_else(|reason| (Err(reason), None));
+        let none = |reason: String| (Err(reason.clone()), Some(reason));
+        let (stability, odd) = stability(model, settings).unwrap_or_else(none);
         let margin = stability.as_ref().ok().zip(lengths).map(|(stability, lengths)| Margin {
             margin: stability.margin(lengths.chord),
             lift_slope: stability.lift_slope_coefficient(lengths.area),
         });
-        Balance { condition, stability, margin, beyond }
+        Balance { condition, stability, margin, odd }
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use clap::Args;
 use flexible_aircraft::aircraft::Aircraft;
-use flexible_aircraft::structure::{ModeMotion, ReducedModel, Structure, StructureError};
+use flexible_aircraft::structure::{ModeMotion, ReducedModel, Structure};
 use flexible_aircraft::variables::VariableTable;
 use flexible_aircraft_packaging::FileError;
 use nalgebra::DMatrix;
@@ -20,10 +20,10 @@ mod balance;
 mod drawing;
 mod facts;
 pub mod frame;
-mod json;
+pub mod json;
 pub mod modes;
 pub mod surfaces;
-mod text;
+pub mod text;
 mod warnings;
 
 use balance::Balance;
@@ -68,8 +68,6 @@ pub enum Error {
     #[error(transparent)]
     Flown(#[from] flown::Error),
     #[error(transparent)]
-    Structure(#[from] StructureError),
-    #[error(transparent)]
     File(#[from] FileError),
     #[error(transparent)]
     Overwriting(#[from] Overwriting),
@@ -80,11 +78,12 @@ pub enum Error {
 }
 
 /// All that is said of an aircraft.
-struct Description {
+pub struct Description {
     facts: Facts,
     balance: Balance,
     modes: Vec<NaturalMode>,
-    warnings: Vec<String>,
+    /// What is unusual.
+    pub warnings: Vec<String>,
 }
 
 /// Describes an aircraft; what is unusual is no failure.
@@ -96,7 +95,7 @@ pub fn run(options: &DescribeOptions) -> Result<(), Error> {
     let drafts = Drafts::new(files.map(PathBuf::as_path))?;
 
     let aircraft = options.flown.read(options.file.path())?;
-    let Described { structure, shapes, description } = options.describe(&aircraft)?;
+    let Described { structure, shapes, description } = Described::new(&aircraft, &options.flown)?;
     if options.plot.is_some() && description.modes.is_empty() {
         return Err(Error::NoModes);
     }
@@ -114,7 +113,7 @@ pub fn run(options: &DescribeOptions) -> Result<(), Error> {
 /// All of it as the text of a JSON object.
 pub fn answer(options: &DescribeOptions) -> Result<Answer, Error> {
     let aircraft = options.flown.read(options.file.path())?;
-    let json = json::text(&options.describe(&aircraft)?.description);
+    let json = json::text(&Description::new(&aircraft, &options.flown)?);
     Ok(Answer::named([("json", Answer::Text(json))]))
 }
 
@@ -125,14 +124,21 @@ struct Described<'a> {
     description: Description,
 }
 
-impl DescribeOptions {
-    fn describe<'a>(&self, aircraft: &'a Aircraft) -> Result<Described<'a>, Error> {
+impl Description {
+    /// All that is said of an aircraft in the flight that options ask for.
+    pub fn new(aircraft: &Aircraft, flown: &FlownOptions) -> Result<Self, flown::Error> {
+        Ok(Described::new(aircraft, flown)?.description)
+    }
+}
+
+impl<'a> Described<'a> {
+    fn new(aircraft: &'a Aircraft, flown: &FlownOptions) -> Result<Self, flown::Error> {
         let structure = Structure::new(aircraft)?;
-        let basis = self.flown.basis(&structure)?;
+        let basis = flown.basis(&structure)?;
         let shapes = basis.shapes.clone();
         let motions = ModeMotion::of_modes(&structure, &shapes);
         let model = Arc::new(ReducedModel::of_basis(&structure, basis)?);
-        let settings = self.flown.settings(&VariableTable::new(&model), &model)?;
+        let settings = flown.settings(&VariableTable::new(&model), &model)?;
         let modes = modes::name(aircraft, &model.modes, &motions, &settings.plant);
         let facts = Facts::new(aircraft, &model);
         let balance = Balance::new(&model, &settings, facts.reference);

@@ -25,6 +25,11 @@ pub fn runs_along(aircraft: &Aircraft, strip: &Strip) -> bool {
     strip.span.dot(&direction(aircraft, strip.attachment.beam)).abs() > ALONG
 }
 
+/// The direction against which a strip lifts, of length 1: n = forward × span [theory: air-loads.flow].
+pub fn normal(strip: &Strip) -> Vector3<f64> {
+    strip.forward.cross(&strip.span)
+}
+
 /// The elements of a component, root first.
 pub fn elements(aircraft: &Aircraft, component: usize) -> std::ops::Range<usize> {
     let first = aircraft.components[component].first_beam;

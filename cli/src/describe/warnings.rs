@@ -7,10 +7,13 @@ use flexible_aircraft::Aircraft;
 use flexible_aircraft::aircraft::{Strip, Support};
 use nalgebra::Vector3;
 
+mod gyration;
+mod tails;
+
 use super::balance::Balance;
 use super::facts::Facts;
 use super::modes::NaturalMode;
-use super::surfaces::{direction, elements, is_lifting, runs_along, strips};
+use super::surfaces::{direction, elements, is_lifting, normal, runs_along, strips};
 use crate::numbers::{Plain, short};
 
 /// Static margins of aircraft that people fly, in chords.
@@ -37,12 +40,14 @@ const REFERENCE_RATIOS: RangeInclusive<f64> = 0.5..=2.0;
 /// Everything unusual.
 pub fn find(aircraft: &Aircraft, facts: &Facts, balance: &Balance, modes: &[NaturalMode]) -> Vec<String> {
     let components = 0..aircraft.components.len();
-    let mut warnings: Vec<String> = balance.beyond.iter().cloned().collect();
+    let mut warnings: Vec<String> = balance.odd.iter().cloned().collect();
     warnings.extend(balance.margin.as_ref().and_then(|margin| static_margin(margin.margin)));
     warnings.extend(modes.iter().map(NaturalMode::frequency).reduce(f64::min).and_then(lowest_frequency));
     if aircraft.support == Support::Free {
         warnings.extend(wing_loading(facts));
         warnings.extend(centre_of_mass(aircraft, facts));
+        warnings.extend(tails::volumes(aircraft, facts));
+        warnings.extend(gyration::inertia(aircraft, facts));
     }
     warnings.extend(reference_lengths(aircraft));
     for component in components {
@@ -92,13 +97,7 @@ fn wing_loading(facts: &Facts) -> Option<String> {
 
 /// Whether the centre of mass is ahead of the nose or behind the tail.
 fn centre_of_mass(aircraft: &Aircraft, facts: &Facts) -> Option<String> {
-    let edges = aircraft.strips.iter().flat_map(|strip| {
-        let middle = middle(aircraft, strip) + strip.forward * strip.elastic_axis_aft_of_midchord;
-        [-1.0, 1.0].map(|side| middle.x + strip.forward.x * strip.semichord * side)
-    });
-    let all = aircraft.nodes.iter().map(|node| node.x).chain(edges);
-    let [aft, fore] =
-        all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
+    let [aft, fore] = reach(aircraft).map(|corner| corner.x);
     let x = facts.centre_of_mass.x;
     (!(aft..=fore).contains(&x)).then(|| {
         format!(
@@ -144,7 +143,7 @@ fn massless(aircraft: &Aircraft, component: usize) -> Option<String> {
 fn stiffness_ratio(aircraft: &Aircraft, component: usize) -> Option<String> {
     let strips = strips(aircraft, component);
     let along = strips.iter().find(|strip| runs_along(aircraft, strip))?;
-    let normal = along.forward.cross(&along.span);
+    let normal = normal(along);
     let ratio = |beam: usize| {
         let element = &aircraft.beams[beam];
         let z_axis = direction(aircraft, beam).cross(&element.y_axis);
@@ -222,6 +221,17 @@ fn idle_control(aircraft: &Aircraft, control: usize) -> Option<String> {
             aircraft.controls[control].name
         )
     })
+}
+
+/// The aftmost, leftmost, highest and the foremost, rightmost, lowest of nodes and chords, in body axes, m.
+fn reach(aircraft: &Aircraft) -> [Vector3<f64>; 2] {
+    let edges = aircraft.strips.iter().flat_map(|strip| {
+        let middle = middle(aircraft, strip) + strip.forward * strip.elastic_axis_aft_of_midchord;
+        [-1.0, 1.0].map(|side| middle + strip.forward * (strip.semichord * side))
+    });
+    let points = aircraft.nodes.iter().copied().chain(edges);
+    let ends = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
+    points.fold(ends, |[low, high], point| [low.inf(&point), high.sup(&point)])
 }
 
 /// Where a strip sits on the elastic axis.

@@ -172,10 +172,11 @@ fn sizing(options: &NewOptions) -> Result<Sizing, Error> {
 fn name(file: &Path, sizing: &Sizing) -> String {
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
     let printable: String = stem.chars().filter(|letter| !letter.is_control()).collect();
-    if file == Path::new(STANDARD) {
-        return sizing.usual.name.to_owned();
+    let kind = sizing.usual.name;
+    if file == Path::new(STANDARD) || printable == kind {
+        return kind.to_owned();
     }
-    format!("{printable}, {}", sizing.usual.name)
+    format!("{printable}, {kind}")
 }
 
 /// As a shell takes it.
@@ -207,8 +208,7 @@ fn report(file: &Path, sizing: &Sizing, found: &fit::Found) -> String {
         return text;
     }
     let (own, schema) = (quoted(file), quoted(&file.with_file_name(text::SCHEMA)));
-    let next =
-        ["describe", "view", "package --aircraft"].map(|command| format!("\n  flexair {command} {own}"));
+    let next = ["check", "view", "package --aircraft"].map(|command| format!("\n  flexair {command} {own}"));
     text + " Next:"
         + &next.concat()
         + &format!("\nEditors complete and mark the file after:\n  flexair schema --output {}\n", schema)

@@ -39,6 +39,7 @@ fn what_cannot_be_written_is_found_before_the_work() {
         "simulate --modes 2 --duration 0.1 --output new/flight.csv --plot file/new/flight.svg",
         "linearise small.toml --modes 2 --output file/new",
         "describe small.toml --modes 2 --json file/new/a.json --plot new/a.svg",
+        "check small.toml --modes 2 --json file/new/a.json",
         "new file/new/wing.toml --kind wing-on-wall",
         "bench --fmu jet.fmu --output new/a.md --plot file/new/a.svg",
     ] {

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use crate::support::{flexair, library, run, text};
+use crate::support::{flexair, library, run, text, workspace};
 
 /// A line for each command that prints something, and a file that it then has written.
 fn lines() -> Vec<(&'static str, String, Option<&'static str>)> {
@@ -21,6 +21,11 @@ fn lines() -> Vec<(&'static str, String, Option<&'static str>)> {
         ),
         ("trim", "trim --modes 2 --csv trims.csv".into(), Some("trims.csv")),
         ("describe", "describe --modes 2 --json about.json".into(), Some("about.json")),
+        (
+            "check",
+            format!("check {} --modes 2", workspace("aircraft/generic-business-jet.toml").display()),
+            None,
+        ),
         (
             "linearise",
             "linearise --modes 2 --inflow steady --output linear".into(),

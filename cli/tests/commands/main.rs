@@ -3,6 +3,8 @@
 #[cfg(test)]
 mod before_work;
 #[cfg(test)]
+mod check;
+#[cfg(test)]
 mod closed_output;
 #[cfg(test)]
 mod continuous;

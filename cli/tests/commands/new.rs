@@ -35,7 +35,7 @@ fn check_kind(kind: &str, spans: [f64; 3]) {
         let file = format!("{kind}-{span}.toml");
         let printed = quietly(folder, &format!("new {file} --kind {kind} --span {span}"));
         assert!(printed.contains("given\n") && printed.contains("assumed: "), "{printed}");
-        for next in ["describe", "view", "package --aircraft"] {
+        for next in ["check", "view", "package --aircraft"] {
             assert!(printed.contains(&format!("  flexair {next} {file}\n")), "{printed}");
         }
         let written = std::fs::read_to_string(folder.join(&file)).unwrap();

@@ -55,6 +55,58 @@ fn the_centre_of_mass_is_within_the_aircraft() {
 }
 
 #[test]
+fn a_tail_and_a_fin_are_neither_small_nor_large() {
+    let usual = read("generic-business-jet");
+    assert!(tails::volumes(&usual, &facts(&usual)).is_empty());
+    // Strips of all but the wing a fifth as wide.
+    let small = jet(|jet| {
+        let wing = wing(jet);
+        let sides = [Some(wing), jet.components[wing].image];
+        let owner: Vec<_> = jet.strips.iter().map(|strip| jet.component_of(strip.attachment.beam)).collect();
+        let others = jet.strips.iter_mut().zip(owner).filter(|(_, owner)| !sides.contains(owner));
+        others.for_each(|(strip, _)| strip.width *= 0.2);
+    });
+    let found = tails::volumes(&small, &facts(&small));
+    assert!(found[0].starts_with("the volume coefficient of the tailplanes is 0.1"), "{found:?}");
+    assert!(found[0].contains("usual is 0.2 to 1.5: area by lever"), "{found:?}");
+    let far = jet(|jet| jet.bays.iter_mut().for_each(|bay| bay.offset.x += 100.0));
+    let found = tails::volumes(&far, &facts(&far));
+    assert!(found.iter().any(|text| text.starts_with("the volume coefficient of the fins is")), "{found:?}");
+}
+
+#[test]
+fn what_continues_a_wing_is_no_tail() {
+    // The outer half of the jet's wing as a component of its own.
+    let usual = read("generic-business-jet");
+    let wing = wing(&usual);
+    let mut split = usual.clone();
+    let half = split.components[wing].nodes.len() / 2;
+    let outer = split.components[wing].nodes.split_off(half);
+    let nodes = [vec![*split.components[wing].nodes.last().unwrap()], outer].concat();
+    let first_beam = split.components[wing].first_beam + half - 1;
+    for beam in first_beam..first_beam + nodes.len() - 1 {
+        split.beams[beam].component = "outer".into();
+    }
+    let (name, image, parent) = ("outer".into(), None, Some((wing, half - 1)));
+    split.components.push(flexible_aircraft::aircraft::Component { name, nodes, first_beam, image, parent });
+    assert!(tails::continues(&split, split.components.len() - 1, wing));
+    let tail = usual.components.iter().position(|component| component.name.contains("tail")).unwrap();
+    assert!(!tails::continues(&usual, tail, wing));
+}
+
+#[test]
+fn radii_of_gyration_are_a_part_of_the_size() {
+    let usual = read("generic-business-jet");
+    assert!(gyration::inertia(&usual, &facts(&usual)).is_empty());
+    let odd = jet(|jet| jet.bays.iter_mut().for_each(|bay| bay.inertia *= 1e4));
+    let found = gyration::inertia(&odd, &facts(&odd));
+    assert!(found[0].starts_with("the radius of gyration in roll is ") && found.len() == 3, "{found:?}");
+    let far = jet(|jet| jet.bays[3].offset = Vector3::y() * 40.0);
+    let found = gyration::inertia(&far, &facts(&far));
+    assert!(found.iter().any(|text| text.contains("lie 40 m from the beam that carries them")), "{found:?}");
+}
+
+#[test]
 fn given_reference_lengths_are_about_those_of_the_wing() {
     assert!(reference_lengths(&jet(|jet| jet.reference.chord = Some(3.5))).is_empty());
     let odd = reference_lengths(&jet(|jet| jet.reference.chord = Some(37.0)));

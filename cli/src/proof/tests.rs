@@ -10,12 +10,12 @@ use super::*;
 
 /// The check flight of the generic business jet, free or clamped, with the library that cargo built
 /// beside this test.
-fn jet(support: Support) -> CheckFlight {
+fn jet(support: Support) -> ProofFlight {
     jet_as(Interface::USUAL, support)
 }
 
 /// The same, taken as something else.
-fn jet_as(interface: Interface, support: Support) -> CheckFlight {
+fn jet_as(interface: Interface, support: Support) -> ProofFlight {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let folder = tempfile::tempdir().unwrap();
     let [aircraft, fmu] = ["aircraft.toml", "aircraft.fmu"].map(|name| folder.path().join(name));
@@ -42,7 +42,7 @@ fn jet_as(interface: Interface, support: Support) -> CheckFlight {
     }
     .write(&fmu)
     .unwrap();
-    CheckFlight::fly(&Fmu::open(&fmu).unwrap(), &read).unwrap()
+    ProofFlight::fly(&Fmu::open(&fmu).unwrap(), &read).unwrap()
 }
 
 #[test]
@@ -106,7 +106,7 @@ fn without_modes_no_deflection_is_told() {
 #[test]
 fn a_downward_peak_is_called_so() {
     let peak = PeakDeflection { station: "wing_tip".into(), up: -0.182, trimmed: 0.05, time: 3.5 };
-    let flight = CheckFlight {
+    let flight = ProofFlight {
         kind: Kind::CoSimulation,
         support: Support::Clamped,
         input: "wind_down".to_owned(),
@@ -155,7 +155,7 @@ fn in_fmi_3_too() {
 fn both_versions_fly_the_same_flight() {
     let [second, third] = [Version::V2, Version::V3].map(|version| {
         let flight = jet_as(Interface { version, kind: Kind::CoSimulation }, Support::Free);
-        CheckFlight { computing: Duration::ZERO, ..flight }
+        ProofFlight { computing: Duration::ZERO, ..flight }
     });
     assert_eq!(second, third);
 }
