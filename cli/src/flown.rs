@@ -18,7 +18,7 @@ use crate::diagnostics;
 use crate::numbers::Plain;
 
 /// The modes and parameters of an aircraft that flies.
-#[derive(Args)]
+#[derive(Args, Default)]
 pub struct FlownOptions {
     /// How many natural modes fly, lowest frequencies first; load modes are not counted [default: 12, or all where there are
     /// fewer; `--set mode_count=…` then has up to 26 fly]

@@ -29,6 +29,7 @@ mod flutter;
 mod gust;
 mod gust_flights;
 pub mod home;
+pub mod import;
 mod interfaces;
 mod limits;
 mod linearise;
@@ -111,6 +112,9 @@ enum Command {
 
     /// Write a first file of your own aircraft: asks for kind, span, mass and the like, finds the rest, says what it assumed
     New(new::NewOptions),
+
+    /// Write an aircraft file from the model of another program (a Nastran deck), and report by line what is not held
+    Import(import::ImportOptions),
 
     /// Write the format of aircraft files as JSON Schema, by which editors complete, explain and mark them
     Schema(schema::SchemaOptions),
@@ -208,7 +212,8 @@ fn command_line(home: &Home) -> clap::Command {
     };
     CommandLine::command().mut_subcommands(|command| {
         let name = command.get_name().to_owned();
-        command.mut_args(|argument| at_home(home, &name, option(argument)))
+        let command = command.mut_args(|argument| at_home(home, &name, option(argument)));
+        command.mut_subcommands(|command| command.mut_args(option))
     })
 }
 
@@ -254,6 +259,9 @@ const FAILURE: u8 = 1;
 /// What they take for a command line that is not right.
 const USAGE: u8 = 2;
 
+/// For a file that is written with reports of what it does not hold.
+const WITH_REPORTS: u8 = 2;
+
 /// Does what a command line asks for, the program's name first, and returns what the program should end with.
 pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8 {
     stop_when_asked();
@@ -283,6 +291,11 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8
         Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
         Command::Ssp(options) => ssp::run(&options).map_err(|error| error.report()),
         Command::New(options) => new::run(&options).map_err(|error| error.report()),
+        Command::Import(options) => match import::run(&options) {
+            Ok(import::Outcome::WithReports) => return WITH_REPORTS,
+            Ok(import::Outcome::Clean) => Ok(()),
+            Err(error) => Err(error.report()),
+        },
         Command::Schema(options) => schema::run(&options).map_err(|error| error.report()),
         Command::Aircraft(_) => aircraft::run(home).map_err(|error| error.report()),
         Command::Completions(options) => {

@@ -127,16 +127,25 @@ struct Described<'a> {
 
 impl DescribeOptions {
     fn describe<'a>(&self, aircraft: &'a Aircraft) -> Result<Described<'a>, Error> {
-        let structure = Structure::new(aircraft)?;
-        let basis = self.flown.basis(&structure)?;
-        let shapes = basis.shapes.clone();
-        let motions = ModeMotion::of_modes(&structure, &shapes);
-        let model = Arc::new(ReducedModel::of_basis(&structure, basis)?);
-        let settings = self.flown.settings(&VariableTable::new(&model), &model)?;
-        let modes = modes::name(aircraft, &model.modes, &motions, &settings.plant);
-        let facts = Facts::new(aircraft, &model);
-        let balance = Balance::new(&model, &settings, facts.reference);
-        let warnings = warnings::find(aircraft, &facts, &balance, &modes);
-        Ok(Described { structure, shapes, description: Description { facts, balance, modes, warnings } })
+        describe(aircraft, &self.flown)
     }
+}
+
+/// What the command prints of an aircraft without further options.
+pub fn brief(aircraft: &Aircraft) -> Result<String, Error> {
+    Ok(text::text(&describe(aircraft, &FlownOptions::default())?.description))
+}
+
+fn describe<'a>(aircraft: &'a Aircraft, flown: &FlownOptions) -> Result<Described<'a>, Error> {
+    let structure = Structure::new(aircraft)?;
+    let basis = flown.basis(&structure)?;
+    let shapes = basis.shapes.clone();
+    let motions = ModeMotion::of_modes(&structure, &shapes);
+    let model = Arc::new(ReducedModel::of_basis(&structure, basis)?);
+    let settings = flown.settings(&VariableTable::new(&model), &model)?;
+    let modes = modes::name(aircraft, &model.modes, &motions, &settings.plant);
+    let facts = Facts::new(aircraft, &model);
+    let balance = Balance::new(&model, &settings, facts.reference);
+    let warnings = warnings::find(aircraft, &facts, &balance, &modes);
+    Ok(Described { structure, shapes, description: Description { facts, balance, modes, warnings } })
 }

@@ -1,0 +1,13 @@
+//! Panels, splines and control surfaces as strips on components.
+
+mod attach;
+mod controls;
+mod line;
+mod panel;
+mod roles;
+
+pub use attach::{Flap, Surface, surfaces};
+pub use controls::{Control, controls};
+pub use line::SurfaceLine;
+pub use panel::panels;
+pub use roles::{Role, moments, roles};

@@ -1,0 +1,441 @@
+//! A deck from its files to the text of an aircraft file: all rooms, one after the other.
+
+use std::path::Path;
+
+use clap::ValueEnum;
+use flexible_aircraft::Aircraft;
+use flexible_aircraft::air::{Air, STANDARD_GRAVITY};
+
+use super::Error;
+use super::aero::{self, Control, Role, Surface, SurfaceLine};
+use super::axes::DeckAxes;
+use super::cards::Cards;
+use super::deck::{Deck, Source};
+use super::frames::World;
+use super::mistakes::{Mistakes, Origin, Remarks};
+use super::pairs::{self, Side};
+use super::structure::{Held, Parts, Structure};
+use super::units::UnitSystem;
+use super::write::{self, Engine, Written};
+use super::{layout, lumps, members};
+use crate::marked::RejectedFiles;
+
+/// Whether the aircraft flies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Support {
+    /// It flies
+    Free,
+    /// It is held at O in a wind tunnel
+    Clamped,
+}
+
+/// Lift coefficient of a trim whose airspeed nobody gives.
+const LIFT_COEFFICIENT: f64 = 0.5;
+
+/// Airspeed, m/s, of what is clamped, where nobody gives one.
+const TUNNEL_SPEED: f64 = 50.0;
+
+/// Nothing that is read is farther from O, m.
+const FARTHEST: f64 = 1000.0;
+
+/// What is asked for.
+pub struct Request<'a> {
+    pub deck: &'a Path,
+    pub source: &'a dyn Source,
+    pub units: UnitSystem,
+    pub axes: Option<DeckAxes>,
+    pub root: Option<i64>,
+    pub support: Option<Support>,
+    pub airspeed: Option<f64>,
+    pub altitude: f64,
+    pub surfaces: &'a [SurfaceLine],
+    pub engines: &'a [(String, i64)],
+}
+
+/// What came of a deck.
+#[derive(Debug)]
+pub struct Imported {
+    pub(super) deck: Deck,
+    pub(super) cards: Cards,
+    pub(super) text: String,
+    pub(super) aircraft: Aircraft,
+    pub(super) remarks: Remarks,
+    /// What was taken where the deck leaves it open.
+    pub(super) taken: Vec<String>,
+    /// Of CONM1 and CONM2, of elements, kg, as the deck has them.
+    pub(super) masses: [f64; 2],
+}
+
+impl Imported {
+    /// The aircraft file.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Whether something of the deck is not in it as it is there.
+    pub fn has_reports(&self) -> bool {
+        !self.remarks.reports.is_empty() || !self.remarks.general.is_empty()
+    }
+
+    /// The files of the deck.
+    pub(super) fn files(&self) -> impl Iterator<Item = &str> {
+        self.deck.files.iter().map(|file| file.name.as_str())
+    }
+}
+
+/// The aircraft file of a deck that is one text, in metres, with what is usual: for programs that have no file. INCLUDE finds nothing.
+///
+/// # Errors
+/// With every mistake in the deck that can be told without guessing.
+pub fn of_text(deck: &str) -> Result<Imported, Error> {
+    struct OneText<'t>(&'t str);
+    impl Source for OneText<'_> {
+        fn read(&self, path: &Path) -> Result<(std::path::PathBuf, String), String> {
+            let is_deck = path == Path::new("deck.bdf");
+            if is_deck {
+                Ok((path.to_owned(), self.0.to_owned()))
+            } else {
+                Err("there are no other files".to_owned())
+            }
+        }
+    }
+    import(&Request {
+        deck: Path::new("deck.bdf"),
+        source: &OneText(deck),
+        units: UnitSystem::M,
+        axes: None,
+        root: None,
+        support: None,
+        airspeed: None,
+        altitude: 0.0,
+        surfaces: &[],
+        engines: &[],
+    })
+}
+
+/// Reads, finds the tree, writes, and reads what it wrote.
+///
+/// # Errors
+/// With every mistake that can be told without guessing, room by room.
+pub fn import(request: &Request) -> Result<Imported, Error> {
+    let mut mistakes = Mistakes::default();
+    let deck = Deck::read(request.deck, request.source, &mut mistakes);
+    conclude(mistakes, &deck)?;
+    let (mut mistakes, mut remarks) = (Mistakes::default(), Remarks::default());
+    let cards = Cards::read(&deck, &mut mistakes, &mut remarks);
+    conclude(mistakes, &deck)?;
+    let found = found(request, (&deck, &cards), &mut remarks)?;
+    let (text, aircraft) = found.written(request, &deck, &mut remarks)?;
+    let Found { taken, masses, .. } = found;
+    Ok(Imported { deck, cards, text, aircraft, remarks, taken, masses })
+}
+
+fn conclude(mistakes: Mistakes, deck: &Deck) -> Result<(), RejectedFiles> {
+    mistakes.conclude(deck)
+}
+
+/// All of the aircraft, before it is written.
+struct Found {
+    structure: Structure,
+    surfaces: Vec<Surface>,
+    controls: Vec<Control>,
+    roles: Vec<Option<Role>>,
+    sides: Vec<Side>,
+    names: Vec<String>,
+    engines: Vec<Engine>,
+    taken: Vec<String>,
+    masses: [f64; 2],
+    support: Support,
+    airspeed: (f64, String),
+    altitude: (f64, String),
+    reference: [Option<f64>; 3],
+}
+
+fn found(request: &Request, (deck, cards): (&Deck, &Cards), remarks: &mut Remarks) -> Result<Found, Error> {
+    let mut mistakes = Mistakes::default();
+    let units = request.units.units(cards.mass_factor.unwrap_or(1.0));
+    let world = World::resolve(cards, &mut mistakes);
+    conclude(mistakes, deck)?;
+    let mut taken = vec![format!("units: {}{}", request.units.name(), wtmass(cards))];
+    let mut mistakes = Mistakes::default();
+    let Some(world) = turned(request, (cards, world), (units.length, &mut taken), &mut mistakes) else {
+        conclude(mistakes, deck)?;
+        return Err(Error::Rejected(RejectedFiles::default()));
+    };
+    let members = members::members((cards, &world, &units), (&mut mistakes, remarks));
+    let lumps = lumps::lumps((cards, &world, &units), (&mut mistakes, remarks));
+    let masses = [lumps.iter().map(|lump| lump.mass).sum(), members.iter().map(members::Member::mass).sum()];
+    conclude(mistakes, deck)?;
+    let mut mistakes = Mistakes::default();
+    let parts = Parts {
+        cards,
+        world: &world,
+        units: &units,
+        members,
+        lumps,
+        sets: &deck.constraint_sets,
+        root: request.root,
+    };
+    let structure = Structure::new(parts, (&mut mistakes, remarks));
+    let Some(structure) = structure.filter(|_| mistakes.is_empty()) else {
+        conclude(mistakes, deck)?;
+        return Err(Error::Rejected(RejectedFiles::default()));
+    };
+    check_size(&structure, &mut mistakes);
+    taken.push(held(&structure));
+    let panels = aero::panels((cards, &world), &structure, request.surfaces, (&mut mistakes, remarks));
+    let controls = aero::controls((cards, &world), &structure, &panels, (&mut mistakes, remarks));
+    let surfaces = aero::surfaces(&structure, &panels, &controls, remarks);
+    let engines = engines(request, (&world, &structure), &mut mistakes);
+    conclude(mistakes, deck)?;
+    let (surfaces, controls) = used(surfaces, controls, remarks);
+    let roles = aero::roles(&aero::moments(&structure, &surfaces, controls.len()));
+    let sides = pairs::sides(&structure, &surfaces);
+    let support = support(request, &structure, &roles, remarks);
+    if let Some(half) = &cards.aero.reference.half {
+        remarks.card(half, "SYMXZ says that half of an aircraft is meant: it is not mirrored");
+    }
+    let names = layout::names(&structure);
+    let area = panels.iter().map(|panel| panel.area(0.0, 1.0) * panel.span().normalize().y.powi(2)).sum();
+    let airspeed = airspeed(request, cards, (support, masses[0] + masses[1], area, units.length));
+    let altitude =
+        (request.altitude, if request.altitude == 0.0 { "assumed".to_owned() } else { String::new() });
+    let given = &cards.aero.reference;
+    let reference = [
+        given.chord.map(|chord| chord * units.length),
+        given.area.map(|area| area * units.length * units.length),
+        given.span.map(|span| span * units.length),
+    ];
+    Ok(Found {
+        structure,
+        surfaces,
+        controls,
+        roles,
+        sides,
+        names,
+        engines,
+        taken,
+        masses,
+        support,
+        airspeed,
+        altitude,
+        reference,
+    })
+}
+
+fn wtmass(cards: &Cards) -> String {
+    cards.mass_factor.map_or(String::new(), |factor| format!("; masses times {factor} (PARAM,WTMASS)"))
+}
+
+/// Everything in body axes: those that are asked for, else those of the flow, else the usual ones.
+fn turned(
+    request: &Request,
+    (cards, world): (&Cards, World),
+    (length, taken): (f64, &mut Vec<String>),
+    mistakes: &mut Mistakes,
+) -> Option<World> {
+    let flow = cards.aero.reference.frame.filter(|_| request.axes.is_none());
+    let axes = request.axes.unwrap_or(DeckAxes::AftRightUp);
+    taken.push(match (flow, request.axes) {
+        (Some(frame), _) => format!("axes: {} (ACSID {frame})", axes.name()),
+        (None, Some(_)) => format!("axes: {} (--axes)", axes.name()),
+        (None, None) => format!("axes: {} (assumed: there is neither AEROS nor --axes)", axes.name()),
+    });
+    let frame = flow.unwrap_or(0);
+    let turned = world.turned(frame, axes.to_body(), length);
+    if turned.is_none() {
+        let allowed = "a CORD1R, CORD2R or CORD2C of the deck is needed";
+        mistakes.of_whole(format!("AEROS or AERO, ACSID: found {frame}; {allowed}"));
+    }
+    turned
+}
+
+fn check_size(structure: &Structure, mistakes: &mut Mistakes) {
+    let size = layout::size(structure);
+    let offsets = structure.lumps.iter().map(|lump| lump.offset.norm()).fold(0.0, f64::max);
+    if size.max(offsets) > FARTHEST {
+        mistakes.of_whole(format!(
+            "found an aircraft that reaches {:.1} m from O; up to {FARTHEST} m is allowed; --units says what the deck's units are",
+            size.max(offsets)
+        ));
+    }
+}
+
+fn held(structure: &Structure) -> String {
+    let grid = structure.root_grid;
+    match &structure.held {
+        Held::Clamped(origin) => format!("O: GRID {grid}, which {origin} clamps"),
+        Held::Hinged(origin) => format!(
+            "O: 1 mm beside GRID {grid}, which the springs of {origin} hold, as an element of that length"
+        ),
+        Held::Asked => format!("O: GRID {grid} (--origin)"),
+        Held::Supported => format!("O: GRID {grid} (SUPORT)"),
+        Held::NearestToMass => {
+            format!("O: GRID {grid}, the one in the plane of symmetry nearest to the centre of mass")
+        }
+    }
+}
+
+/// Controls that move something, with the surfaces that know them by their new places.
+fn used(
+    mut surfaces: Vec<Surface>,
+    controls: Vec<Control>,
+    remarks: &mut Remarks,
+) -> (Vec<Surface>, Vec<Control>) {
+    let moves = |control: usize| {
+        let mut flaps = surfaces.iter().filter_map(|surface| surface.flap.as_ref());
+        flaps.any(|flap| flap.moves.iter().any(|(other, _)| *other == control))
+    };
+    let is_used: Vec<bool> = (0..controls.len()).map(moves).collect();
+    let places: Vec<usize> = is_used
+        .iter()
+        .scan(0, |next, used| {
+            let place = *next;
+            *next += usize::from(*used);
+            Some(place)
+        })
+        .collect();
+    for (control, _) in controls.iter().zip(&is_used).filter(|(_, used)| !**used) {
+        remarks.card(
+            &control.origin,
+            format!("{}: its flaps are where no beam carries the panel, it is left out", control.label),
+        );
+    }
+    for (control, _) in
+        surfaces.iter_mut().filter_map(|surface| surface.flap.as_mut()).flat_map(|flap| &mut flap.moves)
+    {
+        *control = places[*control];
+    }
+    let kept = controls.into_iter().zip(is_used).filter(|(_, used)| *used).map(|(control, _)| control);
+    (surfaces, kept.collect())
+}
+
+/// What is clamped in the deck is; what is free flies, if a control holds it in pitch.
+fn support(
+    request: &Request,
+    structure: &Structure,
+    roles: &[Option<Role>],
+    remarks: &mut Remarks,
+) -> Support {
+    let is_held = matches!(structure.held, Held::Clamped(_) | Held::Hinged(_));
+    let usual = if is_held { Support::Clamped } else { Support::Free };
+    let support = request.support.unwrap_or(usual);
+    if support == Support::Free && !roles.contains(&Some(Role::Pitch)) {
+        remarks.general.push(
+            "nothing holds it in pitch, no AESURF and no --surface with a control that pitches it alone: a free aircraft needs one, so it is written with \
+             support = \"clamped\""
+                .to_owned(),
+        );
+        return Support::Clamped;
+    }
+    support
+}
+
+fn airspeed(
+    request: &Request,
+    cards: &Cards,
+    (support, mass, area, length): (Support, f64, f64, f64),
+) -> (f64, String) {
+    if let Some(airspeed) = request.airspeed {
+        return (airspeed, String::new());
+    }
+    let flies = |airspeed: &f64| (1.0..=400.0).contains(airspeed);
+    if let Some(airspeed) = cards.aero.reference.airspeed.map(|airspeed| airspeed * length).filter(flies) {
+        return (airspeed, "VELOCITY of AERO".to_owned());
+    }
+    let density = Air::at(request.altitude).density;
+    let airspeed = libm::sqrt(2.0 * mass * STANDARD_GRAVITY / (density * area * LIFT_COEFFICIENT)).round();
+    match support {
+        Support::Free if flies(&airspeed) => {
+            (airspeed, format!("assumed: lift coefficient {LIFT_COEFFICIENT}"))
+        }
+        _ => (TUNNEL_SPEED, "assumed".to_owned()),
+    }
+}
+
+fn engines(
+    request: &Request,
+    (world, structure): (&World, &Structure),
+    mistakes: &mut Mistakes,
+) -> Vec<Engine> {
+    let mut engines: Vec<Engine> = Vec::new();
+    for (name, grid) in request.engines {
+        let place = world.grid(*grid).map(|place| place - structure.origin);
+        let node = place.and_then(|place| structure.node_at(*grid, &place));
+        let (Some(place), Some((at, node))) = (place, node) else {
+            mistakes.of_whole(format!("--engine {name}={grid}: found no grid of the aircraft, a GRID that a beam or a rigid link carries is needed"));
+            continue;
+        };
+        if engines.iter().any(|engine| engine.name == *name) {
+            mistakes.of_whole(format!("--engine: found {name} twice, each has a name of its own"));
+        }
+        let (component, node) = structure.carrier(node);
+        engines.push(Engine { name: name.clone(), component, node, offset: place - at });
+    }
+    engines
+}
+
+impl Found {
+    /// The file and what the library reads from it; as a mirrored aircraft, if it is one.
+    fn written(
+        &self,
+        request: &Request,
+        deck: &Deck,
+        remarks: &mut Remarks,
+    ) -> Result<(String, Aircraft), Error> {
+        let file = request.deck.file_name().unwrap_or_default().to_string_lossy();
+        let name: String = request
+            .deck
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .chars()
+            .filter(|c| !c.is_control())
+            .collect();
+        let mut heading = vec![
+            format!(
+                "Written by `flexair import nastran` from {file}. What was taken where the deck leaves it open:"
+            ),
+            String::new(),
+        ];
+        heading.extend(self.taken.iter().map(|line| format!("  {line}")));
+        heading.push(String::new());
+        heading.push("SI units. Body axes: x forward, y right, z down from O. What decks do not say is marked \"assumed\".".to_owned());
+        let heading: Vec<String> =
+            heading.iter().map(|line| line.chars().filter(|c| !c.is_control()).collect()).collect();
+        let shown = |origin: &Origin| match origin.card {
+            "--surface" => "command line".to_owned(),
+            _ => deck.shown(origin.place).chars().filter(|c| !c.is_control()).collect(),
+        };
+        let text = |is_symmetric: bool| {
+            write::file(&Written {
+                name: &name,
+                heading: &heading,
+                is_clamped: self.support == Support::Clamped,
+                is_symmetric,
+                airspeed: self.airspeed.clone(),
+                altitude: self.altitude.clone(),
+                reference: self.reference,
+                structure: &self.structure,
+                names: &self.names,
+                sides: &self.sides,
+                surfaces: &self.surfaces,
+                controls: &self.controls,
+                roles: &self.roles,
+                engines: &self.engines,
+                shown: &shown,
+            })
+        };
+        if pairs::is_mirrored(&self.structure, &self.sides) {
+            let symmetric = text(true);
+            if let Ok(aircraft) = Aircraft::parse(&symmetric, &file) {
+                return Ok((symmetric, aircraft));
+            }
+            remarks.note("masses or engines have no mirror image in y = 0: symmetric = true is not written");
+        }
+        let text = text(false);
+        let aircraft = Aircraft::parse(&text, "the file that was to be written")
+            .map_err(|error| Error::NotRead(Box::new(error)))?;
+        Ok((text, aircraft))
+    }
+}
