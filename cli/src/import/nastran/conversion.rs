@@ -188,8 +188,15 @@ fn found(request: &Request, (deck, cards): (&Deck, &Cards), remarks: &mut Remark
     let surfaces = aero::surfaces(&structure, &panels, &controls, remarks);
     let engines = engines(request, (&world, &structure), &mut mistakes);
     conclude(mistakes, deck)?;
-    let (surfaces, controls) = used(surfaces, controls, remarks);
-    let roles = aero::roles(&aero::moments(&structure, &surfaces, controls.len()));
+    let (mut surfaces, mut controls) = used(surfaces, controls, remarks);
+    let moments = aero::moments(&structure, &surfaces, controls.len());
+    let mut roles = aero::roles(&moments);
+    if !roles.contains(&Some(Role::Pitch))
+        && let Some(said) = aero::join_for_pitch(&mut controls, &mut surfaces, &moments)
+    {
+        remarks.note(said);
+        roles = aero::roles(&aero::moments(&structure, &surfaces, controls.len()));
+    }
     let sides = pairs::sides(&structure, &surfaces);
     let support = support(request, &structure, &roles, remarks);
     if let Some(half) = &cards.aero.reference.half {

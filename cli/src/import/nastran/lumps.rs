@@ -19,6 +19,8 @@ const LEAST_SHARE: f64 = 1e-6;
 pub struct Lump {
     pub origin: Origin,
     pub grid: i64,
+    /// Where the grid is, m.
+    pub at: Vector3<f64>,
     /// kg.
     pub mass: f64,
     /// m.
@@ -63,6 +65,7 @@ pub fn lumps(
                 Some(Lump {
                     origin: card.origin.clone(),
                     grid: card.grid,
+                    at: grid,
                     mass: mass * units.mass,
                     centre,
                     inertia,
@@ -137,6 +140,7 @@ fn of_matrix(
     Some(Lump {
         origin: card.origin.clone(),
         grid: card.grid,
+        at: grid,
         mass: mass * units.mass,
         centre: grid + axes * arm * units.length,
         inertia: axes * inertia * axes.transpose() * units.inertia(),

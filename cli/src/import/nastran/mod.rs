@@ -128,16 +128,29 @@ fn name_and_grid(option: &str) -> Result<(String, i64), String> {
 /// Why nothing is written.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
+    /// The deck is not as it must be.
     #[error("{0}")]
     Rejected(#[from] RejectedFiles),
+    /// An option is out of range.
     #[error("{option}: found {found}, allowed is {allowed}")]
-    NotAllowed { option: &'static str, found: f64, allowed: &'static str },
+    NotAllowed {
+        /// Its name.
+        option: &'static str,
+        /// What it was given.
+        found: f64,
+        /// With its unit.
+        allowed: &'static str,
+    },
+    /// The output would replace a file.
     #[error("{} exists and stays as it is; allowed is another file, or --force to replace it", .0.display())]
     Exists(PathBuf),
+    /// The library does not read what came of the deck.
     #[error("{0}")]
     NotRead(#[source] Box<AircraftFileError>),
+    /// A file cannot be written.
     #[error(transparent)]
     File(#[from] FileError),
+    /// The output is part of the deck.
     #[error(transparent)]
     Overwriting(#[from] Overwriting),
 }

@@ -2,12 +2,14 @@
 
 mod attach;
 mod controls;
+mod joined;
 mod line;
 mod panel;
 mod roles;
 
 pub use attach::{Flap, Surface, surfaces};
 pub use controls::{Control, controls};
+pub use joined::join_for_pitch;
 pub use line::SurfaceLine;
 pub use panel::panels;
 pub use roles::{Role, moments, roles};

@@ -89,7 +89,7 @@ pub fn aeros(card: &Reader, reference: &mut Reference) -> Option<()> {
     Some(())
 }
 
-pub fn panel(card: &Reader, remarks: &mut Remarks) -> Option<PanelCard> {
+pub fn panel(card: &Reader) -> Option<PanelCard> {
     let id = card.id()?;
     let frame = card.integer_or(2, "CP", 0);
     let spanwise = division(card, [(3, "NSPAN"), (5, "LSPAN")])?;
@@ -106,9 +106,6 @@ pub fn panel(card: &Reader, remarks: &mut Remarks) -> Option<PanelCard> {
             "a chord above 0 is needed at one of them",
         );
     }
-    if !matches!(card.text(1), "" | "0") {
-        remarks.note(format!("CAERO1 {id}: bodies of PAERO1 {} disturb no flow here", card.text(1)));
-    }
     let chords = [root, tip];
     Some(PanelCard {
         origin: card.origin("CAERO1", id),
@@ -118,6 +115,14 @@ pub fn panel(card: &Reader, remarks: &mut Remarks) -> Option<PanelCard> {
         corners: [inboard, outboard],
         chords,
     })
+}
+
+/// Says of bodies beside panels that they are not held.
+pub fn bodies(card: &Reader, remarks: &mut Remarks) {
+    if let Some(index) = (1..card.card.len()).find(|index| !matches!(card.text(*index), "" | "0")) {
+        let id = card.integer(0, "PID").unwrap_or(0);
+        remarks.field((card.card, id), (index, "B1"), "bodies beside panels are not read");
+    }
 }
 
 fn division(card: &Reader, [(number, name), (list, list_name)]: [(usize, &str); 2]) -> Option<Division> {

@@ -10,7 +10,7 @@ mod properties;
 mod reader;
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 pub use aero::{AeroCards, Division, PanelCard, SurfaceCard};
 pub use beams::{Element, ElementKind, Offset, Orientation};
@@ -21,7 +21,7 @@ pub use properties::{Material, Property};
 pub use reader::Ids;
 use reader::Reader;
 
-use super::deck::{Deck, Place};
+use super::deck::{self, Deck, Place};
 use super::mistakes::{Mistakes, Remarks};
 
 /// All that the deck says of the aircraft.
@@ -52,15 +52,18 @@ pub struct Cards {
 /// What has been read, and what was said of it.
 struct Reading<'a> {
     cards: Cards,
-    mistakes: &'a RefCell<Mistakes>,
     remarks: &'a mut Remarks,
+    /// Numbers of elements and of masses, of which each has one.
+    elements: BTreeSet<i64>,
+    lumps: BTreeSet<i64>,
 }
 
 impl Cards {
     /// Reads all cards of a deck.
     pub fn read(deck: &Deck, mistakes: &mut Mistakes, remarks: &mut Remarks) -> Cards {
         let shared = RefCell::new(std::mem::take(mistakes));
-        let mut reading = Reading { cards: Cards::default(), mistakes: &shared, remarks };
+        let (elements, lumps) = (BTreeSet::new(), BTreeSet::new());
+        let mut reading = Reading { cards: Cards::default(), remarks, elements, lumps };
         let defaults = deck.cards.iter().find(|card| card.name == "GRDSET");
         let defaults = defaults.and_then(|card| geometry::defaults(&Reader::new(deck, card, &shared)));
         let defaults = defaults.unwrap_or_default();
@@ -81,6 +84,7 @@ impl Cards {
 impl Reading<'_> {
     /// Takes a card of the structure, if it is one.
     fn structure(&mut self, card: &Reader, defaults: &geometry::GridDefaults) -> Option<()> {
+        self.number(card);
         let (cards, remarks) = (&mut self.cards, &mut *self.remarks);
         match card.card.name.as_str() {
             "GRDSET" => {}
@@ -148,7 +152,8 @@ impl Reading<'_> {
         match card.card.name.as_str() {
             "AERO" => drop(aero::aero(card, &mut aero.reference)),
             "AEROS" => drop(aero::aeros(card, &mut aero.reference)),
-            "CAERO1" => aero.panels.extend(aero::panel(card, remarks)),
+            "CAERO1" => aero.panels.extend(aero::panel(card)),
+            "PAERO1" => aero::bodies(card, remarks),
             "AEFACT" => {
                 let list = aero::fractions(card);
                 self.keep(card, list, |cards| &mut cards.aero.fractions);
@@ -192,8 +197,9 @@ impl Reading<'_> {
             self.cards.mass_factor = Some(card.positive(1, "V1")?);
             return Some(());
         }
-        if let Some(said) = other::parameter(&name) {
-            self.remarks.note(format!("PARAM {name}: {said}"));
+        if name == "COUPMASS" {
+            self.remarks.note("PARAM COUPMASS: masses of elements are at two places in each, which have its mass, centre and inertia");
+            return Some(());
         }
         self.cards.of_analyses.entry("PARAM".to_owned()).or_default().push(card.card.place);
         Some(())
@@ -208,17 +214,25 @@ impl Reading<'_> {
     ) {
         let Some((id, value)) = found else { return };
         if map(&mut self.cards).insert(id, value).is_some() {
-            let what = format!("{} {id}", card.card.name);
-            let (_, span) = card.card.field_place(0);
-            let (found, allowed) =
-                (format!("found {what} a second time"), "a number that no other has is allowed");
-            self.mistakes.borrow_mut().add(
-                card.card.place.file,
-                span,
-                format!("{what}, field 2 (ID)"),
-                found,
-                allowed.to_owned(),
-            );
+            self.second(card, id);
         }
+    }
+
+    /// Elements have numbers of their own, and so have masses.
+    fn number(&mut self, card: &Reader) {
+        let numbers = match card.card.name.as_str() {
+            "CBAR" | "CBEAM" | "CROD" | "CBUSH" => &mut self.elements,
+            "CONM1" | "CONM2" => &mut self.lumps,
+            _ => return,
+        };
+        let id = deck::integer(card.text(0));
+        if let Some(id) = id.filter(|id| !numbers.insert(*id)) {
+            self.second(card, id);
+        }
+    }
+
+    fn second(&mut self, card: &Reader, id: i64) {
+        let _: Option<()> =
+            card.wrong(0, "ID", format!("found {id} a second time"), "a number that no other has is allowed");
     }
 }

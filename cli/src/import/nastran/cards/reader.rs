@@ -28,10 +28,6 @@ impl Ids {
     pub fn singles(&self) -> impl Iterator<Item = i64> + '_ {
         self.0.iter().filter(|(from, to)| from == to).map(|(id, _)| *id)
     }
-
-    pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
 }
 
 /// A card that is being read; what is wrong with it is said once for each field.

@@ -74,7 +74,10 @@ impl<'a> Growth<'a> {
 
     fn grow(&mut self, (mut body, mut element): (usize, usize), waiting: &mut VecDeque<(usize, usize)>) {
         let beginning = self.end_at(element, body);
-        let Some((start, parent)) = self.nearest_port(body, &beginning) else { return };
+        let Some((start, parent)) = self.port(body, &beginning, SAME_PLACE * self.members[element].length())
+        else {
+            return;
+        };
         let mut chain = Chain::new(parent, start);
         loop {
             let member = &self.members[element];
@@ -140,10 +143,11 @@ impl<'a> Growth<'a> {
         member.ends[usize::from(self.tree.ends[element][0] != body)]
     }
 
-    /// The node of a body that is nearest to a place.
-    pub fn nearest_port(&self, body: usize, place: &Vector3<f64>) -> Option<(Vector3<f64>, NodeRef)> {
-        let distance = |port: &&(Vector3<f64>, NodeRef)| (port.0 - place).norm();
-        self.ports[body].iter().min_by(|one, other| distance(one).total_cmp(&distance(other))).copied()
+    /// The node of a body at a place, else the one by which the tree leads to the body: which of the others is nearest, left or right, says
+    /// nothing.
+    fn port(&self, body: usize, place: &Vector3<f64>, slack: f64) -> Option<(Vector3<f64>, NodeRef)> {
+        let ports = &self.ports[body];
+        ports.iter().find(|port| (port.0 - place).norm() <= slack).or(ports.first()).copied()
     }
 
     /// A short element whose ends turn against each other as springs do; it leads to the root from O, which lies beside it.

@@ -18,6 +18,9 @@ use bodies::Bodies;
 use growth::Growth;
 use tree::Tree;
 
+/// Places that are nearer are one, m.
+const SAME_PLACE: f64 = 1e-6;
+
 /// A node of the aircraft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NodeRef {
@@ -184,8 +187,7 @@ impl Structure {
     }
 
     fn hang(&mut self, lump: Lump, remarks: &mut Remarks) {
-        let Some((at, node)) = self.bodies.of(lump.grid).and_then(|body| self.port(body, &lump.centre))
-        else {
+        let Some((at, node)) = self.bodies.of(lump.grid).and_then(|body| self.port(body, &lump.at)) else {
             let said = format!(
                 "no chain of elements and rigid links joins GRID {} to the root: {:.6} kg are left out",
                 lump.grid, lump.mass
@@ -205,9 +207,10 @@ impl Structure {
         }
     }
 
+    /// The node of a body at a place, else the one by which the tree leads to the body.
     fn port(&self, body: usize, place: &Vector3<f64>) -> Option<(Vector3<f64>, NodeRef)> {
-        let distance = |port: &&(Vector3<f64>, NodeRef)| (port.0 - place).norm();
-        self.ports.get(body)?.iter().min_by(|one, other| distance(one).total_cmp(&distance(other))).copied()
+        let ports = self.ports.get(body)?;
+        ports.iter().find(|port| (port.0 - place).norm() <= SAME_PLACE).or(ports.first()).copied()
     }
 
     /// The nodes on which a grid is.
@@ -216,7 +219,7 @@ impl Structure {
         ports.into_iter().flatten().map(|(_, node)| *node)
     }
 
-    /// The node nearest to a grid's place (m from O) among those that move with it, and where that is.
+    /// The node that moves with a grid, at its place (m from O) if there is one, and where that is.
     pub fn node_at(&self, grid: i64, place: &Vector3<f64>) -> Option<(Vector3<f64>, NodeRef)> {
         self.port(self.bodies.of(grid)?, place)
     }
@@ -323,6 +326,7 @@ fn halves(member: &Member) -> Vec<Lump> {
         Lump {
             origin: member.origin.clone(),
             grid: member.grids[end],
+            at: member.ends[end],
             mass: 0.5 * member.mass(),
             centre,
             inertia,
