@@ -15,6 +15,8 @@ mod gltf;
 #[cfg(test)]
 mod gust;
 #[cfg(test)]
+mod import;
+#[cfg(test)]
 mod installed;
 #[cfg(test)]
 mod linearise;

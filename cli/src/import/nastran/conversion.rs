@@ -2,38 +2,22 @@
 
 use std::path::Path;
 
-use clap::ValueEnum;
 use flexible_aircraft::Aircraft;
-use flexible_aircraft::air::{Air, STANDARD_GRAVITY};
 
 use super::Error;
 use super::aero::{self, Control, Role, Surface, SurfaceLine};
 use super::axes::DeckAxes;
 use super::cards::Cards;
+use super::choices::{self, Support};
 use super::deck::{Deck, Source};
 use super::frames::World;
 use super::mistakes::{Mistakes, Origin, Remarks};
 use super::pairs::{self, Side};
-use super::structure::{Held, Parts, Structure};
+use super::structure::{Parts, Structure};
 use super::units::UnitSystem;
 use super::write::{self, Engine, Written};
 use super::{layout, lumps, members};
 use crate::marked::RejectedFiles;
-
-/// Whether the aircraft flies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Support {
-    /// It flies
-    Free,
-    /// It is held at O in a wind tunnel
-    Clamped,
-}
-
-/// Lift coefficient of a trim whose airspeed nobody gives.
-const LIFT_COEFFICIENT: f64 = 0.5;
-
-/// Airspeed, m/s, of what is clamped, where nobody gives one.
-const TUNNEL_SPEED: f64 = 50.0;
 
 /// Nothing that is read is farther from O, m.
 const FARTHEST: f64 = 1000.0;
@@ -182,13 +166,13 @@ fn found(request: &Request, (deck, cards): (&Deck, &Cards), remarks: &mut Remark
         return Err(Error::Rejected(RejectedFiles::default()));
     };
     check_size(&structure, &mut mistakes);
-    taken.push(held(&structure));
+    taken.push(choices::held(&structure));
     let panels = aero::panels((cards, &world), &structure, request.surfaces, (&mut mistakes, remarks));
     let controls = aero::controls((cards, &world), &structure, &panels, (&mut mistakes, remarks));
     let surfaces = aero::surfaces(&structure, &panels, &controls, remarks);
-    let engines = engines(request, (&world, &structure), &mut mistakes);
+    let engines = choices::engines(request.engines, (&world, &structure), &mut mistakes);
     conclude(mistakes, deck)?;
-    let (mut surfaces, mut controls) = used(surfaces, controls, remarks);
+    let (mut surfaces, mut controls) = choices::used(surfaces, controls, remarks);
     let moments = aero::moments(&structure, &surfaces, controls.len());
     let mut roles = aero::roles(&moments);
     if !roles.contains(&Some(Role::Pitch))
@@ -198,13 +182,17 @@ fn found(request: &Request, (deck, cards): (&Deck, &Cards), remarks: &mut Remark
         roles = aero::roles(&aero::moments(&structure, &surfaces, controls.len()));
     }
     let sides = pairs::sides(&structure, &surfaces);
-    let support = support(request, &structure, &roles, remarks);
+    let support = choices::support(request.support, &structure, &roles, remarks);
     if let Some(half) = &cards.aero.reference.half {
         remarks.card(half, "SYMXZ says that half of an aircraft is meant: it is not mirrored");
     }
     let names = layout::names(&structure);
     let area = panels.iter().map(|panel| panel.area(0.0, 1.0) * panel.span().normalize().y.powi(2)).sum();
-    let airspeed = airspeed(request, cards, (support, masses[0] + masses[1], area, units.length));
+    let airspeed = choices::airspeed(
+        (request.airspeed, request.altitude),
+        cards,
+        (support, masses[0] + masses[1], area, units.length),
+    );
     let altitude =
         (request.altitude, if request.altitude == 0.0 { "assumed".to_owned() } else { String::new() });
     let given = &cards.aero.reference;
@@ -268,120 +256,6 @@ fn check_size(structure: &Structure, mistakes: &mut Mistakes) {
     }
 }
 
-fn held(structure: &Structure) -> String {
-    let grid = structure.root_grid;
-    match &structure.held {
-        Held::Clamped(origin) => format!("O: GRID {grid}, which {origin} clamps"),
-        Held::Hinged(origin) => format!(
-            "O: 1 mm beside GRID {grid}, which the springs of {origin} hold, as an element of that length"
-        ),
-        Held::Asked => format!("O: GRID {grid} (--origin)"),
-        Held::Supported => format!("O: GRID {grid} (SUPORT)"),
-        Held::NearestToMass => {
-            format!("O: GRID {grid}, the one in the plane of symmetry nearest to the centre of mass")
-        }
-    }
-}
-
-/// Controls that move something, with the surfaces that know them by their new places.
-fn used(
-    mut surfaces: Vec<Surface>,
-    controls: Vec<Control>,
-    remarks: &mut Remarks,
-) -> (Vec<Surface>, Vec<Control>) {
-    let moves = |control: usize| {
-        let mut flaps = surfaces.iter().filter_map(|surface| surface.flap.as_ref());
-        flaps.any(|flap| flap.moves.iter().any(|(other, _)| *other == control))
-    };
-    let is_used: Vec<bool> = (0..controls.len()).map(moves).collect();
-    let places: Vec<usize> = is_used
-        .iter()
-        .scan(0, |next, used| {
-            let place = *next;
-            *next += usize::from(*used);
-            Some(place)
-        })
-        .collect();
-    for (control, _) in controls.iter().zip(&is_used).filter(|(_, used)| !**used) {
-        remarks.card(
-            &control.origin,
-            format!("{}: its flaps are where no beam carries the panel, it is left out", control.label),
-        );
-    }
-    for (control, _) in
-        surfaces.iter_mut().filter_map(|surface| surface.flap.as_mut()).flat_map(|flap| &mut flap.moves)
-    {
-        *control = places[*control];
-    }
-    let kept = controls.into_iter().zip(is_used).filter(|(_, used)| *used).map(|(control, _)| control);
-    (surfaces, kept.collect())
-}
-
-/// What is clamped in the deck is; what is free flies, if a control holds it in pitch.
-fn support(
-    request: &Request,
-    structure: &Structure,
-    roles: &[Option<Role>],
-    remarks: &mut Remarks,
-) -> Support {
-    let is_held = matches!(structure.held, Held::Clamped(_) | Held::Hinged(_));
-    let usual = if is_held { Support::Clamped } else { Support::Free };
-    let support = request.support.unwrap_or(usual);
-    if support == Support::Free && !roles.contains(&Some(Role::Pitch)) {
-        remarks.general.push(
-            "nothing holds it in pitch, no AESURF and no --surface with a control that pitches it alone: a free aircraft needs one, so it is written with \
-             support = \"clamped\""
-                .to_owned(),
-        );
-        return Support::Clamped;
-    }
-    support
-}
-
-fn airspeed(
-    request: &Request,
-    cards: &Cards,
-    (support, mass, area, length): (Support, f64, f64, f64),
-) -> (f64, String) {
-    if let Some(airspeed) = request.airspeed {
-        return (airspeed, String::new());
-    }
-    let flies = |airspeed: &f64| (1.0..=400.0).contains(airspeed);
-    if let Some(airspeed) = cards.aero.reference.airspeed.map(|airspeed| airspeed * length).filter(flies) {
-        return (airspeed, "VELOCITY of AERO".to_owned());
-    }
-    let density = Air::at(request.altitude).density;
-    let airspeed = libm::sqrt(2.0 * mass * STANDARD_GRAVITY / (density * area * LIFT_COEFFICIENT)).round();
-    match support {
-        Support::Free if flies(&airspeed) => {
-            (airspeed, format!("assumed: lift coefficient {LIFT_COEFFICIENT}"))
-        }
-        _ => (TUNNEL_SPEED, "assumed".to_owned()),
-    }
-}
-
-fn engines(
-    request: &Request,
-    (world, structure): (&World, &Structure),
-    mistakes: &mut Mistakes,
-) -> Vec<Engine> {
-    let mut engines: Vec<Engine> = Vec::new();
-    for (name, grid) in request.engines {
-        let place = world.grid(*grid).map(|place| place - structure.origin);
-        let node = place.and_then(|place| structure.node_at(*grid, &place));
-        let (Some(place), Some((at, node))) = (place, node) else {
-            mistakes.of_whole(format!("--engine {name}={grid}: found no grid of the aircraft, a GRID that a beam or a rigid link carries is needed"));
-            continue;
-        };
-        if engines.iter().any(|engine| engine.name == *name) {
-            mistakes.of_whole(format!("--engine: found {name} twice, each has a name of its own"));
-        }
-        let (component, node) = structure.carrier(node);
-        engines.push(Engine { name: name.clone(), component, node, offset: place - at });
-    }
-    engines
-}
-
 impl Found {
     /// The file and what the library reads from it; as a mirrored aircraft, if it is one.
     fn written(
@@ -412,7 +286,7 @@ impl Found {
             heading.iter().map(|line| line.chars().filter(|c| !c.is_control()).collect()).collect();
         let shown = |origin: &Origin| match origin.card {
             "--surface" => "command line".to_owned(),
-            _ => deck.shown(origin.place).chars().filter(|c| !c.is_control()).collect(),
+            _ => deck.shown_briefly(origin.place).chars().filter(|c| !c.is_control()).collect(),
         };
         let text = |is_symmetric: bool| {
             write::file(&Written {

@@ -13,6 +13,7 @@
 //! | `aero` | panels, splines, control surfaces | strips on components, controls |
 //! | `pairs`, `layout`, `names` | components | mirror images, names |
 //! | `write` | all of it | the text of an aircraft file |
+//! | `choices` | what the deck leaves open | whether it flies, how fast, where it is held |
 //! | `conversion` | a deck | all of these, one after the other |
 //! | `report` | what was found | lines for people |
 //!
@@ -21,6 +22,7 @@
 mod aero;
 mod axes;
 mod cards;
+mod choices;
 mod conversion;
 mod deck;
 mod frames;
@@ -49,8 +51,9 @@ use crate::marked::RejectedFiles;
 use crate::terminal;
 use aero::SurfaceLine;
 use axes::DeckAxes;
+use choices::Support;
 pub use conversion::{Imported, of_text};
-use conversion::{Request, Support, import};
+use conversion::{Request, import};
 use deck::OnDisk;
 use units::UnitSystem;
 

@@ -5,59 +5,14 @@
 
 use nalgebra::Vector3;
 
-use super::super::mistakes::{Origin, Remarks};
+use super::super::mistakes::Remarks;
 use super::super::structure::{Component, NodeRef, Structure};
-use super::controls::{Control, ControlPart, is_rightwards};
+use super::controls::{Control, ControlPart};
 use super::panel::{CarriedBy, Panel};
+use super::strip::{Run, SAME, Surface, of_stretch};
 
 /// Elements whose direction has at least this cosine with the span of a panel can carry it.
 const SPANWISE: f64 = 0.3;
-
-/// Fractions of a panel's span that are nearer are one.
-const SAME: f64 = 1e-6;
-
-/// A span axis is written where the beam's own direction across x is off by more than this, rad.
-const OFF: f64 = 1e-4;
-
-/// A panel that lies higher or lower than its beam by more than this share of the chord is told of.
-const HIGH: f64 = 0.1;
-
-/// What the format takes of the beam's place along the chord.
-const ELASTIC_AXES: std::ops::RangeInclusive<f64> = -1.0..=2.0;
-
-/// A flap of a surface.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Flap {
-    pub hinge: f64,
-    pub effectiveness: f64,
-    /// Controls with their gains.
-    pub moves: Vec<(usize, f64)>,
-}
-
-/// Strips on a stretch of a component.
-#[derive(Clone, Debug)]
-pub struct Surface {
-    pub origin: Origin,
-    pub component: usize,
-    /// As fractions of its length.
-    pub from: f64,
-    pub to: f64,
-    /// Places along the component with the chord, m, and where the beam runs in it.
-    pub at: Vec<f64>,
-    pub chords: Vec<f64>,
-    pub elastic_axes: Vec<f64>,
-    pub span_axis: Option<Vector3<f64>>,
-    /// Of each element of the component, m.
-    pub widths: Option<Vec<f64>>,
-    pub flap: Option<Flap>,
-}
-
-/// Part of a component that runs along a panel: its nodes, and the fractions of the panel there.
-struct Run {
-    component: usize,
-    first: usize,
-    fractions: Vec<f64>,
-}
 
 /// All surfaces, panel by panel.
 pub fn surfaces(
@@ -233,41 +188,6 @@ fn runs(component: &Component, place: usize, panel: &Panel) -> Vec<Run> {
     runs
 }
 
-impl Run {
-    fn ends(&self) -> [f64; 2] {
-        [self.fractions[0], self.fractions[self.fractions.len() - 1]]
-    }
-
-    fn from(&self) -> f64 {
-        self.ends()[0].min(self.ends()[1])
-    }
-
-    fn to(&self) -> f64 {
-        self.ends()[0].max(self.ends()[1])
-    }
-
-    /// The place between its nodes where the panel has a fraction: an element of the component, and the share of it.
-    fn place(&self, fraction: f64) -> (usize, f64) {
-        let last = self.fractions.len() - 2;
-        let holds = |pair: &[f64]| (pair[0] - fraction) * (pair[1] - fraction) <= 0.0;
-        let element = self.fractions.windows(2).position(holds).unwrap_or({
-            let [begin, end] = self.ends().map(|end| (end - fraction).abs());
-            if begin < end { 0 } else { last }
-        });
-        let [begin, end] = [self.fractions[element], self.fractions[element + 1]];
-        (self.first + element, ((fraction - begin) / (end - begin)).clamp(0.0, 1.0))
-    }
-
-    /// Whether a gap beside what the run carries is less than half of its element there.
-    fn is_near(&self, gap: &[f64; 2], ends: &[f64; 2]) -> bool {
-        let at = if gap[1] <= ends[0] + SAME { ends[0] } else { ends[1] };
-        let (element, _) = self.place(at);
-        let place = element - self.first;
-        let width = (self.fractions[place + 1] - self.fractions[place]).abs();
-        gap[1] - gap[0] <= 0.5 * width
-    }
-}
-
 /// The part of an interval that is not taken; of two the longer one.
 fn free([from, to]: [f64; 2], taken: &[[f64; 2]]) -> Option<[f64; 2]> {
     let mut parts = vec![[from, to]];
@@ -294,114 +214,4 @@ fn stretches([from, to]: [f64; 2], parts: &[(usize, &ControlPart)]) -> Vec<[f64;
     cuts.sort_by(f64::total_cmp);
     cuts.dedup_by(|one, other| (*one - *other).abs() <= SAME);
     cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect()
-}
-
-fn of_stretch(
-    (component, run, panel): (&Component, &Run, &Panel),
-    ([from, to], widened): ([f64; 2], [Option<f64>; 2]),
-    parts: &[(usize, &ControlPart)],
-    remarks: &mut Remarks,
-) -> Option<Surface> {
-    let distances = component.distances();
-    let length = distances[distances.len() - 1];
-    let mut fractions: Vec<f64> =
-        run.fractions.iter().copied().filter(|node| (from + SAME..to - SAME).contains(node)).collect();
-    fractions.extend([from, to]);
-    let mut places = Vec::new();
-    for fraction in fractions {
-        let (element, share) = run.place(fraction);
-        let at = component.points[element].lerp(&component.points[element + 1], share);
-        let along = (distances[element] + share * (distances[element + 1] - distances[element])) / length;
-        places.push((
-            along,
-            panel.chord(fraction),
-            panel.chord_fraction(&at, fraction),
-            (at - panel.leading_edge(fraction)).dot(&up(panel)),
-        ));
-    }
-    places.sort_by(|one, other| one.0.total_cmp(&other.0));
-    let chords: Vec<f64> =
-        places.iter().map(|place| place.1.max(1e-3 * panel.chords[0].max(panel.chords[1]))).collect();
-    let elastic_axes: Vec<f64> = places.iter().map(|place| place.2).collect();
-    if let Some(bad) = elastic_axes.iter().find(|axis| !ELASTIC_AXES.contains(axis)) {
-        let said = format!(
-            "the beam runs {bad:.3} chords behind its leading edge, where -1 to 2 is held: {:.4} m² from {from:.4} to {to:.4} of its span are left out",
-            panel.area(from, to)
-        );
-        remarks.card(&panel.origin, said);
-        return None;
-    }
-    let high = places.iter().zip(&chords).map(|(place, chord)| place.3.abs() / chord).fold(0.0, f64::max);
-    if high > HIGH && !remarks.has_told(&panel.origin) {
-        let said = format!(
-            "it lies up to {high:.3} chords above or below its beam: its strips are in the height of the beam"
-        );
-        remarks.card(&panel.origin, said);
-    }
-    Some(Surface {
-        origin: panel.origin.clone(),
-        component: run.component,
-        from: places[0].0,
-        to: places[places.len() - 1].0,
-        at: places.iter().map(|place| place.0).collect(),
-        chords,
-        elastic_axes,
-        span_axis: span_axis(component, run, panel),
-        widths: widths(component, (run, panel), ([from, to], widened)),
-        flap: flap([from, to], parts),
-    })
-}
-
-/// Across the chords and the span of a panel.
-fn up(panel: &Panel) -> Vector3<f64> {
-    Vector3::x().cross(&panel.span().normalize())
-}
-
-/// That of the panel, where the beam's own direction is another one.
-fn span_axis(component: &Component, run: &Run, panel: &Panel) -> Option<Vector3<f64>> {
-    let span = panel.span().normalize();
-    let span = if is_rightwards(&span) { span } else { -span };
-    let elements = component.points[run.first..run.first + run.fractions.len()].windows(2);
-    let is_off = elements.map(|ends| ends[1] - ends[0]).any(|along| {
-        let own = Vector3::new(0.0, along.y, along.z);
-        own.cross(&span).norm() > OFF * own.norm()
-    });
-    is_off.then_some(span)
-}
-
-/// Widths of strips, where what lies beyond the beam widens one.
-fn widths(
-    component: &Component,
-    (run, panel): (&Run, &Panel),
-    ([from, to], widened): ([f64; 2], [Option<f64>; 2]),
-) -> Option<Vec<f64>> {
-    if widened == [None, None] {
-        return None;
-    }
-    let span = panel.span();
-    let unit = span.normalize();
-    let own = component.points.windows(2).map(|ends| (ends[1] - ends[0]).dot(&unit).abs().max(1e-6));
-    let mut widths: Vec<f64> = own.collect();
-    for (end, beyond) in [from, to].into_iter().zip(widened) {
-        let Some(beyond) = beyond else { continue };
-        // Of an element that is cut here its part gets all of it.
-        let inward = if end == from { end + SAME } else { end - SAME };
-        let (element, _) = run.place(inward);
-        let place = element - run.first;
-        let [one, other] = [run.fractions[place], run.fractions[place + 1]];
-        let part = one.max(other).min(to) - one.min(other).max(from);
-        let share = (part / (other - one).abs()).max(1e-3);
-        widths[element] += beyond * span.norm() / share;
-    }
-    Some(widths)
-}
-
-/// The flap of a stretch that no end of a control cuts.
-fn flap([from, to]: [f64; 2], parts: &[(usize, &ControlPart)]) -> Option<Flap> {
-    let middle = 0.5 * (from + to);
-    let here: Vec<&(usize, &ControlPart)> =
-        parts.iter().filter(|(_, part)| part.from < middle && middle < part.to).collect();
-    let (_, first) = here.first()?;
-    let moves = here.iter().map(|(control, part)| (*control, part.gain)).collect();
-    Some(Flap { hinge: first.hinge, effectiveness: first.effectiveness, moves })
 }

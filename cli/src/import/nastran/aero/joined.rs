@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::super::mistakes::Origin;
-use super::attach::Surface;
 use super::controls::Control;
+use super::strip::Surface;
 
 /// Moments of images that differ by more than this share are none of each other.
 const ALIKE: f64 = 0.02;

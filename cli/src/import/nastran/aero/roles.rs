@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::super::structure::Structure;
-use super::attach::Surface;
 use super::controls::is_rightwards;
+use super::strip::Surface;
 
 /// What a control holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -127,9 +127,6 @@ impl Deck {
             };
             let of = |span: &Span| &self.files[line.place.file].text[span.start as usize..span.end as usize];
             let head = of(&cut.head);
-            if head.is_empty() && cut.data.iter().all(Span::is_empty) {
-                continue;
-            }
             let is_continuation = head.is_empty() || head.starts_with('+');
             let fields =
                 cut.data.iter().map(|span| Field { line: line.place.line as u32, span: span.clone() });
@@ -177,6 +174,13 @@ impl Deck {
     pub fn shown(&self, place: Place) -> String {
         let name = self.files.get(place.file).map_or("", |file| file.name.as_str());
         format!("{name}:{}", place.line)
+    }
+
+    /// The same without folders.
+    pub fn shown_briefly(&self, place: Place) -> String {
+        let name = self.files.get(place.file).map_or("", |file| file.name.as_str());
+        let name = Path::new(name).file_name().unwrap_or_default();
+        format!("{}:{}", name.to_string_lossy(), place.line)
     }
 }
 

@@ -345,6 +345,3 @@ pub fn turned_inertia(member: &Member) -> nalgebra::Matrix3<f64> {
     let polar = member.inertia_by_length * member.length();
     0.5 * polar * (nalgebra::Matrix3::identity() + axis * axis.transpose())
 }
-
-#[cfg(test)]
-mod tests;

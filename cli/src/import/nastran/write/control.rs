@@ -93,7 +93,7 @@ fn one(written: &Written, control: &Control, (mirroring, role): (Mirroring, Opti
         "[[control]]\nname = \"{}\"\ndescription = \"{}\"\npositive = \"{}\"\nmirror = \"{mirror}\"\n",
         control.name,
         control.label.replace(['"', '\\'], "_"),
-        positive(control, mirroring)
+        positive(control, (mirroring, role))
     );
     if let Some(role) = role {
         text += &format!("trim = \"{}\"\n", role.name());
@@ -112,16 +112,18 @@ fn one(written: &Written, control: &Control, (mirroring, role): (Mirroring, Opti
 }
 
 /// What a positive angle does.
-fn positive(control: &Control, mirroring: Mirroring) -> &'static str {
+fn positive(control: &Control, (mirroring, role): (Mirroring, Option<Role>)) -> &'static str {
     let is_down = control.parts.first().is_none_or(|part| part.gain > 0.0);
-    match (mirroring, is_down) {
-        (Mirroring::Opposite, true) => {
+    match (mirroring, role, is_down) {
+        (Mirroring::Opposite, _, true) => {
             "trailing edge down on the first of its surfaces, up on the other side"
         }
-        (Mirroring::Opposite, false) => {
+        (Mirroring::Opposite, _, false) => {
             "trailing edge up on the first of its surfaces, down on the other side"
         }
-        (_, true) => "trailing edges down, of a fin to the right",
-        (_, false) => "trailing edges up, of a fin to the left",
+        (_, Some(Role::Yaw), true) => "trailing edge to the right",
+        (_, Some(Role::Yaw), false) => "trailing edge to the left",
+        (_, _, true) => "trailing edge down, of a fin to the right",
+        (_, _, false) => "trailing edge up, of a fin to the left",
     }
 }
