@@ -7,6 +7,9 @@ use nalgebra::{Matrix3, Vector3};
 use super::cards::{Cards, FrameBy, FrameCard, FrameShape};
 use super::mistakes::{Mistakes, Origin};
 
+/// Of grids from the zero of the deck, in its lengths.
+const FARTHEST: f64 = 1e9;
+
 /// A coordinate system in the basic one.
 #[derive(Clone, Debug)]
 struct Frame {
@@ -164,6 +167,12 @@ impl World {
             Node::Grid(id) => {
                 let grid = cards.grids.get(&id).ok_or(None)?;
                 let at = self.frames.get(&grid.place_frame).ok_or(None)?.point(grid.place);
+                // Also what is no number is no less.
+                let is_near = at.norm() <= FARTHEST;
+                if !is_near {
+                    let found = format!("found a place {:e} from the zero of the deck", at.norm());
+                    return Err(Some((found, "up to 1e9 is allowed, in the deck's lengths")));
+                }
                 self.grids.insert(id, GridPlace { at, displacement_frame: grid.displacement_frame });
             }
             Node::Frame(id) => {

@@ -11,6 +11,9 @@ use super::units::Units;
 /// Shorter elements have no direction, m.
 const SHORTEST: f64 = 1e-6;
 
+/// Of one element, kg.
+const HEAVIEST: f64 = 1e9;
+
 /// How much stiffer than what it has an element is held where its card gives no stiffness.
 const HELD: f64 = 1e3;
 
@@ -117,13 +120,20 @@ impl Making<'_> {
         let section = of_kind(element.kind, property.section);
         let written =
             element.orientation.as_ref().and_then(|orientation| self.direction(element, orientation));
-        let (section, turned) = self.principal(element, section, (&x, y));
+        let (section, turned) = self.principal(&property.origin, section, (&x, y));
         let y_written = written.filter(|_| turned == y).map_or(turned, |written| written.normalize());
         let stiffness = self.stiffness(element, (&property, &section, &material), span.norm())?;
         let density = material.density;
         let own = if element.kind == ElementKind::Beam { density * (section.i1 + section.i2) } else { 0.0 };
         let mass_by_length = (density * section.area + property.other_mass) * self.units.mass_by_length();
         let inertia_by_length = (own + property.other_inertia) * self.units.mass * self.units.length;
+        let mass = mass_by_length * span.norm();
+        if !(0.0..=HEAVIEST).contains(&mass) || !inertia_by_length.is_finite() {
+            let found = format!("found a mass of {mass:.4e} kg");
+            let allowed = format!("up to {HEAVIEST:e} kg is allowed; --units says what the deck's units are");
+            self.mistakes.of_origin(&element.origin, "PID", found, allowed);
+            return None;
+        }
         Some(Member {
             origin: element.origin.clone(),
             is_rod: element.kind == ElementKind::Rod,
@@ -233,7 +243,7 @@ impl Making<'_> {
     /// A section in its principal axes, and the y axis of these: the format has no EI_yz.
     fn principal(
         &mut self,
-        element: &Element,
+        property: &Origin,
         section: Section,
         (x, y): (&Vector3<f64>, Vector3<f64>),
     ) -> (Section, Vector3<f64>) {
@@ -251,7 +261,7 @@ impl Making<'_> {
         };
         self.remarks.note(format!(
             "{} has I12 = {}: it is held in its principal axes, turned by {:.3} deg about the element",
-            element.origin,
+            property,
             section.i12,
             angle.to_degrees()
         ));

@@ -123,6 +123,8 @@ pub struct Remarks {
     pub notes: Vec<String>,
     /// Not held, and in no line.
     pub general: Vec<String>,
+    /// The same notes, each there once.
+    noted: BTreeSet<String>,
     /// Cards that reports are about as a whole.
     told: BTreeSet<(&'static str, i64)>,
 }
@@ -147,7 +149,10 @@ impl Remarks {
     }
 
     pub fn note(&mut self, said: impl Into<String>) {
-        self.notes.push(said.into());
+        let said = said.into();
+        if self.noted.insert(said.clone()) {
+            self.notes.push(said);
+        }
     }
 }
 

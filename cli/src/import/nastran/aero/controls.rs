@@ -131,10 +131,15 @@ impl Making<'_> {
             self.panels.iter().enumerate().filter(|(_, panel)| panel.origin.card == "CAERO1")
         {
             let mut first_rows: Vec<Option<usize>> = vec![None; panel.spanwise.len() - 1];
-            for (strip, row) in
-                panel.boxes().filter(|id| boxes.contains(*id)).filter_map(|id| panel.box_at(id))
-            {
-                first_rows[strip] = Some(first_rows[strip].map_or(row, |first| first.min(row)));
+            for (from, to) in boxes.within(panel.boxes()) {
+                let [Some((first, row)), Some((last, _))] = [from, to].map(|id| panel.box_at(id)) else {
+                    continue;
+                };
+                // Boxes are counted along the chord, so that all strips but the first begin with their first row.
+                for strip in first..=last {
+                    let row = if strip == first { row } else { 0 };
+                    first_rows[strip] = Some(first_rows[strip].map_or(row, |other| other.min(row)));
+                }
             }
             let mut strip = 0;
             while strip < first_rows.len() {

@@ -27,8 +27,11 @@ impl Role {
     }
 }
 
-/// A moment is about one axis if those about the others are less than this share of it.
-const ALONE: f64 = 0.2;
+/// A rudder rolls too, but does not pitch: a moment is across the plane of symmetry if the pitching one is less than this share of it.
+const ASIDE: f64 = 0.2;
+
+/// What holds pitch does nothing else: one elevator of two rolls.
+const IN_PLANE: f64 = 0.02;
 
 /// Moments by which flaps of 1 rad turn the aircraft, of each control, as areas times arms, m³.
 pub fn moments(structure: &Structure, surfaces: &[Surface], controls: usize) -> Vec<Vector3<f64>> {
@@ -72,10 +75,9 @@ pub fn roles(moments: &[Vector3<f64>]) -> Vec<Option<Role>> {
         let axis = moment.iamax();
         let others =
             (0..3).filter(|other| *other != axis).map(|other| moment[other].abs()).fold(0.0, f64::max);
-        // A rudder rolls too; what pitches does neither.
         let is_alone = match Role::OF_AXES[axis] {
-            Role::Pitch => others < ALONE * moment[axis].abs(),
-            Role::Roll | Role::Yaw => moment.y.abs() < ALONE * moment[axis].abs(),
+            Role::Pitch => others < IN_PLANE * moment[axis].abs(),
+            Role::Roll | Role::Yaw => moment.y.abs() < ASIDE * moment[axis].abs(),
         };
         (moment[axis].abs() > 0.0 && is_alone).then_some(axis)
     };

@@ -36,9 +36,11 @@ pub struct Surface {
     /// As fractions of its length.
     pub from: f64,
     pub to: f64,
-    /// Places along the component with the chord, m, and where the beam runs in it.
+    /// Ends of strips along the component with the chord there, m.
     pub at: Vec<f64>,
     pub chords: Vec<f64>,
+    /// Middles of strips, and where the beam runs in the chord there.
+    pub middles: Vec<f64>,
     pub elastic_axes: Vec<f64>,
     pub span_axis: Option<Vector3<f64>>,
     /// Of each element of the component, m.
@@ -98,26 +100,27 @@ pub fn of_stretch(
 ) -> Option<Surface> {
     let distances = component.distances();
     let length = distances[distances.len() - 1];
-    let mut fractions: Vec<f64> =
-        run.fractions.iter().copied().filter(|node| (from + SAME..to - SAME).contains(node)).collect();
-    fractions.extend([from, to]);
-    let mut places = Vec::new();
-    for fraction in fractions {
+    // Where along the component, and which point of it.
+    let place = |fraction: f64| {
         let (element, share) = run.place(fraction);
-        let at = component.points[element].lerp(&component.points[element + 1], share);
-        let along = (distances[element] + share * (distances[element + 1] - distances[element])) / length;
-        places.push((
-            along,
-            panel.chord(fraction),
-            panel.chord_fraction(&at, fraction),
-            (at - panel.leading_edge(fraction)).dot(&up(panel)),
-        ));
+        let along = distances[element] + share * (distances[element + 1] - distances[element]);
+        (along / length, component.points[element].lerp(&component.points[element + 1], share))
+    };
+    let inside = run.fractions.iter().copied().filter(|node| (from + SAME..to - SAME).contains(node));
+    let mut ends: Vec<f64> = inside.chain([from, to]).collect();
+    ends.sort_by(|one, other| place(*one).0.total_cmp(&place(*other).0));
+    let least = 1e-3 * panel.chords[0].max(panel.chords[1]);
+    // Strips stand in the middle between two ends: laws that are exact there.
+    let mut middles = Vec::with_capacity(ends.len());
+    let mut high = 0.0_f64;
+    for pair in ends.windows(2) {
+        let fraction = 0.5 * (pair[0] + pair[1]);
+        let (along, at) = place(fraction);
+        middles.push((along, panel.chord_fraction(&at, fraction)));
+        let above = (at - panel.leading_edge(fraction)).dot(&up(panel));
+        high = high.max(above.abs() / panel.chord(fraction).max(least));
     }
-    places.sort_by(|one, other| one.0.total_cmp(&other.0));
-    let chords: Vec<f64> =
-        places.iter().map(|place| place.1.max(1e-3 * panel.chords[0].max(panel.chords[1]))).collect();
-    let elastic_axes: Vec<f64> = places.iter().map(|place| place.2).collect();
-    if let Some(bad) = elastic_axes.iter().find(|axis| !ELASTIC_AXES.contains(axis)) {
+    if let Some((_, bad)) = middles.iter().find(|(_, axis)| !ELASTIC_AXES.contains(axis)) {
         let said = format!(
             "the beam runs {bad:.3} chords behind its leading edge, where -1 to 2 is held: {:.4} m² from {from:.4} to {to:.4} of its span are left out",
             panel.area(from, to)
@@ -125,21 +128,22 @@ pub fn of_stretch(
         remarks.card(&panel.origin, said);
         return None;
     }
-    let high = places.iter().zip(&chords).map(|(place, chord)| place.3.abs() / chord).fold(0.0, f64::max);
     if high > HIGH && !remarks.has_told(&panel.origin) {
         let said = format!(
             "it lies up to {high:.3} chords above or below its beam: its strips are in the height of the beam"
         );
         remarks.card(&panel.origin, said);
     }
+    let at: Vec<f64> = ends.iter().map(|fraction| place(*fraction).0).collect();
     Some(Surface {
         origin: panel.origin.clone(),
         component: run.component,
-        from: places[0].0,
-        to: places[places.len() - 1].0,
-        at: places.iter().map(|place| place.0).collect(),
-        chords,
-        elastic_axes,
+        from: at[0],
+        to: at[at.len() - 1],
+        at,
+        chords: ends.iter().map(|fraction| panel.chord(*fraction).max(least)).collect(),
+        middles: middles.iter().map(|(along, _)| *along).collect(),
+        elastic_axes: middles.iter().map(|(_, axis)| *axis).collect(),
         span_axis: span_axis(component, run, panel),
         widths: widths(component, (run, panel), ([from, to], widened)),
         flap: flap([from, to], parts),
@@ -185,7 +189,14 @@ fn widths(
         let [one, other] = [run.fractions[place], run.fractions[place + 1]];
         let part = one.max(other).min(to) - one.min(other).max(from);
         let share = (part / (other - one).abs()).max(1e-3);
-        widths[element] += beyond * span.norm() / share;
+        // The chord there is another one than in the middle of the strip: the area counts.
+        let [outer, middle] = if end == from {
+            [from - 0.5 * beyond, from + 0.5 * part]
+        } else {
+            [to + 0.5 * beyond, to - 0.5 * part]
+        };
+        widths[element] += beyond * span.norm() / share
+            * (panel.chord(outer) / panel.chord(middle).max(1e-3 * panel.chord(outer)));
     }
     Some(widths)
 }

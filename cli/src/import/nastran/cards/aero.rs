@@ -4,7 +4,7 @@ use super::super::mistakes::{Origin, Remarks};
 use super::reader::{Ids, Reader};
 
 /// Boxes of a panel along its span, and along its chord.
-const MOST_BOXES: i64 = 1000;
+const MOST_BOXES: i64 = 300;
 
 /// What AEROS says, and AERO of the airspeed.
 #[derive(Clone, Debug, Default)]

@@ -15,8 +15,11 @@ impl Ids {
         Ids(vec![(id, id)])
     }
 
-    pub fn contains(&self, id: i64) -> bool {
-        self.0.iter().any(|(from, to)| (*from..=*to).contains(&id))
+    /// The runs of it that lie in a range.
+    pub fn within(&self, range: std::ops::Range<i64>) -> impl Iterator<Item = (i64, i64)> + '_ {
+        let clipped =
+            self.0.iter().map(move |(from, to)| ((*from).max(range.start), (*to).min(range.end - 1)));
+        clipped.filter(|(from, to)| from <= to)
     }
 
     /// Those of some ascending numbers that are in it, in its own order.

@@ -21,6 +21,10 @@ use tree::Tree;
 /// Places that are nearer are one, m.
 const SAME_PLACE: f64 = 1e-6;
 
+/// Larger decks are no sticks: their elements, and their masses.
+const MOST_ELEMENTS: usize = 5000;
+const MOST_LUMPS: usize = 20_000;
+
 /// A node of the aircraft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NodeRef {
@@ -114,6 +118,14 @@ impl Structure {
             if mistakes.is_empty() {
                 mistakes.of_whole("found no CBAR, CBEAM or CROD; one of them at least is needed".to_owned());
             }
+            return None;
+        }
+        if members.len() > MOST_ELEMENTS || lumps.len() > MOST_LUMPS {
+            mistakes.of_whole(format!(
+                "found {} elements and {} masses; up to {MOST_ELEMENTS} and {MOST_LUMPS} are allowed of a stick model",
+                members.len(),
+                lumps.len()
+            ));
             return None;
         }
         let of_members = members.iter().flat_map(|member| member.grids);

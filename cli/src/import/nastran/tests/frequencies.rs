@@ -73,7 +73,7 @@ fn the_principal_axes_of_a_section_with_i12_are_found() {
         let found = imported(&text.replace("PBAR,1,1,.02,1.-4,4.-4,1.-4\n", &property));
         check_cantilever(&found, 3e-5);
         assert!(
-            found.remarks.notes.iter().any(|note| note.starts_with("CBAR 1 has I12 = ")),
+            found.remarks.notes.iter().any(|note| note.starts_with("PBAR 1 has I12 = ")),
             "{:?}",
             found.remarks.notes
         );

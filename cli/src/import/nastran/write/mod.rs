@@ -101,7 +101,7 @@ fn engines(written: &Written) -> String {
     written.engines.iter().map(one).collect()
 }
 
-/// Stations at the tips of surfaces, cuts at their roots.
+/// Stations at the tips of surfaces, cuts where their first element begins.
 fn watched(written: &Written) -> String {
     let with_strips = |place: &usize| {
         let side = written.sides[*place];
@@ -122,7 +122,8 @@ fn watched(written: &Written) -> String {
     };
     let cut = |&place: &usize| {
         let name = &written.names[place];
-        format!("[[cut]]\nname = \"{}\"\ncomponent = \"{name}\"\nat = 0\n\n", sided(name, "root"))
+        let at = number(written.root(place));
+        format!("[[cut]]\nname = \"{}\"\ncomponent = \"{name}\"\nat = {at}\n\n", sided(name, "root"))
     };
     places.iter().map(station).chain(places.iter().map(cut)).collect()
 }
@@ -132,6 +133,14 @@ impl Written<'_> {
     fn member(&self, component: usize, element: usize) -> Option<&Member> {
         let member = self.structure.components[component].elements[element].member?;
         self.structure.members.get(member)
+    }
+
+    /// Where the first element of the deck begins, beyond rigid links, as a fraction of the length.
+    fn root(&self, component: usize) -> f64 {
+        let component = &self.structure.components[component];
+        let first = component.elements.iter().position(|element| element.member.is_some()).unwrap_or(0);
+        let distances = component.distances();
+        distances[first] / distances[distances.len() - 1]
     }
 
     fn lumps(&self, component: usize) -> impl Iterator<Item = &PlacedLump> {

@@ -25,7 +25,7 @@ pub fn text(written: &Written, surface: &Surface, moved: &Moved) -> String {
     }
     let widest = surface.chords.iter().copied().fold(0.0, f64::max);
     text += &format!("chord_m = {}\n", straight(&surface.at, &surface.chords, 1e-9 * widest));
-    text += &format!("elastic_axis = {}\n", straight(&surface.at, &surface.elastic_axes, 1e-9));
+    text += &format!("elastic_axis = {}\n", straight(&surface.middles, &surface.elastic_axes, 1e-9));
     if let Some(axis) = &surface.span_axis {
         text += &format!("span_axis = {}\n", vector(axis));
     }
