@@ -127,7 +127,7 @@ fn of_matrix(
     let cross = arm.cross_matrix();
     let inertia = about_grid + cross * cross * mass;
     let coupling = Matrix3::from_fn(|row, column| term(row, column + 3));
-    let translations = Matrix3::from_fn(|row, column| term(row, column));
+    let translations = Matrix3::from_fn(&term);
     let missed = (translations - Matrix3::identity() * mass).amax() / mass
         + (coupling + cross * mass).amax() / (mass * arm.norm().max(1e-3));
     if missed > BODY {

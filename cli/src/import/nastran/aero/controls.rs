@@ -136,9 +136,9 @@ impl Making<'_> {
                     continue;
                 };
                 // Boxes are counted along the chord, so that all strips but the first begin with their first row.
-                for strip in first..=last {
+                for (strip, known) in first_rows.iter_mut().enumerate().take(last + 1).skip(first) {
                     let row = if strip == first { row } else { 0 };
-                    first_rows[strip] = Some(first_rows[strip].map_or(row, |other| other.min(row)));
+                    *known = Some(known.map_or(row, |other| other.min(row)));
                 }
             }
             let mut strip = 0;

@@ -66,7 +66,7 @@ fn fixed(line: &str, at: u32) -> Line {
     let between = |from: usize, to: usize| {
         let mut inside = places.iter().filter(|(column, _)| (from..to).contains(column));
         let first = inside.next().map(|(_, bytes)| bytes.clone());
-        let last = inside.last().map(|(_, bytes)| bytes.end);
+        let last = inside.next_back().map(|(_, bytes)| bytes.end);
         let bytes = first.map_or(line.len()..line.len(), |first| first.start..last.unwrap_or(first.end));
         trimmed(line, bytes, at)
     };

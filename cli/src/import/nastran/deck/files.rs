@@ -62,24 +62,21 @@ pub struct Files {
 }
 
 impl Files {
-    /// # Errors
-    /// At the first file that cannot be had.
-    pub fn read(deck: &Path, source: &dyn Source) -> Result<Files, (Files, Refused)> {
+    /// All up to the first that cannot be had, and why it cannot.
+    pub fn read(deck: &Path, source: &dyn Source) -> (Files, Option<Refused>) {
         let mut files = Files { files: Vec::new(), lines: Vec::new(), bytes: 0 };
-        match files.follow(deck, None, (source, &mut Vec::new())) {
-            Ok(()) => Ok(files),
-            Err(refused) => Err((files, refused)),
-        }
+        let refused = files.follow(deck, None, (source, &mut Vec::new())).err();
+        (files, refused)
     }
 
     fn follow(
         &mut self,
         path: &Path,
-        named_at: Option<(Place, std::ops::Range<usize>)>,
+        named_at: Option<&(Place, std::ops::Range<usize>)>,
         (source, above): (&dyn Source, &mut Vec<PathBuf>),
     ) -> Result<(), Refused> {
         let refuse = |found: String, allowed: &str| Refused {
-            place: named_at.clone(),
+            place: named_at.cloned(),
             found,
             allowed: allowed.to_owned(),
         };
@@ -118,7 +115,7 @@ impl Files {
             let folder = path.parent().unwrap_or(Path::new(""));
             let place = Place { file, line: include.lines.start + 1 };
             let bytes = begins[include.lines.start].clone();
-            self.follow(&folder.join(&include.path), Some((place, bytes)), (source, above))?;
+            self.follow(&folder.join(&include.path), Some(&(place, bytes)), (source, above))?;
             next = include.lines.end;
         }
         self.add_lines(file, &begins, next..begins.len());

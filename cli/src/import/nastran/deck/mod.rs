@@ -64,18 +64,14 @@ pub struct Deck {
 impl Deck {
     /// Reads a deck; lines that are no cards are mistakes.
     pub fn read(path: &Path, source: &dyn Source, mistakes: &mut Mistakes) -> Deck {
-        let files = match Files::read(path, source) {
-            Ok(files) => files,
-            Err((files, Refused { place, found, allowed })) => {
-                match place {
-                    Some((place, bytes)) => {
-                        mistakes.add(place.file, bytes, "INCLUDE".to_owned(), found, allowed)
-                    }
-                    None => mistakes.of_whole(format!("{found}; {allowed}")),
-                }
-                files
+        let (files, refused) = Files::read(path, source);
+        match refused {
+            Some(Refused { place: Some((place, bytes)), found, allowed }) => {
+                mistakes.add(place.file, bytes, "INCLUDE".to_owned(), found, allowed);
             }
-        };
+            Some(Refused { place: None, found, allowed }) => mistakes.of_whole(format!("{found}; {allowed}")),
+            None => {}
+        }
         let Files { files, lines, .. } = files;
         let mut deck = Deck { files, ..Deck::default() };
         let bulk = deck.control(&lines);

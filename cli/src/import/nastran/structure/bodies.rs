@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::cards::{Bush, Cards, Constraint};
+use super::super::cards::{Bush, Cards, Constraint, Ids};
 use super::super::frames::World;
 use super::super::mistakes::{Mistakes, Origin, Remarks};
 use super::super::units::Units;
@@ -262,7 +262,7 @@ fn all_sets(cards: &Cards, asked: &[i64]) -> Option<BTreeSet<i64>> {
     }
     for _ in 0..DEEPEST {
         let unions = sets.iter().filter_map(|set| cards.constraint_unions.get(set));
-        let more: Vec<i64> = unions.flat_map(|union| union.singles()).collect();
+        let more: Vec<i64> = unions.flat_map(Ids::singles).collect();
         sets.extend(more);
     }
     Some(sets)

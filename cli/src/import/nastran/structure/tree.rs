@@ -72,8 +72,8 @@ impl Tree {
                 }
             }
         }
-        for element in 0..joined.len() {
-            match (self.is_reached[self.ends[element][0]], joined[element]) {
+        for (element, is_joined) in joined.iter().enumerate() {
+            match (self.is_reached[self.ends[element][0]], is_joined) {
                 (false, _) => self.lost.push(element),
                 (true, false) => self.cut.push(element),
                 (true, true) => {}

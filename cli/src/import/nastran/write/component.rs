@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::super::members::Stiffness;
+use super::super::members::{Member, Stiffness};
 use super::super::pairs::Side;
 use super::super::structure::{Component, HALVES, NodeRef, PlacedLump, turned_inertia};
 use super::control::Moved;
@@ -143,7 +143,7 @@ fn masses_of_elements(written: &Written, place: usize) -> String {
         let mut masses = Vec::new();
         for element in elements {
             let [from, to] = [distances[element], distances[element + 1]];
-            let half = 0.5 * written.member(place, element).map_or(0.0, |member| member.mass());
+            let half = 0.5 * written.member(place, element).map_or(0.0, Member::mass);
             for share in HALVES {
                 at.push(from + share * (to - from));
                 masses.push(half);
