@@ -172,11 +172,17 @@ impl Bodies {
             return;
         };
         let [k1, k2, k3, about @ ..] = property.stiffness;
-        if [k1, k2, k3].iter().any(|along| along.is_finite() && *along > 0.0) {
-            remarks.card(
-                &bush.origin,
-                "the springs K1, K2, K3 along its axes are held as if rigid, those about them as they are",
-            );
+        let lacking = ["K4", "K5", "K6"].into_iter().zip(about).filter(|(_, about)| *about <= 0.0);
+        let lacking: Vec<&str> = lacking.map(|(name, _)| name).collect();
+        if !lacking.is_empty() {
+            let said =
+                format!("found no {}: held as if rigid about it, else nothing holds it", lacking.join(", "));
+            remarks.card(&bush.origin, said);
+        }
+        if [k1, k2, k3].iter().any(|along| along.is_finite()) {
+            let said =
+                "the springs K1, K2, K3 along its axes are held as if rigid, those about them as they are";
+            remarks.card(&bush.origin, said);
         }
         if self.hinge.is_some() {
             remarks.card(

@@ -84,7 +84,7 @@ fn the_principal_axes_of_a_section_with_i12_are_found() {
 fn springs_at_a_root_hold_a_stiff_bar_as_a_pendulum_is_held() {
     // A light bar of 2 m, 1e6 times as stiff as the springs, with 3 kg at its end: ω² = K / (m L²).
     let deck = "MAT1,1,2.+11,1.+11,.3\nPBAR,1,1,.1,.01,.01,.01\nGRID,1,,0.,0.,0.\nGRID,2,,0.,2.,0.\nCBAR,1,1,1,2,0.,0.,1.\n\
-                CONM2,1,2,,3.\nCBUSH,5,5,1,,,,,0\nPBUSH,5,K,,,,480.,700.,1200.\n";
+                CONM2,1,2,,3.\nCBUSH,5,5,1,,,,,0\nPBUSH,5,K,RIGID,RIGID,RIGID,480.,700.,1200.\n";
     let found = imported(deck);
     assert_eq!(reports(&found), [""; 0]);
     let swings = frequencies(&found.aircraft, 2);
@@ -94,6 +94,10 @@ fn springs_at_a_root_hold_a_stiff_bar_as_a_pendulum_is_held() {
         assert!((found / expected - 1.0).abs() < 5e-3, "{found} {expected}");
     }
     assert!(found.text().contains("GJ_N_m2 = 0.7\n"), "{}", found.text());
+    let told =
+        reports(&imported(&deck.replace("RIGID,RIGID,RIGID,480.,700.,", "1.+8,1.+8,1.+8,480.,,"))).join("\n");
+    assert!(told.contains("CBUSH 5: found no K5: held as if rigid about it"), "{told}");
+    assert!(told.contains("CBUSH 5: the springs K1, K2, K3 along its axes are held as if rigid"), "{told}");
 }
 
 #[test]
