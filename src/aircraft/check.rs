@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::branches::{Branches, CLOSE, one_to_one};
+use super::coupling::{Coupling, Hinge, Spring};
 use super::document::Located;
 use super::error::{Place, Problem, Report};
 use super::expand::Assembly;
@@ -158,13 +159,36 @@ impl<'a> Mirror<'a> {
 
     fn beams(&self, one: &Beam, other: &Beam) -> bool {
         let node = |beam: &Beam, end: usize| self.aircraft.nodes[beam.nodes[end]];
-        let y_axes = Side::Mirrored.vector(one.y_axis).cross(&other.y_axis).norm();
+        let image_of_y = Side::Mirrored.vector(one.y_axis);
+        let is_turned = image_of_y.dot(&other.y_axis) < 0.0;
+        let image = one.coupling.mirrored();
+        let image = if is_turned { image.turned_about() } else { image };
         (0..2).all(|end| self.places(node(one, end), node(other, end)))
-            && y_axes <= 1e-9
+            && image_of_y.cross(&other.y_axis).norm() <= 1e-9
             && same(one.axial_stiffness, other.axial_stiffness)
             && same(one.torsional_stiffness, other.torsional_stiffness)
             && same(one.bending_stiffness_y, other.bending_stiffness_y)
             && same(one.bending_stiffness_z, other.bending_stiffness_z)
+            && self.couplings(other, &image)
+            && same_hinges(one.hinge.as_ref(), other.hinge.as_ref())
+    }
+
+    /// Whether a beam has a coupling, each stiffness of it relative to those that it couples.
+    fn couplings(&self, beam: &Beam, coupling: &Coupling) -> bool {
+        let Coupling { bending, bend_twist: [y, z], stretch_by_twist, tension_axis, shear_centre } =
+            beam.coupling;
+        let [torsional, bending_y, bending_z] =
+            [beam.torsional_stiffness, beam.bending_stiffness_y, beam.bending_stiffness_z];
+        let near = |one: f64, other: f64, size: f64| (one - other).abs() <= 1e-9 * size;
+        let places = |one: [f64; 2], other: [f64; 2]| {
+            (0..2).all(|axis| near(one[axis], other[axis], 1e9 * self.slack))
+        };
+        near(bending, coupling.bending, (bending_y * bending_z).sqrt())
+            && near(y, coupling.bend_twist[0], (torsional * bending_y).sqrt())
+            && near(z, coupling.bend_twist[1], (torsional * bending_z).sqrt())
+            && near(stretch_by_twist, coupling.stretch_by_twist, 1e9 * self.slack)
+            && places(tension_axis, coupling.tension_axis)
+            && places(shear_centre, coupling.shear_centre)
     }
 
     fn bays(&self, one: &MassBay, other: &MassBay) -> bool {
@@ -183,6 +207,23 @@ impl<'a> Mirror<'a> {
         self.sections(one.attachment, other.attachment)
             && self.places(one.offset, other.offset)
             && (Side::Mirrored.vector(one.direction) - other.direction).norm() <= 1e-9
+    }
+}
+
+/// Whether each spring of one hinge has its image among those of the other.
+fn same_hinges(one: Option<&Hinge>, other: Option<&Hinge>) -> bool {
+    let mirrors = |one: &Spring, other: &Spring| {
+        Side::Mirrored.vector(one.axis).cross(&other.axis).norm() <= 1e-9
+            && same(one.stiffness, other.stiffness)
+    };
+    match (one, other) {
+        (None, None) => true,
+        (Some(one), Some(other)) => one_to_one(
+            &one.springs.iter().collect::<Vec<_>>(),
+            &other.springs.iter().collect::<Vec<_>>(),
+            mirrors,
+        ),
+        _ => false,
     }
 }
 

@@ -8,10 +8,12 @@
 //!
 //! | module | takes | gives |
 //! | --- | --- | --- |
-//! | `document`, `read`, `control_tables`, `cut_tables`, `limit_tables`, `model_tables`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
+//! | `document`, `read`, `control_tables`, `cut_tables`, `limit_tables`, `model_tables`, `section_tables`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
 //! | `format` | | which fields there are, what they may hold, what holds without them; `allowed` asks it about a number |
 //! | `control`, `limits` | | what controls are, what trims should stay within |
-//! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
+//! | `law`, `geometry`, `sections`, `masses`, `surfaces` | one component | its beams, bays and strips |
+//! | `section_matrix`, `box_section` | a 6 × 6 matrix, sizes of a box | stiffness and mass of a section |
+//! | `coupling` | | what sections have beyond four stiffnesses, hinges |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
 //! | `toml_value` | a TOML value | what messages call it, its number |
 //! | `components` | a name | the component that has it |
@@ -31,12 +33,14 @@
 #![doc = include_str!("../../aircraft/README.md")]
 
 mod allowed;
+mod box_section;
 mod branches;
 mod check;
 mod components;
 mod control;
 mod control_check;
 mod control_tables;
+mod coupling;
 mod cut_tables;
 mod cuts;
 mod document;
@@ -58,6 +62,9 @@ mod read;
 mod reference;
 mod roles;
 mod schema;
+mod section_matrix;
+mod section_tables;
+mod sections;
 mod stations_along;
 mod stretch;
 mod surfaces;
@@ -74,6 +81,7 @@ pub(crate) use branches::Branches;
 pub use control::{Control, Mirroring, TrimRole};
 #[cfg(test)]
 pub(crate) use control_check::{TAKEN, TAKEN_BY_TRIM};
+pub use coupling::{Coupling, Hinge, Spring};
 pub use error::{AircraftFileError, Diagnostic, Problem, looked_for};
 pub use factors::{Factor, FactorOutOfRange};
 pub use fidelity::Fidelity;

@@ -6,6 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::control::Control;
+use super::coupling::{Coupling, Hinge};
 use super::fidelity::Fidelity;
 use super::limits::Limits;
 
@@ -159,6 +160,10 @@ pub struct Beam {
     pub bending_stiffness_y: f64,
     /// EI_z, N·m²: resists v″.
     pub bending_stiffness_z: f64,
+    /// What couples these, and axes apart from the reference axis.
+    pub coupling: Coupling,
+    /// By which it turns against its first node, if it does.
+    pub hinge: Option<Hinge>,
 }
 
 /// A place on the elastic axis: a fraction of an element's length.

@@ -18,6 +18,7 @@ use super::schema::{
     Along, ComponentSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, Hand, InertiaSpec,
     MassPartSpec, MoveSpec, ParentSpec, PointMassesSpec, StationSpec, SurfaceSpec,
 };
+use super::section_tables::read_sections;
 use super::stretch::Stretch;
 use super::tunnel;
 
@@ -109,8 +110,7 @@ fn read_component(table: &Table) -> Option<ComponentSpec> {
     let segments = axis.as_ref().map(|axis| axis.value.len() - 1);
     let elements = table.required(&component::ELEMENTS).and_then(|v| read_elements(&v, segments?));
     let y_axis = table.required(&component::Y_AXIS).and_then(|v| v.located(Value::direction));
-    let law = |field: &Field| Some((field.name, table.required(field).and_then(|v| Law::read(&v))?));
-    let stiffness = component::STIFFNESSES.map(law);
+    let sections = read_sections(table);
     let chord = table.optional(&component::CHORD).and_then(|v| Law::read(&v));
     let distributed = table.tables(&component::DISTRIBUTED_MASSES);
     let distributed: Vec<_> = distributed.iter().map(read_distributed_mass).collect();
@@ -118,6 +118,7 @@ fn read_component(table: &Table) -> Option<ComponentSpec> {
     let points: Vec<_> = points.iter().map(read_point_masses).collect();
     let surfaces = table.tables(&component::SURFACES);
     let surfaces: Vec<_> = surfaces.iter().map(read_surface).collect();
+    let (stiffness, section) = sections?;
     Some(ComponentSpec {
         mirror: table.optional(&component::MIRROR).and_then(|v| v.located(Value::name)),
         name: name?,
@@ -125,7 +126,8 @@ fn read_component(table: &Table) -> Option<ComponentSpec> {
         axis: axis?,
         elements: elements?,
         y_axis: y_axis?,
-        stiffness: stiffness.into_iter().collect::<Option<_>>()?,
+        stiffness,
+        section,
         chord,
         distributed_masses: distributed.into_iter().collect::<Option<_>>()?,
         point_masses: points.into_iter().collect::<Option<_>>()?,

@@ -1,6 +1,6 @@
 //! The aircraft file as its author thinks of it: controls, components, masses, surfaces, engines, stations.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix6, Vector3};
 
 use super::control::{Control, Mirroring};
 use super::document::Located;
@@ -47,11 +47,56 @@ pub(super) struct ComponentSpec {
     /// Number of elements between each corner and the next.
     pub(super) elements: Vec<usize>,
     pub(super) y_axis: Located<Vector3<f64>>,
+    /// By the names of their fields; none where something else says how stiff it is.
     pub(super) stiffness: Vec<(&'static str, Law)>,
+    pub(super) section: SectionSpec,
     pub(super) chord: Option<Law>,
     pub(super) distributed_masses: Vec<DistributedMassSpec>,
     pub(super) point_masses: Vec<PointMassesSpec>,
     pub(super) surfaces: Vec<SurfaceSpec>,
+}
+
+/// What of a component's sections goes beyond four stiffnesses.
+pub(super) struct SectionSpec {
+    pub(super) source: StiffnessSource,
+    /// EI_yz, two bend–twist couplings, two places of the tension axis, two of the shear centre.
+    pub(super) beside: Vec<Option<Law>>,
+    pub(super) masses: Vec<MatrixSpec>,
+    pub(super) hinge: Option<HingeSpec>,
+}
+
+/// What says how stiff a component is.
+pub(super) enum StiffnessSource {
+    /// EA, GJ and two EI.
+    Laws,
+    Matrices(Vec<MatrixSpec>),
+    Box(BoxSpec),
+}
+
+/// A matrix of the section at a fraction of the component's length.
+pub(super) struct MatrixSpec {
+    pub(super) at: f64,
+    pub(super) matrix: Located<Matrix6<f64>>,
+}
+
+/// A rectangular tube; Pa, kg/m³.
+pub(super) struct BoxSpec {
+    pub(super) place: Place,
+    pub(super) height: Law,
+    pub(super) width: Law,
+    pub(super) skin: Law,
+    pub(super) web: Option<Law>,
+    pub(super) young: f64,
+    pub(super) shear: f64,
+    pub(super) density: Option<f64>,
+}
+
+/// Springs of a hinge, N m/rad.
+pub(super) enum HingeSpec {
+    /// About one axis.
+    About { axis: Vector3<f64>, stiffness: f64 },
+    /// About local x, y and z.
+    AboutLocalAxes(Vector3<f64>),
 }
 
 pub(super) enum ParentSpec {

@@ -6,12 +6,10 @@ use nalgebra::{DMatrix, DVector, SVector};
 
 use crate::aircraft::{Aircraft, Attachment};
 
-use super::beam::{BeamGeometry, NodalMap, NodalRow};
+use super::beam::{BeamGeometry, axial_stiffness};
+use super::nodal::{NodalMap, NodalRow};
 use super::particles::{Particle, particles};
 use super::{ModeShapes, StructureError};
-
-/// EA of axially rigid elements, N [theory: structure.axially-rigid].
-const RIGID_AXIAL_STIFFNESS: f64 = 1e12;
 
 /// An aircraft's structure: beams with their geometry, particles, and the numbering of unknowns.
 #[derive(Debug)]
@@ -43,11 +41,7 @@ impl<'a> Structure<'a> {
     pub fn stiffness(&self, axially_rigid: bool) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.unknowns(), self.unknowns());
         for (index, beam) in self.aircraft.beams.iter().enumerate() {
-            let axial = if axially_rigid {
-                beam.axial_stiffness.max(RIGID_AXIAL_STIFFNESS)
-            } else {
-                beam.axial_stiffness
-            };
+            let axial = axial_stiffness(beam, axially_rigid);
             self.add_element(&mut matrix, index, &self.geometry[index].stiffness(beam, axial));
         }
         matrix

@@ -117,6 +117,14 @@ pub static GYRATION: Allowed = Allowed::new("a radius of gyration", Range::Close
 pub static CHORDS: Allowed = Allowed::new("a number of chords", Range::Closed(-1000.0, 1000.0));
 
 pub static BEAM_STIFFNESS: Allowed = Allowed::new("a stiffness in N or N m²", Range::Closed(1e-6, 1e15));
+pub static STIFFNESS_PRODUCT: Allowed =
+    Allowed::new("a coupling stiffness in N m²", Range::Closed(-1e15, 1e15));
+pub static STIFFNESS_ENTRY: Allowed =
+    Allowed::new("a stiffness in N, N m or N m²", Range::Closed(-1e15, 1e15));
+pub static MASS_ENTRY: Allowed =
+    Allowed::new("a mass per length in kg/m, kg or kg m", Range::Closed(-1e9, 1e9));
+pub static MODULUS: Allowed = Allowed::new("a modulus in Pa", Range::Closed(1.0, 1e13));
+pub static SPRING: Allowed = Allowed::new("a stiffness in N m/rad", Range::Closed(1e-6, 1e15));
 pub static MASS: Allowed = Allowed::new("a mass in kg", Range::Closed(1e-9, 1e9));
 pub static SHARE: Allowed = Allowed::new("a share", Range::Closed(1e-9, 1e9));
 pub static INERTIA: Allowed = Allowed::new("a moment of inertia in kg m²", Range::Closed(0.0, 1e12));

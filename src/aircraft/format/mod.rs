@@ -25,6 +25,7 @@ pub(super) mod law;
 pub(super) mod limits;
 pub(super) mod masses;
 pub(super) mod places;
+pub(super) mod section;
 pub(super) mod surface;
 mod table;
 

@@ -68,6 +68,8 @@ pub enum Kind {
     Attitude(&'static Allowed, &'static Allowed),
     /// At least two points of three numbers.
     Corners(&'static Allowed),
+    /// Six rows of six numbers.
+    Matrix(&'static Allowed),
     /// A number, or a table of one of some forms.
     Law(&'static Allowed, &'static [&'static Table]),
     /// Three laws, one for each axis.
@@ -164,6 +166,7 @@ impl Field {
             Kind::Vector(_) | Kind::Attitude(..) => with("three numbers"),
             Kind::Direction => "three numbers, not all 0".to_owned(),
             Kind::Corners(_) => with("list of points"),
+            Kind::Matrix(_) => with("six rows of six numbers"),
             Kind::Law(..) => with("law"),
             Kind::Laws(..) => with("three laws"),
             Kind::Table(_) => "a table".to_owned(),
@@ -219,6 +222,7 @@ impl Kind {
             | Kind::Vector(allowed)
             | Kind::Attitude(allowed, _)
             | Kind::Corners(allowed)
+            | Kind::Matrix(allowed)
             | Kind::Law(allowed, _)
             | Kind::Laws(allowed, _) => allowed,
             _ => &ANY,
