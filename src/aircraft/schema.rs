@@ -70,7 +70,7 @@ pub(super) enum StiffnessSource {
     /// EA, GJ and two EI.
     Laws,
     Matrices(Vec<MatrixSpec>),
-    Box(BoxSpec),
+    Box(Box<BoxSpec>),
 }
 
 /// A matrix of the section at a fraction of the component's length.

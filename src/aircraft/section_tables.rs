@@ -31,7 +31,7 @@ pub(super) fn read_sections(table: &Table) -> Option<(NamedLaws, SectionSpec)> {
         }
         (None, Some(tube)) => {
             exclude(table, &section::BOX_FIELD, component::STIFFNESSES.into_iter());
-            (Some(Vec::new()), tube.map(StiffnessSource::Box))
+            (Some(Vec::new()), tube.map(|tube| StiffnessSource::Box(Box::new(tube))))
         }
         (None, None) => {
             let law = |field: &Field| Some((field.name, table.required(field).and_then(|v| Law::read(&v))?));
@@ -133,10 +133,11 @@ fn read_box(value: &Value) -> Option<BoxSpec> {
 
 fn read_hinge(value: &Value) -> Option<HingeSpec> {
     let table = value.table()?;
+    let has_one = table.optional(&section::HINGE_STIFFNESS).is_some();
+    let axis = has_one.then(|| table.required(&section::HINGE_AXIS).and_then(|v| v.direction())).flatten();
     let (field, stiffness) = table.either(&section::HINGE_SPRINGS)?;
     if std::ptr::eq(field, &section::HINGE_STIFFNESS) {
         let stiffness = stiffness.number();
-        let axis = table.required(&section::HINGE_AXIS).and_then(|v| v.direction());
         return Some(HingeSpec::About { axis: axis?, stiffness: stiffness? });
     }
     if let Some(axis) = table.optional(&section::HINGE_AXIS) {

@@ -113,8 +113,10 @@ pub(super) fn bays(
     laws: &Laws,
 ) -> Vec<(&'static str, Option<Vec<LocatedBay>>)> {
     let mut groups = Vec::new();
-    if let StiffnessSource::Box(BoxSpec { density: Some(density), place, .. }) = &spec.section.source {
-        groups.push((fields::BOX_FIELD.name, box_bays(spec, (*density, place), line, laws)));
+    if let StiffnessSource::Box(tube) = &spec.section.source
+        && let Some(density) = tube.density
+    {
+        groups.push((fields::BOX_FIELD.name, box_bays(spec, (tube, density), line, laws)));
     }
     if !spec.section.masses.is_empty() {
         groups.push((fields::SECTION_MASS.name, matrix_bays(spec, line, laws)));
@@ -124,15 +126,14 @@ pub(super) fn bays(
 
 fn box_bays(
     spec: &ComponentSpec,
-    (density, place): (f64, &Place),
+    (tube, density): (&BoxSpec, f64),
     line: &Line,
     laws: &Laws,
 ) -> Option<Vec<LocatedBay>> {
-    let StiffnessSource::Box(tube) = &spec.section.source else { return None };
     let (tubes, couplings) = (tubes(tube, line, laws)?, couplings(spec, line, laws)?);
-    let bay = |(element, (tube, coupling)): (usize, (&Tube, Option<Coupling>))| {
-        let mass = tube.mass(density, coupling.unwrap_or_default().tension_axis);
-        Some((bay(spec, line, element, &mass)?, place.clone()))
+    let bay = |(element, (sizes, coupling)): (usize, (&Tube, Option<Coupling>))| {
+        let mass = sizes.mass(density, coupling.unwrap_or_default().tension_axis);
+        Some((bay(spec, line, element, &mass)?, tube.place.clone()))
     };
     tubes.iter().zip(couplings).enumerate().map(bay).collect()
 }

@@ -102,7 +102,7 @@ fn unknown_field() {
     assert_messages(
         &[("chord_m = 1.5", "chord_m = 1.5\nsweep_deg = 3")],
         &[
-            "small.toml:17:1: component.wing_right.sweep_deg: found the unknown field \"sweep_deg\"; allowed here: name, mirror, attached_to, axis_m, elements, y_axis, EA_N, GJ_N_m2, EI_y_N_m2, EI_z_N_m2, chord_m, distributed_mass, point_masses, surface",
+            "small.toml:17:1: component.wing_right.sweep_deg: found the unknown field \"sweep_deg\"; allowed here: name, mirror, attached_to, axis_m, elements, y_axis, EA_N, GJ_N_m2, EI_y_N_m2, EI_z_N_m2, EI_yz_N_m2, bend_twist_y_N_m2, bend_twist_z_N_m2, tension_axis_y_m, tension_axis_z_m, shear_centre_y_m, shear_centre_z_m, section_stiffness, box, hinge, chord_m, distributed_mass, section_mass, point_masses, surface",
         ],
     );
 }
@@ -123,7 +123,7 @@ fn missing_field() {
     assert_messages(
         &[("EI_z_N_m2 = 1e6\n", "")],
         &[
-            "small.toml:52:1: component.fin.EI_z_N_m2: the field \"EI_z_N_m2\" is missing; it is needed; allowed here: name, mirror, attached_to, axis_m, elements, y_axis, EA_N, GJ_N_m2, EI_y_N_m2, EI_z_N_m2, chord_m, distributed_mass, point_masses, surface",
+            "small.toml:52:1: component.fin.EI_z_N_m2: the field \"EI_z_N_m2\" is missing; it is needed; allowed here: name, mirror, attached_to, axis_m, elements, y_axis, EA_N, GJ_N_m2, EI_y_N_m2, EI_z_N_m2, EI_yz_N_m2, bend_twist_y_N_m2, bend_twist_z_N_m2, tension_axis_y_m, tension_axis_z_m, shear_centre_y_m, shear_centre_z_m, section_stiffness, box, hinge, chord_m, distributed_mass, section_mass, point_masses, surface",
         ],
     );
 }

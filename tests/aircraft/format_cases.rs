@@ -157,6 +157,11 @@ impl Cases {
                 self.add(at, json!([[0, 0, 0], [1, 2]]), true, name);
                 self.of_numbers(allowed, &within(&within(at, 1), 0), name, &|number| json!(number));
             }
+            Kind::Matrix(allowed) => {
+                self.add(at, json!([[1, 2], [2, 1]]), true, name);
+                self.add(at, json!([[1], [1], [1], [1], [1], [1]]), true, name);
+                self.of_numbers(allowed, &within(&within(at, 1), 0), name, &|number| json!(number));
+            }
             Kind::Law(allowed, forms) => self.of_law(allowed, forms, at, name),
             Kind::Laws(allowed, forms) => {
                 self.add(at, json!([0, 0]), true, name);

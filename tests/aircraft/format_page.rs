@@ -78,7 +78,9 @@ fn the_tables_of_the_page_are_those_of_the_format() {
 
 #[test]
 fn a_field_has_the_unit_that_its_name_ends_in() {
-    const ENDINGS: [(&str, &str); 14] = [
+    const ENDINGS: [(&str, &str); 16] = [
+        ("_N_m_per_rad", "N m/rad"),
+        ("_Pa", "Pa"),
         ("_chords", "chords"),
         ("_lengths", "lengths"),
         ("_kg_m3", "kg/m³"),

@@ -15,6 +15,7 @@ mod jet;
 mod mirrors;
 mod ranges;
 mod reference;
+mod sections;
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 

@@ -36,8 +36,8 @@ elements = 10
 y_axis = [1, 0, 0]
 chord_m = { at = [0, 1], values = [1.4, 0.7] }
 EA_N = 2e7
-GJ_N_m2 = { root = 3e5, chord_power = 3 }
-EI_y_N_m2 = { root = 3e5, chord_power = 3 }
+GJ_N_m2 = { root = 1e6, chord_power = 3 }
+EI_y_N_m2 = { root = 1e6, chord_power = 3 }
 EI_z_N_m2 = { multiple_of = "EI_y_N_m2", factor = 20 }
 COUPLING
 
@@ -68,7 +68,7 @@ EI_z_N_m2 = 1e7
 [[component.point_masses]]
 at_m = [0, 3, 6]
 mass_kg = [600, 60, 20]
-offset_m = [-0.3, 0, 0.1]
+offset_m = [-1.6, 0, 0.1]
 gyration_m = [0.4, 0.9, 0.9]
 
 [[component]]
@@ -182,7 +182,7 @@ fn bending_that_turns_the_nose_down_takes_load_off_the_root_at_all_levels() {
 fn a_wing_with_all_couplings_and_a_hinge_is_the_image_of_the_other() {
     let more = "EI_yz_N_m2 = { multiple_of = \"EI_y_N_m2\", factor = 0.7 }\nbend_twist_z_N_m2 = { multiple_of = \"EI_y_N_m2\", factor = -0.3 }\n\
                 tension_axis_y_m = -0.05\ntension_axis_z_m = 0.02\nshear_centre_y_m = 0.04\nshear_centre_z_m = -0.01\n\
-                hinge = { stiffnesses_N_m_per_rad = [4e5, 3e5, 2e6] }";
+                hinge = { stiffnesses_N_m_per_rad = [4e6, 3e6, 2e7] }";
     let model = model(0.3, more);
     assert!(model.modes.iter().all(|mode| mode.family != ModeFamily::Unsymmetric));
     for fidelity in LEVELS {

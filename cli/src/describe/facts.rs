@@ -21,8 +21,8 @@ pub struct Facts {
     pub wing: Vec<String>,
     /// Whether the file gives any of them.
     pub gives_some: bool,
-    /// What there is, and how many of it.
-    pub counts: [(&'static str, usize); 8],
+    /// What there is, and how many of it; hinges where there are any.
+    pub counts: Vec<(&'static str, usize)>,
 }
 
 impl Facts {
@@ -43,16 +43,23 @@ impl Facts {
             reference: aircraft.reference_lengths(),
             wing: sides.map(|side| aircraft.components[side].name.clone()).collect(),
             gives_some: given.iter().any(Option::is_some),
-            counts: [
-                ("components", aircraft.components.len()),
-                ("elements", aircraft.beams.len()),
-                ("bays", aircraft.bays.len()),
-                ("strips", aircraft.strips.len()),
-                ("controls", aircraft.controls.len()),
-                ("engines", aircraft.engines.len()),
-                ("stations", aircraft.stations.len()),
-                ("cuts", aircraft.cuts.len()),
-            ],
+            counts: counts(aircraft),
         }
     }
+}
+
+fn counts(aircraft: &Aircraft) -> Vec<(&'static str, usize)> {
+    let mut counts = vec![
+        ("components", aircraft.components.len()),
+        ("elements", aircraft.beams.len()),
+        ("bays", aircraft.bays.len()),
+        ("strips", aircraft.strips.len()),
+        ("controls", aircraft.controls.len()),
+        ("engines", aircraft.engines.len()),
+        ("stations", aircraft.stations.len()),
+        ("cuts", aircraft.cuts.len()),
+    ];
+    let hinges = aircraft.beams.iter().filter(|beam| beam.hinge.is_some()).count();
+    counts.extend((hinges > 0).then_some(("hinges", hinges)));
+    counts
 }
