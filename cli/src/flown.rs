@@ -102,7 +102,7 @@ pub fn condition(model: &ReducedModel, settings: &Settings) -> String {
     let plant = &settings.plant;
     let air = match model.tunnel_air {
         Some(air) => format!("air of {} kg/m³", Plain(air.density)),
-        None => format!("{} m", Plain(plant.altitude)),
+        None => plant.air_in_words(),
     };
     format!("{} m/s, {air}, {}", Plain(plant.airspeed), level(settings))
 }

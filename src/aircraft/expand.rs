@@ -66,6 +66,7 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
             inflow_states: file.inflow_states,
             airspeed: file.airspeed.value,
             altitude: file.altitude,
+            temperature_offset: file.temperature_offset,
             reference: file.reference,
             limits: file.limits,
             tunnel_air: file.tunnel_air.as_ref().map(|air| air.value),

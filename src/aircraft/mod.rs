@@ -81,7 +81,8 @@ pub use flap::FlapEffect;
 pub use limits::{Bound, Bounds, Limits};
 pub use model::{
     AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Component, Cut, Engine, Flap, GivenReference,
-    MOST_INFLOW_STATES, MassBay, MassGroup, ModeBasis, Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
+    MOST_INFLOW_STATES, MassBay, MassGroup, ModeBasis, Station, Strip, Support, TEMPERATURE_OFFSETS,
+    TUNNEL_SPEEDS, TunnelAir,
     WrittenComponent,
 };
 pub use reference::ReferenceLengths;

@@ -54,8 +54,11 @@ pub const AIRSPEEDS: RangeInclusive<f64> = 1.0..=400.0;
 /// Speeds of a wind tunnel's flow, m/s: it may be off.
 pub const TUNNEL_SPEEDS: RangeInclusive<f64> = 0.0..=400.0;
 
-/// Altitudes at which an aircraft may be trimmed, m: the standard atmosphere's two layers.
-pub const ALTITUDES: RangeInclusive<f64> = -1000.0..=20_000.0;
+/// Altitudes at which an aircraft may be trimmed, m: within the standard atmosphere's three lowest layers.
+pub const ALTITUDES: RangeInclusive<f64> = -1000.0..=30_000.0;
+
+/// By how much the air may be warmer than the standard atmosphere, K.
+pub const TEMPERATURE_OFFSETS: RangeInclusive<f64> = -60.0..=60.0;
 
 /// Most inflow states of a strip: beyond, the coefficients of the inflow model lose their digits.
 pub const MOST_INFLOW_STATES: usize = 8;
@@ -101,6 +104,8 @@ pub struct Aircraft {
     pub airspeed: f64,
     /// Altitude at which it is trimmed unless someone asks for another, m.
     pub altitude: f64,
+    /// By how much the air is warmer than the standard atmosphere unless someone asks for another number, K; 0 in a tunnel's own air.
+    pub temperature_offset: f64,
     /// What the file says of reference lengths; [`reference_lengths`](Aircraft::reference_lengths) are all of them.
     pub reference: GivenReference,
     /// What its trims should stay within.

@@ -48,6 +48,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
             .and_then(|v| v.located(Value::number))
             .unwrap_or(Located { value: file::AIRSPEED_FIELD.absent.number(), place: table.place.clone() }),
         altitude: if tunnel_air.is_some() { 0.0 } else { table.number(&file::ALTITUDE_FIELD) },
+        temperature_offset: if tunnel_air.is_some() { 0.0 } else { table.number(&file::OFFSET_FIELD) },
         tunnel_air,
         mount: table.optional(&file::MOUNT).and_then(|v| v.located(tunnel::read_mount)),
         load_modes: model_tables::read_load_modes(&table),

@@ -21,6 +21,7 @@ pub(super) struct FileSpec {
     pub(super) inflow_states: usize,
     pub(super) airspeed: Located<f64>,
     pub(super) altitude: f64,
+    pub(super) temperature_offset: f64,
     pub(super) tunnel_air: Option<Located<TunnelAir>>,
     pub(super) mount: Option<Located<Vector3<f64>>>,
     /// Whether the structure must be its own mirror image.

@@ -220,6 +220,7 @@ mod tests {
             stiffness_scale: 0.0,
             structural_damping: 0.0,
             inflow_states: 0,
+            temperature_offset: 0.0,
             tunnel_flow: Vector3::zeros(),
         };
         let equations = EquationsOfMotion::new(&model, &configuration);

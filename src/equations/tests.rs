@@ -18,6 +18,7 @@ pub(crate) fn configuration(fidelity: Fidelity) -> Configuration {
         stiffness_scale: 1.0,
         structural_damping: 0.0,
         inflow_states: 5,
+        temperature_offset: 0.0,
         tunnel_flow: Vector3::zeros(),
     }
 }

@@ -66,10 +66,10 @@ impl LimitExceeded {
         model: &ReducedModel,
         settings: &PlantSettings,
     ) -> Option<String> {
-        let PlantSettings { airspeed, altitude, .. } = settings;
+        let airspeed = settings.airspeed;
         let condition = match model.tunnel_air {
             Some(air) => format!("{airspeed} m/s in air of {} kg/m³", air.density),
-            None => format!("{airspeed} m/s and {altitude} m"),
+            None => format!("{airspeed} m/s and {}", settings.air_in_words()),
         };
         let list: Vec<String> = exceeded.iter().map(ToString::to_string).collect();
         (!list.is_empty()).then(|| format!("the trim at {condition} stands, but {}", list.join("; ")))

@@ -324,6 +324,11 @@ impl Plant {
         Plant { equations: self.equations.varied(tunnel_flow, stiffness), ..self.clone() }
     }
 
+    /// From now on the standard atmosphere is warmer by so many K.
+    pub(crate) fn take_temperature_offset(&mut self, offset: f64) {
+        self.equations.take_temperature_offset(offset);
+    }
+
     /// Velocity of the air mass in the axes of the state, that of a tunnel's flow included, m/s.
     pub(crate) fn air_mass_velocity(&self, controls: &Controls) -> Vector3<f64> {
         controls.wind + self.equations.tunnel_flow

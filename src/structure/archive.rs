@@ -5,14 +5,14 @@
 
 use nalgebra::Vector3;
 
-use crate::aircraft::{ALTITUDES, Flap, MOST_INFLOW_STATES, Support};
+use crate::aircraft::{ALTITUDES, Flap, MOST_INFLOW_STATES, Support, TEMPERATURE_OFFSETS};
 use crate::sealed::hash;
 
 use super::cuts::{ROUNDING, is_unit};
 use super::{BeamSection, Carrier, ModeFamily, ModeShapes, ReducedMass, ReducedModel, StructureError};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXAIR08";
+const MAGIC: &[u8; 8] = b"FLXAIR09";
 
 /// Bytes before the payload.
 const HEADER: usize = 8 + 8 + 16;
@@ -79,6 +79,7 @@ impl ReducedModel {
             && self.gravity.is_finite()
             && self.support.airspeeds().contains(&self.airspeed)
             && ALTITUDES.contains(&self.altitude)
+            && TEMPERATURE_OFFSETS.contains(&self.temperature_offset)
             && self.tunnel_air.is_none_or(|air| positive(air.density) && positive(air.temperature))
             && self.mount.iter().all(|angle| angle.is_finite())
             && (self.support == Support::Clamped
@@ -222,5 +223,6 @@ mod tests {
         assert!(is_refused(|jet| jet.strips[0].span = jet.strips[0].forward), "a strip has no normal");
         assert!(is_refused(|jet| jet.engines[0].direction *= 2.0), "an engine pushes twice");
         assert!(is_refused(|jet| jet.stations[0].twist_axis.x = f64::NAN), "a station has no axis");
+        assert!(is_refused(|jet| jet.temperature_offset = -61.0), "the air is too cold");
     }
 }

@@ -43,6 +43,8 @@ pub struct ReducedModel {
     pub airspeed: f64,
     /// Default altitude, m.
     pub altitude: f64,
+    /// By how much the air is warmer than the standard atmosphere, K.
+    pub temperature_offset: f64,
     /// What its trims should stay within.
     pub limits: Limits,
     /// The air around a clamped aircraft; `None`: that of the standard atmosphere.
@@ -219,6 +221,7 @@ impl ReducedModel {
             inflow_states: aircraft.inflow_states,
             airspeed: aircraft.airspeed,
             altitude: aircraft.altitude,
+            temperature_offset: aircraft.temperature_offset,
             limits: aircraft.limits,
             tunnel_air: aircraft.tunnel_air,
             mount: aircraft.mount,

@@ -133,7 +133,7 @@ fn missing_top_field() {
     assert_messages(
         &[("support = \"free\"\n", "")],
         &[
-            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, model, inflow_states, airspeed_m_s, altitude_m, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, basis, reference, limits, control, component, engine, station, cut",
+            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, model, inflow_states, airspeed_m_s, altitude_m, temperature_offset_K, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, basis, reference, limits, control, component, engine, station, cut",
         ],
     );
 }
@@ -277,10 +277,10 @@ fn too_many_inflow_states() {
 #[test]
 fn a_trim_where_nothing_flies() {
     assert_messages(
-        &[("inflow_states = 5", "inflow_states = 5\nairspeed_m_s = 0\naltitude_m = 30000")],
+        &[("inflow_states = 5", "inflow_states = 5\nairspeed_m_s = 0\naltitude_m = 31000")],
         &[
             "small.toml:7:16: airspeed_m_s: found 0; an airspeed in m/s from 1 to 400 is allowed, with support = \"clamped\" from 0 on",
-            "small.toml:8:14: altitude_m: found 30000; an altitude in metres from -1000 to 20000 is allowed",
+            "small.toml:8:14: altitude_m: found 31000; an altitude in metres from -1000 to 30000 is allowed",
         ],
     );
 }

@@ -75,6 +75,7 @@ impl Cantilever {
             inflow_states: 0,
             airspeed: 127.0,
             altitude: 7620.0,
+            temperature_offset: 0.0,
             reference: GivenReference::default(),
             limits: Limits::default(),
             controls: Vec::new(),

@@ -47,6 +47,7 @@ pub fn plant(model: &ReducedModel, fidelity: Fidelity) -> Plant {
         stiffness_scale: 1.0,
         structural_damping: 0.0,
         inflow_states: 0,
+        temperature_offset: 0.0,
         tunnel_flow: Vector3::zeros(),
     };
     Plant::new(model, &configuration)

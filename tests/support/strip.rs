@@ -107,6 +107,7 @@ fn configuration(inflow_states: usize) -> Configuration {
         stiffness_scale: 1.0,
         structural_damping: 0.0,
         inflow_states,
+        temperature_offset: 0.0,
         tunnel_flow: Vector3::zeros(),
     }
 }
@@ -133,6 +134,7 @@ fn model(strip: ReducedStrip) -> ReducedModel {
         inflow_states: 0,
         airspeed: 127.0,
         altitude: 7620.0,
+        temperature_offset: 0.0,
         limits: Limits::default(),
         tunnel_air: None,
         mount: Vector3::zeros(),

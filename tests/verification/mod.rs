@@ -3,6 +3,7 @@
 mod actuators;
 mod any_basis;
 mod asymmetry;
+mod atmosphere;
 mod beam;
 mod coincident_nodes;
 mod conservation;

@@ -81,6 +81,7 @@ const CLAIMS: &[Claim] = &[
         "flexible_wings",
         &["patils-wing", "very-flexible-wing", "very-flexible-wing-flutter", "pazy"],
     ),
+    ("Standard and other atmospheres", "atmosphere", &["warm-day", "stratosphere"]),
     ("High altitude, long endurance", "high_altitude", &["flying-wing", "high-altitude"]),
 ];
 

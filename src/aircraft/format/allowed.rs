@@ -1,7 +1,7 @@
 //! The numbers that a quantity can take: wide ranges for anything that flies, narrow enough to find slips of
 //! the pen and to keep the arithmetic that follows far from overflow.
 
-use crate::aircraft::model::{AIRSPEEDS, ALTITUDES, TUNNEL_SPEEDS};
+use crate::aircraft::model::{AIRSPEEDS, ALTITUDES, TEMPERATURE_OFFSETS, TUNNEL_SPEEDS};
 
 /// The numbers that a quantity can take.
 #[derive(Debug)]
@@ -103,6 +103,10 @@ pub static FLIGHT_SPEED: Allowed =
     Allowed::new("an airspeed in m/s", Range::Closed(*AIRSPEEDS.start(), *AIRSPEEDS.end()));
 pub static ALTITUDE: Allowed =
     Allowed::new("an altitude in metres", Range::Closed(*ALTITUDES.start(), *ALTITUDES.end()));
+pub static TEMPERATURE_OFFSET: Allowed = Allowed::new(
+    "a difference of temperatures in K",
+    Range::Closed(*TEMPERATURE_OFFSETS.start(), *TEMPERATURE_OFFSETS.end()),
+);
 pub static DENSITY: Allowed = Allowed::new("a density in kg/m³", Range::Closed(1e-9, 1e5));
 pub static TEMPERATURE: Allowed = Allowed::new("a temperature in K", Range::Closed(1.0, 2000.0));
 pub static MACH: Allowed = Allowed::new("a Mach number", Range::Above(0.0, 10.0));
