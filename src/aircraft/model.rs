@@ -213,6 +213,8 @@ pub struct Strip {
     ///
     /// [theory: air-loads.moment]
     pub zero_lift_moment: f64,
+    /// c_mα, 1/rad: slope of the moment coefficient about the quarter chord, nose-up [theory: air-loads.moment-slope].
+    pub moment_slope: f64,
     /// CD0.
     pub profile_drag: f64,
     /// η: share of the two-dimensional leading-edge suction that is recovered [theory: air-loads.suction].
@@ -228,6 +230,10 @@ pub struct Flap {
     pub lift_slope: f64,
     /// Hinge position as a fraction of the chord from the leading edge, 0…1 exclusive.
     pub hinge: f64,
+    /// c_mδ, 1/rad: moment coefficient about the quarter chord, nose-up; `None`: that of thin-aerofoil theory.
+    pub moment_slope: Option<f64>,
+    /// k, 1/rad²: profile drag per square of its angle, ≥ 0 [theory: air-loads.drag].
+    pub drag: f64,
     /// Its angle per angle of each control of the aircraft; a positive angle is trailing edge towards +n ("down").
     pub gains: Vec<f64>,
 }

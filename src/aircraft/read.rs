@@ -277,6 +277,7 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
         width: law(&surface::WIDTH),
         zero_lift_offset: law(&surface::ZERO_LIFT_OFFSET),
         zero_lift_moment: law(&surface::ZERO_LIFT_MOMENT),
+        moment_slope: law(&surface::MOMENT_SLOPE),
         leading_edge_suction: law(&surface::SUCTION),
         flap: flap.and_then(|v| read_flap(&v)),
         moves: moves.into_iter().flatten().collect(),
@@ -290,7 +291,9 @@ fn read_flap(value: &Value) -> Option<FlapSpec> {
     let table = value.table()?;
     let lift_slope = table.required(&surface::FLAP_LIFT).and_then(|v| v.number());
     let hinge = table.required(&surface::HINGE).and_then(|v| v.number());
-    Some(FlapSpec { lift_slope: lift_slope?, hinge: hinge? })
+    let moment_slope = table.optional(&surface::FLAP_MOMENT).and_then(|v| v.number());
+    let drag = table.number(&surface::FLAP_DRAG);
+    Some(FlapSpec { lift_slope: lift_slope?, hinge: hinge?, moment_slope, drag })
 }
 
 fn read_move(table: &Table) -> Option<MoveSpec> {

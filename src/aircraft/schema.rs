@@ -115,6 +115,8 @@ pub(super) struct SurfaceSpec {
     /// degrees.
     pub(super) zero_lift_offset: Option<Law>,
     pub(super) zero_lift_moment: Option<Law>,
+    /// per rad.
+    pub(super) moment_slope: Option<Law>,
     pub(super) profile_drag: Law,
     pub(super) leading_edge_suction: Option<Law>,
     pub(super) flap: Option<FlapSpec>,
@@ -125,6 +127,8 @@ pub(super) struct SurfaceSpec {
 pub(super) struct FlapSpec {
     pub(super) lift_slope: f64,
     pub(super) hinge: f64,
+    pub(super) moment_slope: Option<f64>,
+    pub(super) drag: f64,
 }
 
 pub(super) struct ControlSpec {

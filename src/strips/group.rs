@@ -83,10 +83,12 @@ impl Group {
                 lift_slope: lanes(&|strip| strip.lift_slope, 0.0),
                 profile_drag: lanes(&|strip| strip.profile_drag, 0.0),
                 zero_lift_moment: lanes(&|strip| 2.0 * strip.zero_lift_moment, 0.0),
+                moment_slope: if_any(lanes(&|strip| 2.0 * strip.moment_slope, 0.0)),
                 suction_loss: lanes(&suction_loss, 0.0),
                 flap_lift: flap(&|effect| effect.lift),
                 flap_drag: lanes(&flap_drag, 0.0),
                 flap_moment: flap(&|effect| effect.moment),
+                flap_profile_drag: if_any(lanes(&flap_profile_drag, 0.0)),
             },
             gains: coefficients(&|factor| matches!(factor, FlapFactor::Angle(_))),
             squared_gains: coefficients(&|factor| matches!(factor, FlapFactor::Product(_))),
@@ -191,7 +193,7 @@ fn suction_loss(strip: &ReducedStrip) -> f64 {
 }
 
 /// (1 − η)(CLδ c1)²/CLα, 1/rad.
-pub(crate) fn flap_drag(strip: &ReducedStrip) -> f64 {
+fn flap_drag(strip: &ReducedStrip) -> f64 {
     match &strip.flap {
         Some(flap) if strip.lift_slope != 0.0 => {
             let lift = FlapEffect::new(flap).lift;
@@ -201,10 +203,25 @@ pub(crate) fn flap_drag(strip: &ReducedStrip) -> f64 {
     }
 }
 
+/// k, 1/rad².
+fn flap_profile_drag(strip: &ReducedStrip) -> f64 {
+    strip.flap.as_ref().map_or(0.0, |flap| flap.drag)
+}
+
+/// Whether a strip's flap makes a drag that is proportional to δ².
+pub(crate) fn drags_by_flap(strip: &ReducedStrip) -> bool {
+    flap_drag(strip) != 0.0 || flap_profile_drag(strip) != 0.0
+}
+
+/// Numbers of which one at least is not zero.
+fn if_any(numbers: Eight) -> Option<Eight> {
+    (numbers != Eight::ZERO).then_some(numbers)
+}
+
 /// The coefficient of a factor in a strip's δ; in its δ² where that drags.
 fn coefficient(strip: &ReducedStrip, factor: FlapFactor) -> f64 {
     match factor {
-        FlapFactor::Product(_) if flap_drag(strip) == 0.0 => 0.0,
+        FlapFactor::Product(_) if !drags_by_flap(strip) => 0.0,
         _ => strip.flap.as_ref().map_or(0.0, |flap| factor.coefficient(&flap.gains)),
     }
 }

@@ -92,7 +92,11 @@ impl Group {
         let (angle, squared) = (sum(&self.gains), sum(&self.squared_gains));
         let width = window.load(&self.width);
         let along = (loads.forward + flaps.forward * angle - flaps.drag * squared) * width;
-        let down = (loads.down + flaps.down * angle) * width;
+        let mut down = loads.down + flaps.down * angle;
+        if let Some(across) = flaps.drag_across {
+            down = down - across * squared;
+        }
+        let down = down * width;
         let pitching = (loads.pitching + flaps.pitching * angle) * width;
         Resultant {
             position: position.vector(),

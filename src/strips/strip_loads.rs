@@ -48,6 +48,8 @@ pub struct StripFlapLoads<S: Arithmetic> {
     moment: Lanes<S>,
     /// Per radian squared: N along −f.
     drag: Lanes<S>,
+    /// Per radian squared: N per √kg along −heave, where there is any.
+    drag_across: Option<Lanes<S>>,
 }
 
 /// Properties of whole strips that distributing their loads needs.
@@ -191,6 +193,10 @@ impl<S: Arithmetic> StripFlapLoads<S> {
             forward: loads.forward * sizes.width,
             moment: loads.pitching * sizes.width,
             drag: loads.drag * sizes.width,
+            drag_across: match loads.drag_across {
+                Some(across) => Some(across * sizes.width * per_root_mass),
+                None => None,
+            },
         }
     }
 
@@ -203,6 +209,10 @@ impl<S: Arithmetic> StripFlapLoads<S> {
     /// The generalised force along a component of ν, per radian squared.
     #[inline(always)]
     pub fn drag_on(&self, displacement: &Displacement<S>) -> Lanes<S> {
-        -(displacement.forward * self.drag)
+        let along = -(displacement.forward * self.drag);
+        match self.drag_across {
+            Some(across) => along - displacement.heave * across,
+            None => along,
+        }
     }
 }

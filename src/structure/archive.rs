@@ -93,6 +93,7 @@ impl ReducedModel {
                     && is_unit(&strip.span)
                     && strip.forward.dot(&strip.span).abs() < ROUNDING
                     && strip.zero_lift_moment.is_finite()
+                    && strip.moment_slope.is_finite()
                     && positive(strip.width)
                     && strip.flap.as_ref().is_none_or(Flap::is_physical)
             })
@@ -164,7 +165,12 @@ impl ReducedModel {
 impl Flap {
     /// Whether it is such as an aircraft file allows.
     fn is_physical(&self) -> bool {
-        self.hinge > 0.0 && self.hinge < 1.0 && self.gains.iter().all(|gain| gain.is_finite())
+        self.hinge > 0.0
+            && self.hinge < 1.0
+            && self.moment_slope.is_none_or(f64::is_finite)
+            && self.drag.is_finite()
+            && self.drag >= 0.0
+            && self.gains.iter().all(|gain| gain.is_finite())
     }
 }
 
@@ -223,6 +229,12 @@ mod tests {
         assert!(is_refused(|jet| jet.strips[0].span = jet.strips[0].forward), "a strip has no normal");
         assert!(is_refused(|jet| jet.engines[0].direction *= 2.0), "an engine pushes twice");
         assert!(is_refused(|jet| jet.stations[0].twist_axis.x = f64::NAN), "a station has no axis");
+        assert!(is_refused(|jet| jet.strips[0].moment_slope = f64::NAN), "a strip has no moment");
+        let flap = |jet: &mut ReducedModel, change: fn(&mut Flap)| {
+            change(jet.strips.iter_mut().find_map(|strip| strip.flap.as_mut()).unwrap());
+        };
+        assert!(is_refused(|jet| flap(jet, |flap| flap.drag = -0.1)), "a flap propels");
+        assert!(is_refused(|jet| flap(jet, |flap| flap.moment_slope = Some(f64::NAN))), "a flap has no moment");
         assert!(is_refused(|jet| jet.temperature_offset = -61.0), "the air is too cold");
     }
 }

@@ -100,6 +100,8 @@ pub struct ReducedStrip {
     pub zero_lift_offset: f64,
     /// c_m0: the section's moment coefficient about its aerodynamic centre.
     pub zero_lift_moment: f64,
+    /// c_mα, 1/rad.
+    pub moment_slope: f64,
     /// CD0.
     pub profile_drag: f64,
     /// η.
@@ -337,6 +339,7 @@ fn reduced_strips(structure: &Structure, tree: &SectionTree, shapes: &DMatrix<f6
         lift_slope: strip.lift_slope,
         zero_lift_offset: strip.zero_lift_offset,
         zero_lift_moment: strip.zero_lift_moment,
+        moment_slope: strip.moment_slope,
         profile_drag: strip.profile_drag,
         leading_edge_suction: strip.leading_edge_suction,
         flap: strip.flap.clone(),

@@ -256,6 +256,7 @@ impl Reflection {
                 strip.elastic_axis_aft_of_midchord,
                 strip.width,
                 strip.lift_slope,
+                strip.moment_slope,
                 strip.profile_drag,
                 strip.leading_edge_suction,
             ]
@@ -342,6 +343,7 @@ mod tests {
         assert!(!has_half(|jet| jet.strips[fin].zero_lift_offset = 0.01));
         assert!(!has_half(|jet| jet.strips[fin].zero_lift_moment = 0.01));
         assert!(!has_half(|jet| jet.strips[3].zero_lift_moment = -0.1));
+        assert!(!has_half(|jet| jet.strips[3].moment_slope = 0.1));
     }
 
     #[test]

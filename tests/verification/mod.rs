@@ -34,6 +34,7 @@ mod load_modes;
 mod load_modes_flutter;
 mod loaded_wing;
 mod manoeuvres;
+mod measured_sections;
 mod modal_integrals;
 mod outputs;
 mod point_loads;

@@ -76,6 +76,7 @@ const CLAIMS: &[Claim] = &[
     ("Dead forces", "point_loads", &["dead-force"]),
     ("A loaded wing", "loaded_wing", &["flutter-loaded", "weightless-rod"]),
     ("Wind tunnel", "wind_tunnel", &["divergence"]),
+    ("Measured sections", "measured_sections", &["divergence-moment-slope"]),
     (
         "Very flexible wings",
         "flexible_wings",

@@ -131,6 +131,10 @@ pub static LIFT_SLOPE: Allowed = Allowed::new("a lift slope per radian", Range::
 pub static FLAP_LIFT_SLOPE: Allowed = Allowed::new("a lift slope per radian", Range::Closed(1e-6, 100.0));
 pub static DRAG_COEFFICIENT: Allowed = Allowed::new("a drag coefficient", Range::Closed(0.0, 10.0));
 pub static MOMENT_COEFFICIENT: Allowed = Allowed::new("a moment coefficient", Range::Closed(-10.0, 10.0));
+pub static MOMENT_COEFFICIENT_SLOPE: Allowed =
+    Allowed::new("a slope of a moment coefficient per radian", Range::Closed(-100.0, 100.0));
+pub static FLAP_DRAG_COEFFICIENT: Allowed =
+    Allowed::new("a drag coefficient per square radian", Range::Closed(0.0, 100.0));
 pub static GAIN: Allowed = Allowed::new("a gain", Range::Closed(-100.0, 100.0));
 pub static INSIDE_THE_CHORD: Allowed = Allowed {
     quantity: "a fraction of the chord behind the leading edge",
