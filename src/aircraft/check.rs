@@ -85,12 +85,58 @@ pub(super) fn symmetry(assembly: &Assembly, file: &FileSpec, report: &Report) {
             complain(place, format!("a mass of {} kg", bay.mass));
         }
     }
-    let engines = pair_off(&aircraft.engines, |one, other| mirror.engines(one, other));
+    let engines = pair_off(&aircraft.engines, |one, other| mirror.engines(one, other) && run_mirrored(one, other));
     for ((engine, spec), image) in aircraft.engines.iter().zip(&file.engines).zip(engines) {
-        if image.is_none() {
-            complain(&spec.name.place, format!("the engine \"{}\"", engine.name));
+        let Engine { name, .. } = engine;
+        let mut in_place = aircraft.engines.iter().filter(|other| mirror.engines(engine, other));
+        match (image, in_place.next()) {
+            (Some(_), _) => {}
+            (None, None) => complain(&spec.name.place, format!("the engine \"{name}\"")),
+            (None, Some(other)) => {
+                let (found, allowed) = odd_engines(engine, other);
+                report.add(Problem::NotSymmetric, &spec.name.place, found, allowed);
+            }
         }
     }
+}
+
+/// Some engine has thrust in trims, where there are any.
+pub(super) fn trim_shares(aircraft: &Aircraft, file: &FileSpec, report: &Report) {
+    let Some(first) = file.engines.first() else { return };
+    if aircraft.engines.iter().all(|engine| engine.trim_share == 0.0) {
+        let place = first.name.place.clone();
+        let found = "found trim_share = 0 of all engines: none has thrust in trims";
+        report.add(Problem::OutOfRange, &place, found, "more than 0 is allowed of one at least");
+    }
+}
+
+/// Whether engines that are mirror images by their places are so by what they do: axes of rotation turn the other way in a mirror.
+fn run_mirrored(one: &Engine, other: &Engine) -> bool {
+    same(one.torque, -other.torque)
+        && same(one.angular_momentum, -other.angular_momentum)
+        && same(one.trim_share, other.trim_share)
+}
+
+/// What is found and what is allowed where they are not.
+fn odd_engines(one: &Engine, other: &Engine) -> (String, String) {
+    let (field, found, image, allowed) = if !same(one.torque, -other.torque) {
+        ("torque_m", one.torque, other.torque, -other.torque)
+    } else if !same(one.angular_momentum, -other.angular_momentum) {
+        ("angular_momentum_kg_m2_s", one.angular_momentum, other.angular_momentum, -other.angular_momentum)
+    } else {
+        ("trim_share", one.trim_share, other.trim_share, other.trim_share)
+    };
+    let name = &one.name;
+    if one.name == other.name {
+        let found = format!("found {field} = {found} of the engine \"{name}\" in the plane y = 0, while symmetric = true");
+        return (found, "0 is allowed there, or symmetric = false".to_owned());
+    }
+    let found = format!(
+        "found {field} = {found} of the engine \"{name}\", and {image} of its mirror image \"{}\", while symmetric = true",
+        other.name
+    );
+    // 0 and not −0.
+    (found, format!("{} is allowed, or symmetric = false", allowed + 0.0))
 }
 
 /// The image of each part, if it has one: itself or another, each taken once.

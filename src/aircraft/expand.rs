@@ -352,7 +352,8 @@ fn attach(name: &Located<String>, along: &Along, placed: &[Placed], report: &Rep
 fn engine(spec: &EngineSpec, placed: &[Placed], report: &Report) -> Option<Engine> {
     let attachment = attach(&spec.component, &spec.along, placed, report)?;
     let name = spec.name.value.clone();
-    Some(Engine { name, attachment, offset: spec.offset, direction: spec.direction })
+    let EngineSpec { offset, direction, torque, angular_momentum, trim_share, .. } = *spec;
+    Some(Engine { name, attachment, offset, direction, torque, angular_momentum, trim_share })
 }
 
 fn station(spec: &StationSpec, placed: &[Placed], aircraft: &Aircraft, report: &Report) -> Option<Station> {

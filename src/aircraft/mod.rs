@@ -129,6 +129,7 @@ impl Aircraft {
         let file = report.conclude(file, file_name)?;
         let assembly = report.conclude(expand::expand(&file, &report), file_name)?;
         check::mass(&assembly.aircraft, &report);
+        check::trim_shares(&assembly.aircraft, &file, &report);
         control_check::roles(&assembly.aircraft, &file, &report);
         if file.symmetric {
             check::symmetry(&assembly, &file, &report);

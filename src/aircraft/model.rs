@@ -256,6 +256,12 @@ pub struct Engine {
     pub offset: Vector3<f64>,
     /// Unit vector of positive thrust, body axes.
     pub direction: Vector3<f64>,
+    /// N·m per N of thrust, right-handed about the direction [theory: gravity-and-thrust.torque].
+    pub torque: f64,
+    /// Of what turns in it, along the direction, kg·m²/s [theory: gravity-and-thrust.gyroscopic].
+    pub angular_momentum: f64,
+    /// In what proportion it has the thrust of trims, ≥ 0 [theory: trim.shares].
+    pub trim_share: f64,
 }
 
 /// A beam of several elements, and what it hangs on.

@@ -133,7 +133,7 @@ impl EquationsOfMotion {
             kinematics: AnyKind::new(model, edge_on, terms.superposed_strains),
             strips,
             controls: model.controls.clone(),
-            engines: Engines::new(model),
+            engines: Engines::new(model, !terms.deformed_forcing),
             station_loads: StationLoads::default(),
             cuts: Cuts::new(model),
             inflow,

@@ -34,6 +34,9 @@ fn with_options(mut model: ReducedModel) -> ReducedModel {
             flap.drag = 0.4 + 0.02 * place as f64;
         }
     }
+    for (engine, sense) in model.engines.iter_mut().zip([1.0, -1.0]) {
+        (engine.torque, engine.angular_momentum) = (-0.2 * sense, 800.0 * sense);
+    }
     model
 }
 

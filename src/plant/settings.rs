@@ -101,6 +101,7 @@ impl PlantSettings {
     pub fn choose_modes(&self, model: &ReducedModel) -> Result<ModesInUse, SettingError> {
         self.check(model.support)?;
         self.condition.check(model.support, model.engines.len())?;
+        self.check_thrust(model)?;
         if self.fidelity == Fidelity::Rigid {
             return Ok(ModesInUse::chosen(&[]));
         }
@@ -125,6 +126,17 @@ impl PlantSettings {
                 .or_else(|error| refuse("load_modes", "true", &format!("false: {error}"))),
             (true, false) => refuse("load_modes", "true", "false: the model has none"),
         }
+    }
+
+    /// That an engine with a share of the thrust runs.
+    fn check_thrust(&self, model: &ReducedModel) -> Result<(), SettingError> {
+        let Some(failed) = self.condition.manoeuvre().failed_engine else { return Ok(()) };
+        let mut others = model.engines.iter().enumerate().filter(|(engine, _)| *engine != failed);
+        if model.support == Support::Clamped || others.any(|(_, engine)| engine.trim_share > 0.0) {
+            return Ok(());
+        }
+        let allowed = "one beside which another has a `trim_share` above 0";
+        refuse("condition.failed_engine", failed + 1, allowed)
     }
 
     /// The flight to be trimmed.

@@ -9,7 +9,9 @@ use crate::aircraft::{ALTITUDES, Flap, MOST_INFLOW_STATES, Support, TEMPERATURE_
 use crate::sealed::hash;
 
 use super::cuts::{ROUNDING, is_unit};
-use super::{BeamSection, Carrier, ModeFamily, ModeShapes, ReducedMass, ReducedModel, StructureError};
+use super::{
+    BeamSection, Carrier, ModeFamily, ModeShapes, ReducedEngine, ReducedMass, ReducedModel, StructureError,
+};
 
 /// Names the format and its version.
 const MAGIC: &[u8; 8] = b"FLXAIR09";
@@ -97,7 +99,8 @@ impl ReducedModel {
                     && positive(strip.width)
                     && strip.flap.as_ref().is_none_or(Flap::is_physical)
             })
-            && self.engines.iter().all(|engine| is_unit(&engine.direction))
+            && self.engines.iter().all(ReducedEngine::is_physical)
+            && (self.engines.is_empty() || self.engines.iter().any(|engine| engine.trim_share > 0.0))
             && self.stations.iter().all(|station| is_unit(&station.twist_axis))
     }
 
@@ -159,6 +162,17 @@ impl ReducedModel {
         }
         let counts = [self.strips.len(), self.engines.len(), self.stations.len(), self.masses.len()];
         self.cuts.iter().find_map(|cut| cut.fault(counts))
+    }
+}
+
+impl ReducedEngine {
+    /// Whether it is such as an aircraft file allows.
+    fn is_physical(&self) -> bool {
+        is_unit(&self.direction)
+            && self.torque.is_finite()
+            && self.angular_momentum.is_finite()
+            && self.trim_share.is_finite()
+            && self.trim_share >= 0.0
     }
 }
 
@@ -235,6 +249,8 @@ mod tests {
         };
         assert!(is_refused(|jet| flap(jet, |flap| flap.drag = -0.1)), "a flap propels");
         assert!(is_refused(|jet| flap(jet, |flap| flap.moment_slope = Some(f64::NAN))), "a flap has no moment");
+        assert!(is_refused(|jet| jet.engines[1].angular_momentum = f64::NAN), "an engine turns without end");
+        assert!(is_refused(|jet| jet.engines.iter_mut().for_each(|engine| engine.trim_share = 0.0)), "no thrust");
         assert!(is_refused(|jet| jet.temperature_offset = -61.0), "the air is too cold");
     }
 }

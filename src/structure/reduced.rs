@@ -141,6 +141,12 @@ pub struct ReducedEngine {
     pub carrier: Carrier,
     /// Unit vector of positive thrust.
     pub direction: Vector3<f64>,
+    /// About it, N·m per N.
+    pub torque: f64,
+    /// Of what turns in it, along the direction, kg·m²/s.
+    pub angular_momentum: f64,
+    /// In what proportion it has the thrust of trims.
+    pub trim_share: f64,
     /// At the point of action.
     pub shapes: ModeShapes,
 }
@@ -359,6 +365,9 @@ fn reduced_engines(structure: &Structure, tree: &SectionTree, shapes: &DMatrix<f
             position: geometry.position(engine.attachment.fraction) + engine.offset,
             carrier: Carrier::own(tree.at(engine.attachment)),
             direction: engine.direction,
+            torque: engine.torque,
+            angular_momentum: engine.angular_momentum,
+            trim_share: engine.trim_share,
             shapes: ModeShapes {
                 translation: structure.apply_map(beam, &displacement, shapes),
                 rotation: structure.apply_map(beam, &rotation, shapes),

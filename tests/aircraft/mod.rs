@@ -6,6 +6,7 @@ mod bad_fields;
 mod basis;
 mod controls;
 mod cuts;
+mod engines;
 mod format_cases;
 mod format_edits;
 mod format_page;

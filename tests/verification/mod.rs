@@ -41,6 +41,7 @@ mod point_loads;
 mod record;
 mod refusals;
 mod rigid_modes;
+mod rotors;
 mod sears;
 mod section_loads;
 mod section_loads_summed;

@@ -56,6 +56,7 @@ const CLAIMS: &[Claim] = &[
     ),
     ("Static margin", "static_margin", &["static-margin", "static-margin-half", "neutral-point"]),
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
+    ("What turns in engines", "rotors", &["gyrostat", "whirl", "rotors-conservation"]),
     ("Energy balance in air", "energy_balance", &["energy-balance"]),
     ("Phugoid and short period", "rigid_modes", &["rigid-modes"]),
     ("A held section in a gust", "sears", &["sears", "kussner"]),

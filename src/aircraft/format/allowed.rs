@@ -112,6 +112,12 @@ pub static TEMPERATURE: Allowed = Allowed::new("a temperature in K", Range::Clos
 pub static MACH: Allowed = Allowed::new("a Mach number", Range::Above(0.0, 10.0));
 pub static THRUST: Allowed = Allowed::new("a thrust in N", Range::Closed(-1e9, 1e9));
 
+pub static TORQUE_PER_THRUST: Allowed =
+    Allowed::new("a torque in N m per N of thrust", Range::Closed(-100.0, 100.0));
+pub static ANGULAR_MOMENTUM: Allowed =
+    Allowed::new("an angular momentum in kg m²/s", Range::Closed(-1e9, 1e9));
+pub static THRUST_SHARE: Allowed = Allowed::new("a share of the thrust", Range::Closed(0.0, 1e6));
+
 pub static LENGTH: Allowed = Allowed::new("a length in metres", Range::Closed(-1000.0, 1000.0));
 pub static POSITIVE_LENGTH: Allowed = Allowed::new("a length in metres", Range::Closed(1e-6, 1000.0));
 /// Along a component, which ends somewhere.
