@@ -130,7 +130,11 @@ impl ConditionOptions {
             [("--altitude", self.altitude), ("--temperature-offset", self.temperature_offset)]
         {
             if let (Some(found), Some(_)) = (given, &aircraft.tunnel_air) {
-                return Err(Error::TunnelAir { option, found, aircraft: self.aircraft.display().to_string() });
+                return Err(Error::TunnelAir {
+                    option,
+                    found,
+                    aircraft: self.aircraft.display().to_string(),
+                });
             }
         }
         Ok(aircraft)

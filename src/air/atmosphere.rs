@@ -165,9 +165,12 @@ mod tests {
     fn pressures_and_temperatures_are_those_of_the_standard_where_its_layers_meet() {
         // U.S. Standard Atmosphere 1976, whose lower part is that of ISO 2533: geopotential altitude (m), pressure (Pa),
         // temperature (K) at the bases of its layers; the last is the top of the third.
-        for (altitude, pressure, temperature) in
-            [(0.0, 101_325.0, 288.15), (11_000.0, 22_632.1, 216.65), (20_000.0, 5474.89, 216.65), (32_000.0, 868.02, 228.65)]
-        {
+        for (altitude, pressure, temperature) in [
+            (0.0, 101_325.0, 288.15),
+            (11_000.0, 22_632.1, 216.65),
+            (20_000.0, 5474.89, 216.65),
+            (32_000.0, 868.02, 228.65),
+        ] {
             let air = Air::at(altitude);
             assert!((air.temperature - temperature).abs() < 1e-9, "{altitude}: {air:?}");
             assert!((air.pressure / pressure - 1.0).abs() < 5e-6, "{altitude}: {air:?}");
@@ -182,7 +185,10 @@ mod tests {
             for offset in [-60.0, 25.0] {
                 let air = Atmosphere::new(None, offset).at(altitude);
                 let ratio = (standard.temperature + offset) / standard.temperature;
-                assert_eq!((air.pressure, air.temperature), (standard.pressure, standard.temperature + offset));
+                assert_eq!(
+                    (air.pressure, air.temperature),
+                    (standard.pressure, standard.temperature + offset)
+                );
                 assert!((air.density * ratio / standard.density - 1.0).abs() < 1e-15, "{altitude}: {air:?}");
                 let sound = standard.speed_of_sound * ratio.sqrt();
                 assert!((air.speed_of_sound / sound - 1.0).abs() < 1e-15, "{altitude}: {air:?}");

@@ -85,7 +85,8 @@ pub(super) fn symmetry(assembly: &Assembly, file: &FileSpec, report: &Report) {
             complain(place, format!("a mass of {} kg", bay.mass));
         }
     }
-    let engines = pair_off(&aircraft.engines, |one, other| mirror.engines(one, other) && run_mirrored(one, other));
+    let engines =
+        pair_off(&aircraft.engines, |one, other| mirror.engines(one, other) && run_mirrored(one, other));
     for ((engine, spec), image) in aircraft.engines.iter().zip(&file.engines).zip(engines) {
         let Engine { name, .. } = engine;
         let mut in_place = aircraft.engines.iter().filter(|other| mirror.engines(engine, other));
@@ -128,7 +129,9 @@ fn odd_engines(one: &Engine, other: &Engine) -> (String, String) {
     };
     let name = &one.name;
     if one.name == other.name {
-        let found = format!("found {field} = {found} of the engine \"{name}\" in the plane y = 0, while symmetric = true");
+        let found = format!(
+            "found {field} = {found} of the engine \"{name}\" in the plane y = 0, while symmetric = true"
+        );
         return (found, "0 is allowed there, or symmetric = false".to_owned());
     }
     let found = format!(

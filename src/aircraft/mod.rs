@@ -82,8 +82,7 @@ pub use limits::{Bound, Bounds, Limits};
 pub use model::{
     AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Component, Cut, Engine, Flap, GivenReference,
     MOST_INFLOW_STATES, MassBay, MassGroup, ModeBasis, Station, Strip, Support, TEMPERATURE_OFFSETS,
-    TUNNEL_SPEEDS, TunnelAir,
-    WrittenComponent,
+    TUNNEL_SPEEDS, TunnelAir, WrittenComponent,
 };
 pub use reference::ReferenceLengths;
 pub use stations_along::StationsAlongError;

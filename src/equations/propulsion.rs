@@ -103,9 +103,10 @@ impl Engines {
         sections: &impl Sections,
         body_rate: &Vector3<f64>,
     ) -> impl Iterator<Item = Vector3<f64>> {
-        sections.engines().zip(&self.engines).map(|(section, engine)| {
-            momentum(&section, engine).cross(&section.angular_velocity(body_rate))
-        })
+        sections
+            .engines()
+            .zip(&self.engines)
+            .map(|(section, engine)| momentum(&section, engine).cross(&section.angular_velocity(body_rate)))
     }
 
     /// The angular momenta of all that turns in the engines, summed, body axes, kg·m²/s.
@@ -227,8 +228,7 @@ mod tests {
             effects.chunks_exact(velocities.len()).zip(sections.engines()).zip(engines.per_newton(&sections))
         {
             let motion = velocity + rate.cross(&acting.position) + section.velocity();
-            let expected =
-                acting.force.dot(&motion) + acting.moment.dot(&section.angular_velocity(&rate));
+            let expected = acting.force.dot(&motion) + acting.moment.dot(&section.angular_velocity(&rate));
             let [found, size] = power(effect);
             assert!((found - expected).abs() < 1e-13 * size, "{found} {expected} of {size}");
         }

@@ -41,7 +41,12 @@ fn with_options(mut model: ReducedModel) -> ReducedModel {
 }
 
 /// Rates of the jet, or of what of it moves in the mirror plane, in a disturbed flight with vectors of a given width.
-fn evaluate(arch: Arch, fidelity: Fidelity, in_plane: bool, options: fn(ReducedModel) -> ReducedModel) -> Vec<u64> {
+fn evaluate(
+    arch: Arch,
+    fidelity: Fidelity,
+    in_plane: bool,
+    options: fn(ReducedModel) -> ReducedModel,
+) -> Vec<u64> {
     let mut equations = if in_plane {
         let (model, edge_on) = jet_in_plane();
         EquationsOfMotion::in_plane(&options(model), &edge_on, &configuration(fidelity))
@@ -78,7 +83,8 @@ fn the_width_of_the_vectors_changes_no_bit() {
 fn steering_gives_the_same_bits_as_a_new_evaluation() {
     let jet = jet().select(&[0, 1, 2, 3, 4]);
     let models = [jet.clone(), with_options(jet)];
-    for (fidelity, model) in LEVELS.into_iter().flat_map(|fidelity| models.each_ref().map(|m| (fidelity, m))) {
+    for (fidelity, model) in LEVELS.into_iter().flat_map(|fidelity| models.each_ref().map(|m| (fidelity, m)))
+    {
         let equations = EquationsOfMotion::new(model, &configuration(fidelity));
         let mut state: Vec<f64> = (0..equations.layout().len()).map(|i| libm::sin(i as f64)).collect();
         state[equations.layout().velocity().start] = 127.0;

@@ -50,7 +50,8 @@ impl LimitExceeded {
         let used = plant.controls().iter().zip(&controls.angles);
         let used = used
             .map(|(control, &angle)| (LimitedQuantity::Control(control.name.clone()), control.limits, angle));
-        let thrust = thrusts(plant, trim).into_iter().map(|(quantity, value)| (quantity, limits.thrust, value));
+        let thrust =
+            thrusts(plant, trim).into_iter().map(|(quantity, value)| (quantity, limits.thrust, value));
         // What is clamped needs neither controls nor engines.
         let is_free = plant.support() == Support::Free;
         let used = used.chain(thrust).filter(|_| is_free);
@@ -87,9 +88,10 @@ fn thrusts(plant: &Plant, trim: &Trim) -> Vec<(LimitedQuantity, f64)> {
         }
         Some(_) => {
             let acting = trim.controls.thrust.iter().copied().filter(|acting| *acting != 0.0);
-            let [least, greatest] = acting.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, greatest], acting| {
-                [least.min(acting), greatest.max(acting)]
-            });
+            let [least, greatest] = acting
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, greatest], acting| {
+                    [least.min(acting), greatest.max(acting)]
+                });
             let ends = [least, greatest].into_iter().filter(|thrust| thrust.is_finite());
             ends.map(|thrust| (LimitedQuantity::ThrustOfOne, thrust)).collect()
         }

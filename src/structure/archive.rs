@@ -248,9 +248,15 @@ mod tests {
             change(jet.strips.iter_mut().find_map(|strip| strip.flap.as_mut()).unwrap());
         };
         assert!(is_refused(|jet| flap(jet, |flap| flap.drag = -0.1)), "a flap propels");
-        assert!(is_refused(|jet| flap(jet, |flap| flap.moment_slope = Some(f64::NAN))), "a flap has no moment");
+        assert!(
+            is_refused(|jet| flap(jet, |flap| flap.moment_slope = Some(f64::NAN))),
+            "a flap has no moment"
+        );
         assert!(is_refused(|jet| jet.engines[1].angular_momentum = f64::NAN), "an engine turns without end");
-        assert!(is_refused(|jet| jet.engines.iter_mut().for_each(|engine| engine.trim_share = 0.0)), "no thrust");
+        assert!(
+            is_refused(|jet| jet.engines.iter_mut().for_each(|engine| engine.trim_share = 0.0)),
+            "no thrust"
+        );
         assert!(is_refused(|jet| jet.temperature_offset = -61.0), "the air is too cold");
     }
 }

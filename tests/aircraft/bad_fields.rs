@@ -112,8 +112,8 @@ fn unknown_field_in_an_inline_table() {
     assert_messages(
         &[("hinge = 0.75", "hinges = 0.75")],
         &[
-            "small.toml:30:8: component.wing_right.surface[1].flap.hinge: the field \"hinge\" is missing; it is needed; allowed here: lift_slope_per_rad, hinge",
-            "small.toml:30:34: component.wing_right.surface[1].flap.hinges: found the unknown field \"hinges\"; allowed here: lift_slope_per_rad, hinge",
+            "small.toml:30:8: component.wing_right.surface[1].flap.hinge: the field \"hinge\" is missing; it is needed; allowed here: lift_slope_per_rad, hinge, moment_slope, drag",
+            "small.toml:30:34: component.wing_right.surface[1].flap.hinges: found the unknown field \"hinges\"; allowed here: lift_slope_per_rad, hinge, moment_slope, drag",
         ],
     );
 }

@@ -52,7 +52,10 @@ fn with_symmetric_mirrored_engines_turn_opposite_ways() {
         &with_engines("torque_m = 0.1", ""),
         "found torque_m = 0.1 of the engine \"left\", and 0 of its mirror image \"right\", while symmetric = true; 0 is allowed",
     );
-    is_refused_with(&with_engines("trim_share = 2", ""), "found trim_share = 2 of the engine \"left\", and 1 of its");
+    is_refused_with(
+        &with_engines("trim_share = 2", ""),
+        "found trim_share = 2 of the engine \"left\", and 1 of its",
+    );
     let free = with_engines(momentum, momentum).replace("symmetric = true", "symmetric = false");
     assert!(Aircraft::parse(&free, "jet.toml").is_ok());
 }
@@ -61,7 +64,8 @@ fn with_symmetric_mirrored_engines_turn_opposite_ways() {
 fn with_symmetric_an_engine_in_the_plane_turns_nothing() {
     let begin = JET.find("[[engine]]").unwrap();
     let end = begin + JET[begin..].find("[[station]]").unwrap();
-    let engine = "[[engine]]\nname = \"nose\"\ncomponent = \"fuselage_aft\"\nat_m = 4.9\ndirection = [1, 0, 0]\n";
+    let engine =
+        "[[engine]]\nname = \"nose\"\ncomponent = \"fuselage_aft\"\nat_m = 4.9\ndirection = [1, 0, 0]\n";
     let with = |more: &str| format!("{}{engine}{more}\n\n{}", &JET[..begin], &JET[end..]);
     assert!(Aircraft::parse(&with(""), "jet.toml").is_ok());
     is_refused_with(

@@ -55,7 +55,8 @@ fn a_warm_day_is_flown_as_the_standard_one_where_the_air_has_its_density() {
         for ((name, expected), found) in names.into_iter().zip(expected).zip(trim) {
             record.relative(&case(name), expected, 1e-9, found);
         }
-        let mach = there.air.mach * libm::sqrt(Air::at(altitude).temperature / (standard.temperature + offset));
+        let mach =
+            there.air.mach * libm::sqrt(Air::at(altitude).temperature / (standard.temperature + offset));
         record.relative(&case("Mach number"), mach, 1e-12, warm.air.mach);
         record.relative(&case("density (kg/m³)"), density, 1e-12, warm.air.density);
     }
@@ -80,7 +81,12 @@ fn the_highest_flights_are_held_by_the_standards_density() {
         });
         record.relative(&format!("{altitude} m: pitch (rad)"), pitch, 3e-5, found[0]);
         record.relative(&format!("{altitude} m: thrust (N)"), thrust, 3e-5, found[2]);
-        record.relative(&format!("{altitude} m: equivalent airspeed (m/s)"), pressure_speed / libm::sqrt(1.225), 3e-5, outputs.air.equivalent);
+        record.relative(
+            &format!("{altitude} m: equivalent airspeed (m/s)"),
+            pressure_speed / libm::sqrt(1.225),
+            3e-5,
+            outputs.air.equivalent,
+        );
     }
     record.finish();
 }

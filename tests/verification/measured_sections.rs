@@ -6,10 +6,11 @@ use std::sync::Arc;
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Settings, Simulation};
-use flexible_aircraft::plant::PlantSettings;
+use flexible_aircraft::plant::{Course, LinearInput, Plant, PlantSettings};
 use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
 
 use crate::support::strip::{DENSITY, PrescribedStrip, SEMICHORD, SPEED};
+use crate::support::{ELEVATOR, jet};
 
 use super::record::Record;
 
@@ -150,4 +151,33 @@ fn a_flap_with_a_moment_of_its_own_has_that_and_the_arm_of_its_lift() {
     let expected = 2.0 * coefficient * DENSITY * SEMICHORD * SEMICHORD * SPEED * SPEED * 0.2;
     assert!((moment(Some(coefficient)) / expected - 1.0).abs() < 1e-12);
     assert!((moment(None) / expected - 1.0).abs() > 0.1);
+}
+
+#[test]
+fn linear_models_have_the_slope_of_the_drag_at_the_flap_angle_of_the_trim() {
+    let settings = PlantSettings { fidelity: Fidelity::Rigid, inflow_states: 0, ..PlantSettings::of(&jet()) };
+    let plant = |drag: f64| {
+        let mut model = (*jet()).clone();
+        for flap in model.strips.iter_mut().filter_map(|strip| strip.flap.as_mut()) {
+            flap.drag = if flap.gains[ELEVATOR] == 0.0 { 0.0 } else { drag };
+        }
+        Plant::under(&model, &settings).unwrap()
+    };
+    let [plain, dragging] = [0.0, 1.5].map(plant);
+    let trim = plain.trim(&settings.trim_condition()).unwrap();
+    // What k adds to the effect of the elevator on the forward acceleration, 1/s² m, with the elevator elsewhere.
+    let added = |angle: f64| {
+        let mut trim = trim.clone();
+        trim.controls.angles[ELEVATOR] = angle;
+        let [one, other] = [&dragging, &plain].map(|plant| {
+            let model = plant.linear_model(&trim, Course::NORTH, |outputs| vec![outputs.acceleration.x]);
+            let column = model.inputs.iter().position(|input| *input == LinearInput::Control(ELEVATOR));
+            model.d[(0, column.unwrap())]
+        });
+        one - other
+    };
+    let [at_rest, down, up] = [0.0, 0.2, -0.1].map(added);
+    assert!(down < -0.1, "{down}");
+    assert!(at_rest.abs() < 1e-8 * down.abs(), "{at_rest} {down}");
+    assert!((up / down + 0.5).abs() < 1e-8, "{up} {down}");
 }

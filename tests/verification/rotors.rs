@@ -82,7 +82,11 @@ fn a_free_gyrostat_precesses_at_the_rate_of_the_closed_form() {
         record.absolute(&format!("{case}: cosine"), libm::cos(turned), 1e-10, found[1] / 0.2);
         record.absolute(&format!("{case}: sine"), libm::sin(turned), 1e-10, found[2] / 0.2);
         let drift = (after.angular_momentum - before.angular_momentum).norm();
-        record.rounding(&format!("{case}: drift of the angular momentum, the rotor's too"), 1e-10, drift / before.angular_momentum.norm());
+        record.rounding(
+            &format!("{case}: drift of the angular momentum, the rotor's too"),
+            1e-10,
+            drift / before.angular_momentum.norm(),
+        );
     }
     record.finish();
 }
@@ -174,11 +178,17 @@ fn energy_and_angular_momentum_are_kept_with_propellers_that_turn() {
         fly(&equations, &mut state, (2.0, steps));
         let after = Mechanics::new(&equations, &state);
         let energy = |mechanics: &Mechanics| mechanics.kinetic_energy + mechanics.strain_energy;
-        record.rounding(&format!("{fidelity:?}: energy"), 1e-9, (energy(&after) / energy(&before) - 1.0).abs());
-        let drift = (after.angular_momentum - before.angular_momentum).norm() / before.angular_momentum.norm();
+        record.rounding(
+            &format!("{fidelity:?}: energy"),
+            1e-9,
+            (energy(&after) / energy(&before) - 1.0).abs(),
+        );
+        let drift =
+            (after.angular_momentum - before.angular_momentum).norm() / before.angular_momentum.norm();
         record.rounding(&format!("{fidelity:?}: angular momentum"), 1e-9, drift);
         // What turns changes the motion.
-        let still = EquationsOfMotion::new(&ReducedModel { engines: Vec::new(), ..model.clone() }, &soft(fidelity));
+        let still =
+            EquationsOfMotion::new(&ReducedModel { engines: Vec::new(), ..model.clone() }, &soft(fidelity));
         let mut other = start();
         fly(&still, &mut other, (2.0, steps));
         let apart = layout.rate().map(|i| (state[i] - other[i]).abs()).fold(0.0, f64::max);
@@ -226,7 +236,10 @@ fn engines_have_the_thrust_of_a_trim_by_their_shares() {
     assert!((one / other - 1.0).abs() < 1e-9);
     let settings = PlantSettings { condition: failed, ..PlantSettings::of(&jet()) };
     let refused = Simulation::new(with_shares([1.0, 0.0]), &settings.into(), 0.0).unwrap_err().to_string();
-    assert!(refused.contains("condition.failed_engine: found 1") && refused.contains("trim_share"), "{refused}");
+    assert!(
+        refused.contains("condition.failed_engine: found 1") && refused.contains("trim_share"),
+        "{refused}"
+    );
 }
 
 #[test]
@@ -242,12 +255,18 @@ fn ailerons_hold_the_torque_of_propellers_that_turn_the_same_way() {
     let plant = Plant::under(&model, &settings).unwrap();
     let trim = plant.trim(&settings.trim_condition()).unwrap();
     // Rolling moment about O of everything but the torque, by the same aircraft without it.
-    let plain = Plant::under(&jet(), &PlantSettings { fidelity: Fidelity::Rigid, ..PlantSettings::of(&jet()) }).unwrap();
+    let plain =
+        Plant::under(&jet(), &PlantSettings { fidelity: Fidelity::Rigid, ..PlantSettings::of(&jet()) })
+            .unwrap();
     let mut workspace = plain.workspace();
     plain.rates(&trim.state, &trim.controls, &mut vec![0.0; trim.state.len()], &mut workspace);
     let rolling = workspace.forces()[3];
     assert!(point.roll_control.abs() > 1e-3, "{point:?}");
-    assert!((rolling + torque * thrusts).abs() < 1e-6 * (torque * thrusts).abs(), "{rolling} {}", torque * thrusts);
+    assert!(
+        (rolling + torque * thrusts).abs() < 1e-6 * (torque * thrusts).abs(),
+        "{rolling} {}",
+        torque * thrusts
+    );
 }
 
 #[test]
@@ -270,7 +289,8 @@ fn mirrored_propellers_let_half_the_aircraft_fly_for_the_whole() {
         let apart = (half.rate - whole.rate).amax().max((half.velocity - whole.velocity).amax());
         assert!(apart < 1e-7, "{fidelity:?}: {apart}");
         let tips = half.deflections.iter().zip(&whole.deflections);
-        let apart = tips.map(|(one, other)| (one.displacement - other.displacement).amax()).fold(0.0, f64::max);
+        let apart =
+            tips.map(|(one, other)| (one.displacement - other.displacement).amax()).fold(0.0, f64::max);
         assert!(apart < 1e-7, "{fidelity:?}: {apart}");
     }
     // In the same sense there is no half.

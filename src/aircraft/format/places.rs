@@ -1,6 +1,8 @@
 //! Places along components, and what there is at them: `[[engine]]`, `[[station]]`, `[[cut]]`.
 
-use super::allowed::{ANGULAR_MOMENTUM as MOMENTA, DISTANCE, FRACTION, LENGTH, THRUST_SHARE, TORQUE_PER_THRUST};
+use super::allowed::{
+    ANGULAR_MOMENTUM as MOMENTA, DISTANCE, FRACTION, LENGTH, THRUST_SHARE, TORQUE_PER_THRUST,
+};
 use super::table::{Absent, Field, Kind, Rule, Table};
 
 /// Where along a component some things are.
