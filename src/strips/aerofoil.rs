@@ -24,8 +24,6 @@ pub struct Aerofoil<T = Eight> {
     pub profile_drag: T,
     /// 2 c_m0.
     pub zero_lift_moment: T,
-    /// 2 c_mα, 1/rad, where any of the sections has one.
-    pub moment_slope: Option<T>,
     /// 1 − η: the share of the leading-edge suction that is lost; zero where CLα = 0.
     pub suction_loss: T,
     /// CLδ c1, 1/rad, see [`FlapEffect`](crate::aircraft::FlapEffect); zero without a flap.
@@ -34,8 +32,6 @@ pub struct Aerofoil<T = Eight> {
     pub flap_drag: T,
     /// CLδ c4, 1/rad.
     pub flap_moment: T,
-    /// k, 1/rad², where any of the sections has one.
-    pub flap_profile_drag: Option<T>,
 }
 
 /// The air as the sections meet it [theory: air-loads.flow].
@@ -99,12 +95,10 @@ impl Aerofoil {
             lift_slope: window.load(&self.lift_slope),
             profile_drag: window.load(&self.profile_drag),
             zero_lift_moment: window.load(&self.zero_lift_moment),
-            moment_slope: loaded(window, &self.moment_slope),
             suction_loss: window.load(&self.suction_loss),
             flap_lift: window.load(&self.flap_lift),
             flap_drag: window.load(&self.flap_drag),
             flap_moment: window.load(&self.flap_moment),
-            flap_profile_drag: loaded(window, &self.flap_profile_drag),
         }
     }
 
@@ -163,15 +157,27 @@ impl<S: Arithmetic> Aerofoil<Lanes<S>> {
             lift_by_upwash * incidence_velocity * (suction_velocity - self.suction_loss * incidence_velocity);
         let drag_per_velocity = self.profile_drag * rho_b * (chordwise * chordwise + normal * normal).sqrt();
 
-        let mut pitching = (half(b) + d) * lift + apparent_moment + zero_lift_moment;
-        if let Some(slope) = self.moment_slope {
-            pitching += slope * rho_b * b * chordwise * effective_upwash;
-        }
         SectionLoads {
             forward: suction - drag_per_velocity * chordwise,
             down: -(lift + apparent_lift) - drag_per_velocity * normal,
-            pitching,
+            pitching: (half(b) + d) * lift + apparent_moment + zero_lift_moment,
         }
+    }
+
+    /// The moment of sections whose 2 c_mα is a slope, N [theory: air-loads.moment-slope].
+    #[inline(always)]
+    pub fn moment_by_slope(&self, slope: Lanes<S>, flow: &LocalFlow<S>) -> Lanes<S> {
+        let effective_upwash = flow.w3 - flow.induced;
+        slope * (flow.density * self.semichord) * self.semichord * flow.chordwise * effective_upwash
+    }
+
+    /// Adds the profile drag of flaps by their k [theory: air-loads.drag].
+    #[inline(always)]
+    pub fn add_flap_drag(&self, k: Lanes<S>, flow: &LocalFlow<S>, loads: &mut SectionFlapLoads<S>) {
+        let speed = (flow.chordwise * flow.chordwise + flow.normal * flow.normal).sqrt();
+        let per_velocity = k * (flow.density * self.semichord) * speed;
+        loads.drag += per_velocity * flow.chordwise;
+        loads.drag_across = Some(per_velocity * flow.normal);
     }
 
     /// What the flaps add: the loads are linear in δ but for a drag, which is proportional to δ².
@@ -185,17 +191,10 @@ impl<S: Arithmetic> Aerofoil<Lanes<S>> {
         let lift = pressure * self.flap_lift;
         let suction_velocity = flow.at_midchord(d, flow.normal);
         let incidence_velocity = flow.at_midchord(d, flow.upwash);
-        let (mut drag, mut drag_across) = (pressure * self.flap_drag, None);
-        if let Some(coefficient) = self.flap_profile_drag {
-            let speed = (flow.chordwise * flow.chordwise + flow.normal * flow.normal).sqrt();
-            let per_velocity = coefficient * (flow.density * b) * speed;
-            drag += per_velocity * flow.chordwise;
-            drag_across = Some(per_velocity * flow.normal);
-        }
         SectionFlapLoads {
             forward: lift_by_velocity * (suction_velocity - self.suction_loss * incidence_velocity * 2.0),
-            drag,
-            drag_across,
+            drag: pressure * self.flap_drag,
+            drag_across: None,
             down: -lift,
             pitching: (half(b) + d) * lift + pressure * b * self.flap_moment,
         }
@@ -207,15 +206,6 @@ impl<S: Arithmetic> Aerofoil<Lanes<S>> {
 pub fn first_reversed<S: Arithmetic>(chordwise: Lanes<S>, lift_slope: Lanes<S>) -> Option<usize> {
     let mut strips = chordwise.numbers().iter().zip(lift_slope.numbers());
     strips.position(|(chordwise, slope)| *chordwise <= 0.0 && *slope > 0.0)
-}
-
-/// Numbers of a window, where there are any.
-#[inline(always)]
-fn loaded<S: Arithmetic>(window: Window<S>, numbers: &Option<Eight>) -> Option<Lanes<S>> {
-    match numbers {
-        Some(numbers) => Some(window.load(numbers)),
-        None => None,
-    }
 }
 
 #[inline(always)]

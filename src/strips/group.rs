@@ -13,7 +13,7 @@ use crate::kinematics::RigidFreedom;
 use crate::math::{Arithmetic, Arrow, Eight, EightVectors, Lanes, Window};
 use crate::structure::ReducedStrip;
 
-use super::aerofoil::{Aerofoil, LocalFlow};
+use super::aerofoil::{Aerofoil, LocalFlow, SectionFlapLoads, SectionLoads};
 use super::flap_factor::FlapFactor;
 use super::strip_loads::{Displacement, StripFlapLoads, StripLoads, StripSizes};
 use super::sums::{Row, add_to};
@@ -33,6 +33,10 @@ pub(crate) struct Group {
     pub(crate) per_semichord: Eight,
     pub(crate) zero_lift_offset: Eight,
     pub(crate) aerofoil: Aerofoil,
+    /// 2 c_mα, 1/rad, where any of them has one.
+    moment_slope: Option<Eight>,
+    /// k, 1/rad², where a flap of any has one.
+    flap_profile_drag: Option<Eight>,
     /// Coefficients of δ by the factors, by their places, that move any flap here.
     pub(super) gains: Vec<(usize, Eight)>,
     /// Coefficients of δ², where it drags.
@@ -83,13 +87,13 @@ impl Group {
                 lift_slope: lanes(&|strip| strip.lift_slope, 0.0),
                 profile_drag: lanes(&|strip| strip.profile_drag, 0.0),
                 zero_lift_moment: lanes(&|strip| 2.0 * strip.zero_lift_moment, 0.0),
-                moment_slope: if_any(lanes(&|strip| 2.0 * strip.moment_slope, 0.0)),
                 suction_loss: lanes(&suction_loss, 0.0),
                 flap_lift: flap(&|effect| effect.lift),
                 flap_drag: lanes(&flap_drag, 0.0),
                 flap_moment: flap(&|effect| effect.moment),
-                flap_profile_drag: if_any(lanes(&flap_profile_drag, 0.0)),
             },
+            moment_slope: if_any(lanes(&|strip| 2.0 * strip.moment_slope, 0.0)),
+            flap_profile_drag: if_any(lanes(&flap_profile_drag, 0.0)),
             gains: coefficients(&|factor| matches!(factor, FlapFactor::Angle(_))),
             squared_gains: coefficients(&|factor| matches!(factor, FlapFactor::Product(_))),
             in_plane: free == RigidFreedom::InPlane && strips.iter().all(ReducedStrip::stays_in_plane),
@@ -152,13 +156,44 @@ impl Group {
             root_mass: window.load(&self.root_mass),
             root_inertia: window.load(&self.root_inertia),
         };
-        let loads = StripLoads::new(&aerofoil.loads(flow), &sizes, axes);
+        let loads = StripLoads::new(&self.section_loads(window, &aerofoil, flow), &sizes, axes);
         let flaps = if self.gains.is_empty() {
             None
         } else {
-            Some(StripFlapLoads::new(&aerofoil.flap_loads(flow), &sizes, window.load(&self.per_root_mass)))
+            let loads = self.section_flap_loads(window, &aerofoil, flow);
+            Some(StripFlapLoads::new(&loads, &sizes, window.load(&self.per_root_mass)))
         };
         (loads, flaps)
+    }
+
+    /// The loads per unit width, flaps neutral.
+    #[inline(always)]
+    pub(super) fn section_loads<S: Arithmetic>(
+        &self,
+        window: Window<S>,
+        aerofoil: &Aerofoil<Lanes<S>>,
+        flow: &LocalFlow<S>,
+    ) -> SectionLoads<S> {
+        let mut loads = aerofoil.loads(flow);
+        if let Some(slope) = &self.moment_slope {
+            loads.pitching += aerofoil.moment_by_slope(window.load(slope), flow);
+        }
+        loads
+    }
+
+    /// What the flaps add per unit width.
+    #[inline(always)]
+    pub(super) fn section_flap_loads<S: Arithmetic>(
+        &self,
+        window: Window<S>,
+        aerofoil: &Aerofoil<Lanes<S>>,
+        flow: &LocalFlow<S>,
+    ) -> SectionFlapLoads<S> {
+        let mut loads = aerofoil.flap_loads(flow);
+        if let Some(k) = &self.flap_profile_drag {
+            aerofoil.add_flap_drag(window.load(k), flow, &mut loads);
+        }
+        loads
     }
 
     /// Adds what the loads and the flaps contribute to one component of ν.

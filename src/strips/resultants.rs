@@ -83,7 +83,8 @@ impl Group {
         flow.pitch_drift += span.dot(&angular);
 
         let aerofoil = self.aerofoil.at(window);
-        let (loads, flaps) = (aerofoil.loads(&flow), aerofoil.flap_loads(&flow));
+        let loads = self.section_loads(window, &aerofoil, &flow);
+        let flaps = self.section_flap_loads(window, &aerofoil, &flow);
         let sum = |gains: &[(usize, Eight)]| {
             gains.iter().fold(window.splat(0.0), |sum, (factor, gain)| {
                 sum + window.load(gain) * factors[*factor].value(at.angles)

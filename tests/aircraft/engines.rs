@@ -8,9 +8,10 @@ const JET: &str = include_str!("../../aircraft/generic-business-jet.toml");
 /// The jet with more said of its left and of its right engine.
 fn with_engines(left: &str, right: &str) -> String {
     let mut text = JET.to_owned();
-    for (offset, more) in [("offset_m = [0, -2.33, -0.65]", left), ("offset_m = [0, 2.33, -0.65]", right)] {
-        assert!(text.contains(offset));
-        text = text.replacen(offset, &format!("{offset}\n{more}"), 1);
+    for (name, more) in [("left", left), ("right", right)] {
+        let engine = format!("[[engine]]\nname = \"{name}\"");
+        assert!(text.contains(&engine));
+        text = text.replacen(&engine, &format!("{engine}\n{more}"), 1);
     }
     text
 }

@@ -78,11 +78,12 @@ fn the_tables_of_the_page_are_those_of_the_format() {
 
 #[test]
 fn a_field_has_the_unit_that_its_name_ends_in() {
-    const ENDINGS: [(&str, &str); 14] = [
+    const ENDINGS: [(&str, &str); 15] = [
         ("_chords", "chords"),
         ("_lengths", "lengths"),
         ("_kg_m3", "kg/m³"),
         ("_kg_m2", "kg m²"),
+        ("_kg_m2_s", "kg m²/s"),
         ("_N_m2", "N m²"),
         ("_m_s2", "m/s²"),
         ("_m_s", "m/s"),

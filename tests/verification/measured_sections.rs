@@ -3,13 +3,14 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use flexible_aircraft::air::Air;
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::flight::{Settings, Simulation};
 use flexible_aircraft::plant::{Course, LinearInput, Plant, PlantSettings};
 use flexible_aircraft::structure::{ReducedModel, ReducedStrip};
 
-use crate::support::strip::{DENSITY, PrescribedStrip, SEMICHORD, SPEED};
+use crate::support::strip::{PrescribedStrip, SEMICHORD, SPEED};
 use crate::support::{ELEVATOR, jet};
 
 use super::record::Record;
@@ -65,7 +66,7 @@ fn a_wing_diverges_by_the_aerodynamic_centre_that_its_moment_slope_says() {
         "α₀ (1/cos λl − 1), λ² = qceCLα/GJ with e from the aerodynamic centre to the elastic axis, (¼ + c_mα/CLα) chords: \
          Bisplinghoff, Ashley, Halfman, *Aeroelasticity* (1955), §8-2; and the wing whose elastic axis is as far from the quarter chord",
     );
-    let pressure = 0.5 * DENSITY * 25.0 * 25.0;
+    let pressure = 0.5 * density() * 25.0 * 25.0;
     for (slope, fidelity) in
         [(-0.9, Fidelity::Exact), (0.2, Fidelity::Exact), (-0.9, Fidelity::GeometricallyExact)]
     {
@@ -81,15 +82,20 @@ fn a_wing_diverges_by_the_aerodynamic_centre_that_its_moment_slope_says() {
     record.finish();
 }
 
-/// A section with its elastic axis at 0.15 chords behind mid-chord, and five inflow states.
-fn section(alter: impl FnOnce(&mut ReducedStrip)) -> PrescribedStrip {
-    PrescribedStrip::altered(5, 0.3, 0.0, 0.8, alter)
+/// At sea level, kg/m³.
+fn density() -> f64 {
+    Air::at(0.0).density
+}
+
+/// A section with its elastic axis at 0.15 chords behind mid-chord, and so many inflow states.
+fn section(inflow_states: usize, alter: impl FnOnce(&mut ReducedStrip)) -> PrescribedStrip {
+    PrescribedStrip::altered(inflow_states, 0.3, 0.0, 0.8, alter)
 }
 
 #[test]
 fn the_moment_follows_the_wake_as_a_lift_ahead_of_the_quarter_chord_would() {
     let slope = 0.7;
-    let mut strip = section(|strip| strip.moment_slope = slope);
+    let mut strip = section(5, |strip| strip.moment_slope = slope);
     strip.move_with(0.04 * SPEED, 0.3);
     let ([_, down, moment], _) = strip.evaluate();
     let inflow = strip.inflow();
@@ -100,24 +106,24 @@ fn the_moment_follows_the_wake_as_a_lift_ahead_of_the_quarter_chord_would() {
     // What the wake changes of the lift acts b/2 + d ahead of the elastic axis, and c_mα/CLα chords more.
     let arm = SEMICHORD * (0.5 + 0.3) + slope / TAU * 2.0 * SEMICHORD;
     let (lift, pitching) = (down - down_in_wake, moment_in_wake - moment);
-    assert!(lift.abs() > 1.0 && (pitching / (lift * arm) - 1.0).abs() < 1e-12, "{pitching} {}", lift * arm);
+    assert!(lift.abs() > 0.1 && (pitching / (lift * arm) - 1.0).abs() < 1e-12, "{pitching} {}", lift * arm);
 }
 
 #[test]
 fn without_lift_a_section_still_has_its_moment_slope() {
-    let mut strip = section(|strip| {
+    let mut strip = section(0, |strip| {
         (strip.lift_slope, strip.moment_slope, strip.flap) = (0.0, 0.5, None);
     });
     strip.move_with(0.04 * SPEED, 0.0);
     let ([_, _, moment], _) = strip.evaluate();
-    let expected = 2.0 * 0.5 * DENSITY * SEMICHORD * SEMICHORD * SPEED * (0.04 * SPEED);
+    let expected = 2.0 * 0.5 * density() * SEMICHORD * SEMICHORD * SPEED * (0.04 * SPEED);
     assert!((moment / expected - 1.0).abs() < 1e-12, "{moment} {expected}");
 }
 
 #[test]
 fn a_flap_drags_by_the_square_of_its_angle_against_the_flow() {
     let forces = |drag: f64, angles: [f64; 2]| {
-        let mut strip = section(|strip| {
+        let mut strip = section(0, |strip| {
             let flap = strip.flap.as_mut().unwrap();
             (flap.drag, flap.gains) = (drag, vec![1.0, -0.4]);
         });
@@ -129,10 +135,10 @@ fn a_flap_drags_by_the_square_of_its_angle_against_the_flow() {
         let [plain, dragging] = [0.0, 1.5].map(|drag| forces(drag, angles));
         let delta = angles[0] - 0.4 * angles[1];
         let speed = SPEED * libm::sqrt(1.0 + 0.3 * 0.3);
-        let drag = 1.5 * delta * delta * DENSITY * SEMICHORD * speed;
+        let drag = 1.5 * delta * delta * density() * SEMICHORD * speed;
         for (axis, velocity) in [SPEED, 0.3 * SPEED].into_iter().enumerate() {
             let found = plain[axis] - dragging[axis];
-            assert!((found - drag * velocity).abs() < 1e-13 * plain[axis].abs().max(found.abs()), "{found}");
+            assert!((found - drag * velocity).abs() < 1e-12 * plain[axis].abs().max(found.abs()), "{found}");
         }
         assert_eq!(plain[2], dragging[2]);
     }
@@ -141,14 +147,14 @@ fn a_flap_drags_by_the_square_of_its_angle_against_the_flow() {
 #[test]
 fn a_flap_with_a_moment_of_its_own_has_that_and_the_arm_of_its_lift() {
     let moment = |slope: Option<f64>| {
-        let mut strip = section(|strip| strip.flap.as_mut().unwrap().moment_slope = slope);
+        let mut strip = section(0, |strip| strip.flap.as_mut().unwrap().moment_slope = slope);
         let at_rest = strip.evaluate().0;
         strip.controls.angles[0] = 0.2;
         let ([_, down, moment], _) = strip.evaluate();
         (moment - at_rest[2]) - SEMICHORD * (0.5 + 0.3) * (at_rest[1] - down)
     };
     let coefficient = -0.55;
-    let expected = 2.0 * coefficient * DENSITY * SEMICHORD * SEMICHORD * SPEED * SPEED * 0.2;
+    let expected = 2.0 * coefficient * density() * SEMICHORD * SEMICHORD * SPEED * SPEED * 0.2;
     assert!((moment(Some(coefficient)) / expected - 1.0).abs() < 1e-12);
     assert!((moment(None) / expected - 1.0).abs() > 0.1);
 }

@@ -97,9 +97,9 @@ pub static ZERO_LIFT_MOMENT: Field = law(
 pub static MOMENT_SLOPE: Field = law(
     "moment_slope",
     Kind::Law(&MOMENT_COEFFICIENT_SLOPE, &FORMS),
-    "per rad",
+    "",
     Absent::Number(0.0),
-    "c_mα, slope of the moment coefficient about the quarter chord, nose-up positive: c_mα/CLα is how far the aerodynamic centre is \
+    "c_mα per rad, slope of the moment coefficient about the quarter chord, nose-up positive: c_mα/CLα is how far the aerodynamic centre is \
      ahead of it, in chords",
 );
 pub static PROFILE_DRAG: Field =
@@ -161,16 +161,16 @@ pub static HINGE: Field = Field {
 pub static FLAP_MOMENT: Field = Field {
     name: "moment_slope",
     kind: Kind::Number(&MOMENT_COEFFICIENT_SLOPE),
-    unit: "per rad",
+    unit: "",
     absent: Absent::Found("that of thin-aerofoil theory by `lift_slope_per_rad` and `hinge`"),
-    sentence: "c_mδ, of the angle of the flap: moment coefficient about the quarter chord, nose-up positive (usual ones are negative)",
+    sentence: "c_mδ per rad, of the angle of the flap: moment coefficient about the quarter chord, nose-up positive (usual ones are negative)",
 };
 pub static FLAP_DRAG: Field = Field {
     name: "drag",
     kind: Kind::Number(&FLAP_DRAG_COEFFICIENT),
-    unit: "per rad²",
+    unit: "",
     absent: Absent::Number(0.0),
-    sentence: "k: the flap turned by δ adds kδ² to CD0",
+    sentence: "k per rad²: the flap turned by δ adds kδ² to CD0",
 };
 
 static MOVE: Table = Table {
