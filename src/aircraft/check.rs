@@ -60,7 +60,7 @@ pub(super) fn mass(aircraft: &Aircraft, report: &Report) {
     }
 }
 
-/// The structure is its own image in y = 0: nodes, beams, bays, engines.
+/// The structure is its own image in y = 0: nodes, beams, joints, bays, engines.
 pub(super) fn symmetry(assembly: &Assembly, file: &FileSpec, report: &Report) {
     let aircraft = &assembly.aircraft;
     let mirror = Mirror::of(aircraft);
@@ -77,6 +77,12 @@ pub(super) fn symmetry(assembly: &Assembly, file: &FileSpec, report: &Report) {
         }
     }
     let mut told: Vec<&Place> = Vec::new();
+    for (joint, place) in aircraft.joints.iter().zip(&assembly.joint_places) {
+        let is_lonely = joint.ends.iter().any(|end| lonely_components.contains(&&end.component));
+        if !is_lonely && !aircraft.is_mirrored(joint, &mirror.images) {
+            complain(place, joint.to_string());
+        }
+    }
     let bays = pair_off(&aircraft.bays, |one, other| mirror.bays(one, other));
     for ((bay, place), image) in aircraft.bays.iter().zip(&assembly.bay_places).zip(bays) {
         let component = &aircraft.beams[bay.attachment.beam].component;
@@ -135,15 +141,16 @@ impl<'a> Mirror<'a> {
             (Some(one), Some(other)) => mirror.beams(one, other),
             _ => false,
         };
-        let with_bays = |one: usize, other: usize| {
+        let joined = aircraft.rotations_joined();
+        let with_all = |one: usize, other: usize| {
             let carried = |one: &MassBay, other: &MassBay| {
                 let apart = (one.attachment.fraction - other.attachment.fraction).abs();
                 apart <= CLOSE && mirror.lumps(one, other)
             };
-            alike(one, other) && one_to_one(&bays[one], &bays[other], carried)
+            joined[one] == joined[other] && alike(one, other) && one_to_one(&bays[one], &bays[other], carried)
         };
         // Branches in one place are told apart by what they carry; what cannot be found so is by its beams alone.
-        let images = Some(mirror.branches.images(&with_bays)).filter(|images| !images.contains(&None));
+        let images = Some(mirror.branches.images(&with_all)).filter(|images| !images.contains(&None));
         mirror.images = images.unwrap_or_else(|| mirror.branches.images(&alike));
         mirror
     }

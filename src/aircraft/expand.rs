@@ -9,6 +9,7 @@ use super::cuts;
 use super::document::Located;
 use super::error::{Place, Problem, Report};
 use super::geometry::{Line, Side};
+use super::joints;
 use super::law::Laws;
 use super::masses::{self, LocatedBay};
 use super::model::{
@@ -27,6 +28,8 @@ pub(super) struct Assembly {
     pub(super) beam_places: Vec<Place>,
     /// One for each bay.
     pub(super) bay_places: Vec<Place>,
+    /// One for each joint.
+    pub(super) joint_places: Vec<Place>,
 }
 
 /// A component by itself; nodes and elements count from its root, vectors from its attachment point.
@@ -73,6 +76,7 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
             controls: file.controls.iter().map(|spec| spec.control.clone()).collect(),
             nodes: vec![Vector3::zeros()],
             beams: Vec::new(),
+            joints: Vec::new(),
             bays: Vec::new(),
             strips: Vec::new(),
             engines: Vec::new(),
@@ -83,6 +87,7 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
         },
         beam_places: Vec::new(),
         bay_places: Vec::new(),
+        joint_places: Vec::new(),
     };
     let mut placed = Vec::new();
     for part in &parts {
@@ -111,6 +116,9 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
     let stations = file.stations.iter().filter_map(|s| station(s, &placed, &assembly.aircraft, report));
     let stations = stations.collect();
     assembly.aircraft.stations = stations;
+    let joints = joints::joints(&file.joints, &assembly.aircraft, report);
+    (assembly.aircraft.joints, assembly.joint_places) = joints.into_iter().unzip();
+    joints::level(file, &assembly.aircraft, &assembly.joint_places, report);
     assembly.aircraft.cuts = cuts::cuts(&file.cuts, &assembly.aircraft, report);
     Some(assembly)
 }

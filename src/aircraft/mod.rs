@@ -8,13 +8,15 @@
 //!
 //! | module | takes | gives |
 //! | --- | --- | --- |
-//! | `document`, `read`, `control_tables`, `cut_tables`, `limit_tables`, `model_tables`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
+//! | `document`, `read`, `control_tables`, `cut_tables`, `joint_tables`, `limit_tables`, `model_tables`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
 //! | `format` | | which fields there are, what they may hold, what holds without them; `allowed` asks it about a number |
 //! | `control`, `limits` | | what controls are, what trims should stay within |
 //! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
 //! | `toml_value` | a TOML value | what messages call it, its number |
 //! | `components` | a name | the component that has it |
+//! | `joints` | [`Aircraft`] | which of its nodes move together |
+//! | `loops` | [`Aircraft`] | the loops that joints close |
 //! | `cuts` | [`Aircraft`] | where it is cut in thought, what is outboard of a cut |
 //! | `reference` | [`Aircraft`] | the lengths by which coefficients are made dimensionless |
 //! | `stations_along` | [`Aircraft`] | stations that no file lists |
@@ -48,9 +50,12 @@ mod flap;
 pub mod format;
 mod former;
 mod geometry;
+mod joint_tables;
+mod joints;
 mod law;
 mod limit_tables;
 mod limits;
+mod loops;
 mod masses;
 mod model;
 mod model_tables;
@@ -80,9 +85,9 @@ pub use fidelity::Fidelity;
 pub use flap::FlapEffect;
 pub use limits::{Bound, Bounds, Limits};
 pub use model::{
-    AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Component, Cut, Engine, Flap, GivenReference,
-    MOST_INFLOW_STATES, MassBay, MassGroup, ModeBasis, Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
-    WrittenComponent,
+    AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Component, Cut, Engine, Flap, GivenReference, Joint,
+    JointEnd, MOST_INFLOW_STATES, MassBay, MassGroup, ModeBasis, Station, Strip, Support, TUNNEL_SPEEDS,
+    TunnelAir, WrittenComponent,
 };
 pub use reference::ReferenceLengths;
 pub use stations_along::StationsAlongError;

@@ -116,6 +116,8 @@ pub struct Aircraft {
     pub beams: Vec<Beam>,
     /// What moves its flaps, in the order of the inputs.
     pub controls: Vec<Control>,
+    /// Nodes that move together: what closes loops in the tree of beams.
+    pub joints: Vec<Joint>,
     /// Lumped masses.
     pub bays: Vec<MassBay>,
     /// Aerodynamic strips.
@@ -159,6 +161,41 @@ pub struct Beam {
     pub bending_stiffness_y: f64,
     /// EI_z, N·m²: resists v″.
     pub bending_stiffness_z: f64,
+}
+
+/// Two nodes that move together [theory: structure.joints].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    /// Different nodes, at most 1 mm apart.
+    pub ends: [JointEnd; 2],
+    /// Whether they turn together about the body x, y and z axis.
+    pub rotations: [bool; 3],
+}
+
+/// A node that is joined.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointEnd {
+    /// The component that has it.
+    pub component: String,
+    /// Where along it, as a fraction of its length.
+    pub at: f64,
+    /// Among [`Aircraft::nodes`].
+    pub node: usize,
+}
+
+impl Joint {
+    /// Its nodes.
+    pub fn nodes(&self) -> [usize; 2] {
+        [self.ends[0].node, self.ends[1].node]
+    }
+}
+
+impl std::fmt::Display for Joint {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [one, other] = &self.ends;
+        let (name, other_name) = (&one.component, &other.component);
+        write!(f, "the joint of \"{name}\" at {} and \"{other_name}\" at {}", one.at, other.at)
+    }
 }
 
 /// A place on the elastic axis: a fraction of an element's length.

@@ -9,6 +9,7 @@ use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
 use super::format::allowed::MASS;
 use super::format::{FILE, Field, component, file, masses, places, surface};
+use super::joint_tables::read_joints;
 use super::law::Law;
 use super::limit_tables::read_limits;
 use super::model::{ModeBasis, Support};
@@ -52,6 +53,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         mount: table.optional(&file::MOUNT).and_then(|v| v.located(tunnel::read_mount)),
         load_modes: model_tables::read_load_modes(&table),
         fidelity: model_tables::read_fidelity(&table),
+        fidelity_place: table.optional(&file::MODEL).map(|v| v.place),
         symmetric: table.flag(&file::SYMMETRIC),
         reference: read_reference(&table),
         limits,
@@ -62,6 +64,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         controls,
         has_all_controls,
         components: components.into_iter().flatten().collect(),
+        joints: read_joints(&table),
         engines: engines.into_iter().flatten().collect(),
         stations: stations.into_iter().flatten().collect(),
         cuts: read_cuts(&table),

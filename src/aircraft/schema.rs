@@ -18,6 +18,8 @@ pub(super) struct FileSpec {
     pub(super) mode_basis: ModeBasis,
     pub(super) load_modes: bool,
     pub(super) fidelity: Fidelity,
+    /// Where it stands, if it does.
+    pub(super) fidelity_place: Option<Place>,
     pub(super) inflow_states: usize,
     pub(super) airspeed: Located<f64>,
     pub(super) altitude: f64,
@@ -33,6 +35,7 @@ pub(super) struct FileSpec {
     /// Whether the names of all controls could be read.
     pub(super) has_all_controls: bool,
     pub(super) components: Vec<ComponentSpec>,
+    pub(super) joints: Vec<JointSpec>,
     pub(super) engines: Vec<EngineSpec>,
     pub(super) stations: Vec<StationSpec>,
     pub(super) cuts: Vec<CutSpec>,
@@ -159,6 +162,20 @@ pub(super) struct MoveSpec {
 pub(super) enum Hand {
     Right,
     Left,
+}
+
+/// Two nodes that move together.
+pub(super) struct JointSpec {
+    pub(super) place: Place,
+    pub(super) ends: [JointEndSpec; 2],
+    /// Whether they turn together about each of the body axes.
+    pub(super) rotations: [bool; 3],
+}
+
+/// A node of a component: at a fraction of its length.
+pub(super) struct JointEndSpec {
+    pub(super) component: Located<String>,
+    pub(super) at: Located<f64>,
 }
 
 pub(super) struct EngineSpec {

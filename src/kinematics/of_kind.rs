@@ -81,8 +81,16 @@ impl<S, E> OfKind<S, E> {
 
 impl AnyKind {
     /// Of a model, and of other strips with the same modes that flow in the mirror plane meets edge-on.
+    ///
+    /// # Panics
+    /// When a model whose joints close loops is to be geometrically exact: settings refuse that.
     pub fn new(model: &ReducedModel, edge_on: &[ReducedStrip], geometrically_exact: bool) -> Self {
         if geometrically_exact {
+            assert!(
+                model.joints.is_empty(),
+                "geometrically exact kinematics has no loops: {:?}",
+                model.joints
+            );
             OfKind::GeometricallyExact(Kinematics::new(model, edge_on))
         } else {
             OfKind::Superposition(Kinematics::new(model, edge_on))

@@ -97,6 +97,11 @@ impl PlantSettings {
     pub fn choose_modes(&self, model: &ReducedModel) -> Result<ModesInUse, SettingError> {
         self.check(model.support)?;
         self.condition.check(model.support, model.engines.len())?;
+        if let (Fidelity::GeometricallyExact, Some(joint)) = (self.fidelity, model.joints.first()) {
+            let others = Fidelity::OF_THESIS.map(Fidelity::name).join(", ");
+            let allowed = format!("{others}: {joint} closes a loop");
+            return refuse("model", self.fidelity.name(), &allowed);
+        }
         if self.fidelity == Fidelity::Rigid {
             return Ok(ModesInUse::chosen(&[]));
         }

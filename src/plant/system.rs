@@ -80,6 +80,9 @@ impl PackagedStrip {
 
 impl Plant {
     /// Of a whole aircraft, all of whose modes take part unless it is to be rigid.
+    ///
+    /// # Panics
+    /// When a model with joints is to be geometrically exact, which [`under`](Self::under) refuses.
     pub fn new(model: &ReducedModel, configuration: &Configuration) -> Self {
         let modes: Vec<usize> = (0..model.modes.len()).collect();
         Plant::of_modes(model, configuration, &ModesInUse::chosen(&modes))

@@ -1,11 +1,11 @@
 //! The reduced model as bytes, for the FMU's `resources/`.
 //!
 //! Layout, little-endian: 8 bytes of magic with the format's version, the payload's length (u64), its
-//! 128-bit XXH3 hash, the payload (postcard).
+//! 128-bit XXH3 hash, the payload (postcard). Of a model with joints the payload goes on with what they join.
 
 use nalgebra::Vector3;
 
-use crate::aircraft::{ALTITUDES, Flap, MOST_INFLOW_STATES, Support};
+use crate::aircraft::{ALTITUDES, Fidelity, Flap, MOST_INFLOW_STATES, Support};
 use crate::sealed::hash;
 
 use super::cuts::{ROUNDING, is_unit};
@@ -13,6 +13,9 @@ use super::{BeamSection, Carrier, ModeFamily, ModeShapes, ReducedMass, ReducedMo
 
 /// Names the format and its version.
 const MAGIC: &[u8; 8] = b"FLXAIR08";
+
+/// The same with joints, which readers of former days do not know: the payload goes on with what they join.
+const MAGIC_WITH_JOINTS: &[u8; 8] = b"FLXAIR8J";
 
 /// Bytes before the payload.
 const HEADER: usize = 8 + 8 + 16;
@@ -22,7 +25,7 @@ impl ReducedModel {
     pub fn to_bytes(&self) -> Vec<u8> {
         let payload = self.payload();
         let mut bytes = Vec::with_capacity(HEADER + payload.len());
-        bytes.extend_from_slice(MAGIC);
+        bytes.extend_from_slice(self.magic());
         bytes.extend_from_slice(&(payload.len() as u64).to_le_bytes());
         bytes.extend_from_slice(&hash(&payload).to_le_bytes());
         bytes.extend_from_slice(&payload);
@@ -37,7 +40,7 @@ impl ReducedModel {
         let (header, payload) = bytes.split_at_checked(HEADER).ok_or(StructureError::Bytes("too short"))?;
         let (magic, rest) = header.split_at(8);
         let (length, recorded) = rest.split_at(8);
-        if magic != MAGIC {
+        if magic != MAGIC && magic != MAGIC_WITH_JOINTS {
             return Err(StructureError::Bytes("it does not begin with the mark of this version"));
         }
         if length != (payload.len() as u64).to_le_bytes() {
@@ -46,8 +49,17 @@ impl ReducedModel {
         if recorded != hash(payload).to_le_bytes() {
             return Err(StructureError::Bytes("its checksum is not the recorded one"));
         }
-        let model: ReducedModel = postcard::from_bytes(payload)
-            .map_err(|_| StructureError::Bytes("its content cannot be decoded"))?;
+        let undecodable = |_| StructureError::Bytes("its content cannot be decoded");
+        let (mut model, rest): (ReducedModel, _) = postcard::take_from_bytes(payload).map_err(undecodable)?;
+        if magic == MAGIC_WITH_JOINTS {
+            model.joints = postcard::from_bytes(rest).map_err(undecodable)?;
+        }
+        if magic != model.magic() {
+            return Err(StructureError::Bytes("its mark says that it has joints, and it has none"));
+        }
+        if model.fidelity == Fidelity::GeometricallyExact && !model.joints.is_empty() {
+            return Err(StructureError::Bytes("it has joints, and a level that has none"));
+        }
         if !model.is_consistent() {
             return Err(StructureError::Bytes("its arrays do not fit together"));
         }
@@ -67,7 +79,16 @@ impl ReducedModel {
 
     fn payload(&self) -> Vec<u8> {
         // PROOF: serialising plain structs of numbers, strings and sequences of known length cannot fail.
-        postcard::to_allocvec(self).expect("a reduced model is serialisable")
+        let mut payload = postcard::to_allocvec(self).expect("a reduced model is serialisable");
+        if !self.joints.is_empty() {
+            // PROOF: as above.
+            payload.extend(postcard::to_allocvec(&self.joints).expect("texts are serialisable"));
+        }
+        payload
+    }
+
+    fn magic(&self) -> &'static [u8; 8] {
+        if self.joints.is_empty() { MAGIC } else { MAGIC_WITH_JOINTS }
     }
 
     /// Whether masses, frequencies, strips, flaps, directions and inflow are such as an aircraft has and its file allows.

@@ -10,6 +10,7 @@ use crate::aircraft::{Aircraft, Control, Fidelity, Flap, Limits, Support, TrimRo
 use super::assembly::Structure;
 use super::carrier::Carrier;
 use super::cuts::{ReducedCut, ReducedMass, reduced_cuts, reduced_masses};
+use super::loops;
 use super::mode_count::ModeCount;
 use super::sections::SectionTree;
 use super::{
@@ -71,6 +72,10 @@ pub struct ReducedModel {
     pub masses: Vec<ReducedMass>,
     /// Where section loads are outputs.
     pub cuts: Vec<ReducedCut>,
+    /// What each joint joins, for messages. Each closes a loop of beams: geometrically exact kinematics does not fly such a model.
+    /// (The bytes of a model without any are those of former days.)
+    #[serde(skip)]
+    pub joints: Vec<String>,
 }
 
 /// A strip with the mode shapes at its attachment.
@@ -203,13 +208,14 @@ impl ReducedModel {
     /// Reduces a structure to the modes of a basis.
     ///
     /// # Errors
-    /// When there are too many, or the numbers overflow.
+    /// When there are too many, the numbers overflow, or there are loops that its level or its cuts cannot have.
     pub fn of_basis(structure: &Structure, basis: ModalBasis) -> Result<Self, StructureError> {
         let aircraft = structure.aircraft;
         let (wanted, most) = (basis.modes.len(), Self::MOST_MODES);
         if wanted > most {
             return Err(StructureError::TooManyModes { wanted, most });
         }
+        loops::refuse(aircraft)?;
         let tree = SectionTree::new(structure, &basis.shapes, basis.mirror.as_ref());
         let model = ReducedModel {
             name: aircraft.name.clone(),
@@ -232,6 +238,7 @@ impl ReducedModel {
             masses: reduced_masses(structure, &tree),
             cuts: reduced_cuts(structure, &tree, &basis.shapes),
             sections: tree.sections,
+            joints: aircraft.joints.iter().map(ToString::to_string).collect(),
             modes: basis.modes,
         };
         if model.is_finite() { Ok(model) } else { Err(StructureError::NotFinite) }

@@ -139,6 +139,17 @@ impl Cases {
                 words.iter().for_each(|word| self.add(at, json!(word.word), false, name));
                 self.add(at, json!("no such word"), true, name);
             }
+            Kind::WordOrWords(words, others) => {
+                words.iter().for_each(|word| self.add(at, json!(word.word), false, name));
+                others.iter().for_each(|word| self.add(at, json!([word.word]), false, name));
+                let [one, next] = [others[0].word, others[1].word];
+                self.add(at, json!([one, next]), false, name);
+                for refused in
+                    [json!("no such word"), json!(one), json!([words[0].word]), json!([]), json!([one, one])]
+                {
+                    self.add(at, refused, true, name);
+                }
+            }
             Kind::WordOrTable(word, _) => {
                 self.add(at, json!(word.word), false, name);
                 self.add(at, json!("no such word"), true, name);

@@ -47,6 +47,7 @@ fn rows(table: &Table) -> String {
 fn meaning(field: &Field) -> String {
     let words = match field.kind {
         Kind::OneOf(words) if field.name != "model" => words,
+        Kind::WordOrWords(words, _) => words,
         _ => &[],
     };
     let words = words.iter().map(|word| format!("{} {}", word.in_quotes(), word.sentence));

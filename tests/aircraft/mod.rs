@@ -12,6 +12,7 @@ mod format_page;
 mod format_samples;
 mod good_files;
 mod jet;
+mod joints;
 mod mirrors;
 mod ranges;
 mod reference;

@@ -26,6 +26,8 @@ mod gusts;
 mod harmonic_gusts;
 mod high_altitude;
 mod inflow;
+mod joints;
+mod joints_in_flight;
 mod limits;
 mod linear_model;
 mod linearisation;

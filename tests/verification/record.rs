@@ -17,6 +17,7 @@ const CLAIMS: &[Claim] = &[
         "beam",
         &["beam-static", "beam-uniform-load", "beam-frequencies", "beam-orientation", "beam-rigid-body"],
     ),
+    ("Frames closed by joints", "joints", &["joints"]),
     ("Modal integrals", "modal_integrals", &["modal-integrals", "mass-matrix"]),
     ("Equations of motion", "equations_of_motion", &["equations-of-motion"]),
     ("Strain energy", "strain_energy", &["strain-energy", "strain-energy-by-element", "string"]),

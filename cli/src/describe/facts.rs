@@ -1,7 +1,7 @@
 //! What stands in an aircraft file once it is expanded: mass and how it is spread, reference lengths, how many parts there are.
 
 use flexible_aircraft::Aircraft;
-use flexible_aircraft::aircraft::ReferenceLengths;
+use flexible_aircraft::aircraft::{Joint, ReferenceLengths};
 use flexible_aircraft::structure::ReducedModel;
 use nalgebra::{Matrix3, Vector3};
 
@@ -23,6 +23,8 @@ pub struct Facts {
     pub gives_some: bool,
     /// What there is, and how many of it.
     pub counts: [(&'static str, usize); 8],
+    /// What joints join, and which rotations they share.
+    pub joints: Vec<String>,
 }
 
 impl Facts {
@@ -53,6 +55,18 @@ impl Facts {
                 ("stations", aircraft.stations.len()),
                 ("cuts", aircraft.cuts.len()),
             ],
+            joints: aircraft.joints.iter().map(joint).collect(),
         }
+    }
+}
+
+/// A joint for people.
+fn joint(joint: &Joint) -> String {
+    let axes = ["x", "y", "z"].into_iter().zip(joint.rotations);
+    let shared: Vec<&str> = axes.filter_map(|(axis, shared)| shared.then_some(axis)).collect();
+    match shared.as_slice() {
+        [] => format!("{joint} is a pin"),
+        [_, _, _] => format!("{joint} is rigid"),
+        some => format!("{joint} shares rotations about {}", some.join(" and ")),
     }
 }

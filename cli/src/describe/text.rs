@@ -13,7 +13,8 @@ pub fn text(description: &Description) -> String {
     let Description { facts, balance, modes, warnings } = description;
     let mut text = format!("{}\n\n{}\n{}", facts.name, mass(facts), reference(facts));
     let counts = facts.counts.map(|(what, count)| format!("{count} {}", counted(what, count)));
-    text += &format!("{}\n\n{}\n{}", counts.join(", "), stability(balance), natural_modes(modes));
+    let joints: String = facts.joints.iter().map(|joint| format!("\n{joint}")).collect();
+    text += &format!("{}{joints}\n\n{}\n{}", counts.join(", "), stability(balance), natural_modes(modes));
     for warning in warnings {
         text += &format!("\nwarning: {warning}");
     }

@@ -68,6 +68,11 @@ fn kind(kind: &Kind, law: Option<&Allowed>) -> Value {
         Kind::Phrase => json!({ "type": "string", "pattern": PHRASE }),
         Kind::Name => json!({ "type": "string", "pattern": NAME }),
         Kind::OneOf(words) => one_of(words),
+        Kind::WordOrWords(words, others) => {
+            let mut several = list(&one_of(others), 1);
+            several["uniqueItems"] = json!(true);
+            json!({ "oneOf": [one_of(words), several] })
+        }
         Kind::NumberOrMore(allowed) => one_or_more(&number(allowed)),
         Kind::Numbers(allowed) => list(&number(allowed), 1),
         Kind::Vector(allowed) => three(&number(allowed)),

@@ -17,6 +17,8 @@ mod gust;
 #[cfg(test)]
 mod installed;
 #[cfg(test)]
+mod joints;
+#[cfg(test)]
 mod linearise;
 #[cfg(test)]
 mod loads;

@@ -6,6 +6,7 @@ use super::allowed::{
 };
 use super::component::COMPONENT;
 use super::control::CONTROL;
+use super::joint::JOINT;
 use super::limits::LIMITS;
 use super::places::{CUT, ENGINE, STATION};
 use super::table::{Absent, Field, Kind, Rule, Table, Word};
@@ -35,6 +36,7 @@ pub static FILE: Table = Table {
         &LIMITS_FIELD,
         &CONTROLS,
         &COMPONENTS,
+        &JOINTS,
         &ENGINES,
         &STATIONS,
         &CUTS,
@@ -160,6 +162,7 @@ pub static COMPONENTS: Field = Field {
     absent: Absent::Needed,
     sentence: "the beams; each hangs on one above it, and elements are numbered in the order of the file",
 };
+pub static JOINTS: Field = listed("joint", &JOINT, "nodes that move together");
 pub static ENGINES: Field = listed("engine", &ENGINE, "where thrust acts");
 pub static STATIONS: Field = listed("station", &STATION, "points whose deflections are outputs");
 pub static CUTS: Field = listed("cut", &CUT, "where section loads are outputs");

@@ -21,6 +21,7 @@ pub(super) mod allowed;
 pub(super) mod component;
 pub(super) mod control;
 pub(super) mod file;
+pub(super) mod joint;
 pub(super) mod law;
 pub(super) mod limits;
 pub(super) mod masses;

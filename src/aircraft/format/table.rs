@@ -56,6 +56,8 @@ pub enum Kind {
     Name,
     /// One of some words.
     OneOf(&'static [Word]),
+    /// One of some words, or a list of at least one of others, each once.
+    WordOrWords(&'static [Word], &'static [Word]),
     /// A number or a list of at least one.
     NumberOrMore(&'static Allowed),
     /// A list of at least one number.
@@ -159,6 +161,11 @@ impl Field {
             Kind::Text | Kind::Phrase => "a text".to_owned(),
             Kind::Name => "a name".to_owned(),
             Kind::OneOf(words) => words.iter().map(Word::in_quotes).collect::<Vec<_>>().join(", "),
+            Kind::WordOrWords(words, others) => {
+                let quoted =
+                    |words: &[Word]| words.iter().map(Word::in_quotes).collect::<Vec<_>>().join(", ");
+                format!("{}, or list of {}", quoted(words), quoted(others))
+            }
             Kind::NumberOrMore(_) => with("number or list"),
             Kind::Numbers(_) | Kind::LawNumbers => with("list of numbers"),
             Kind::Vector(_) | Kind::Attitude(..) => with("three numbers"),
@@ -244,7 +251,7 @@ impl Kind {
     /// The words that it may hold.
     pub fn words(&self) -> &'static [Word] {
         match self {
-            Kind::OneOf(words) => words,
+            Kind::OneOf(words) | Kind::WordOrWords(words, _) => words,
             Kind::WordOrTable(word, _) => std::slice::from_ref(word),
             _ => &[],
         }
