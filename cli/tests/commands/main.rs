@@ -11,6 +11,8 @@ mod describe;
 #[cfg(test)]
 mod files;
 #[cfg(test)]
+mod fleet;
+#[cfg(test)]
 mod gltf;
 #[cfg(test)]
 mod gust;
