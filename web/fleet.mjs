@@ -30,11 +30,11 @@ const views = [
   { name: "light-single", turn: [-15, 15], wheel: -380 },
   { name: "sailplane", turn: [-25, 25], wheel: -420 },
   { name: "v-tail-uav", turn: [-40, 12], wheel: -420 },
-  { name: "flying-wing", turn: [-20, 30], wheel: -300 },
-  { name: "t-tail", turn: [-60, 0], wheel: -360 },
+  { name: "flying-wing", turn: [-5, 30], wheel: -300 },
+  { name: "t-tail", turn: [-42, 8], wheel: -360 },
   { name: "twin-boom", turn: [-20, 30], wheel: -340 },
   { name: "high-altitude", turn: [-5, -8], wheel: -380 },
-  { name: "strut-braced", turn: [-60, -20], wheel: -380 },
+  { name: "strut-braced", turn: [-20, 4], wheel: -420 },
 ];
 
 async function make(browser, { name, turn, wheel }, folder) {

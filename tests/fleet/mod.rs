@@ -39,7 +39,7 @@ struct Flights {
     doublet: [f64; 2],
 }
 
-const FLEET: [Entry; 7] = [
+const FLEET: [Entry; 8] = [
     Entry {
         name: "light-single",
         span: 10.8,
@@ -95,6 +95,15 @@ const FLEET: [Entry; 7] = [
         flights: Flights { duration: 8.0, gust: [15.0, 1.5], doublet: [0.03, 1.0] },
         other_level: Fidelity::Exact,
         cut: "wing_root_right",
+    },
+    // A loop on each side: the geometrically exact level does not fly it, and it is cut beyond its struts.
+    Entry {
+        name: "strut-braced",
+        span: 34.0,
+        maximum_speed: 150.0,
+        flights: Flights { duration: 4.0, gust: [26.0, 10.0], doublet: [0.03, 0.5] },
+        other_level: Fidelity::Inconsistent,
+        cut: "wing_outer_right",
     },
 ];
 
@@ -164,6 +173,11 @@ fn twin_boom_flies_as_its_page_says() {
 #[test]
 fn high_altitude_flies_as_its_page_says() {
     flies_as_its_page_says("high-altitude");
+}
+
+#[test]
+fn strut_braced_flies_as_its_page_says() {
+    flies_as_its_page_says("strut-braced");
 }
 
 #[test]
