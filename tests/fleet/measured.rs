@@ -12,7 +12,7 @@ use flexible_aircraft::{Aircraft, Flight};
 use super::{CLEARANCE, Entry, MODES, SPIRAL_DOUBLES};
 
 /// Airspeeds at which all roots of the linearised motion are looked at.
-const AIRSPEEDS: u32 = 10;
+const AIRSPEEDS: u32 = 12;
 
 /// Roots of position and heading are 0 but for rounding, 1/s.
 const MARGINAL: f64 = 1e-6;
@@ -51,8 +51,8 @@ pub struct Measured {
     pub doublets: [Watched; 2],
 }
 
-/// In a trim, or the greatest departures from it.
-#[derive(Clone, Copy, Default)]
+/// In a trim, or how far each swings in a flight: from the least to the greatest.
+#[derive(Clone, Copy)]
 pub struct Watched {
     /// Of the right wing's, m.
     pub tip_up: f64,
@@ -153,12 +153,12 @@ fn gust(entry: &Entry, model: &Arc<ReducedModel>, level: Fidelity) -> Watched {
     flight.set("gust.gradient", gradient).unwrap();
     flight.set("gust.peak", peak).unwrap();
     flight.set("gust.start", 0.2).unwrap();
-    departures(entry, &mut flight, |_, _| ())
+    swings(entry, &mut flight, |_, _| ())
 }
 
 fn doublet(entry: &Entry, model: &Arc<ReducedModel>, level: Fidelity) -> Watched {
     let [amplitude, length] = entry.flights.doublet;
-    departures(entry, &mut begun(model, level), |flight, time| {
+    swings(entry, &mut begun(model, level), |flight, time| {
         let angle = match time - 0.2 {
             since if since < 0.0 => 0.0,
             since if since < length => -amplitude,
@@ -169,23 +169,25 @@ fn doublet(entry: &Entry, model: &Arc<ReducedModel>, level: Fidelity) -> Watched
     })
 }
 
-/// Flies, and takes the greatest departures from the trim.
-fn departures(entry: &Entry, flight: &mut Flight, steer: impl Fn(&mut Flight, f64)) -> Watched {
-    let begin = trimmed(flight, entry.cut);
-    let mut most = Watched::default();
+/// Flies, and takes how far each quantity swings.
+fn swings(entry: &Entry, flight: &mut Flight, steer: impl Fn(&mut Flight, f64)) -> Watched {
+    let mut history = vec![trimmed(flight, entry.cut)];
     for step in 0..(entry.flights.duration / STEP).round() as usize {
         steer(flight, step as f64 * STEP);
         flight.advance(STEP).unwrap_or_else(|error| panic!("{}: {error}", entry.name));
-        let now = trimmed(flight, entry.cut);
-        let further = |most: f64, now: f64, begin: f64| {
-            if (now - begin).abs() > most.abs() { now - begin } else { most }
-        };
-        most = Watched {
-            tip_up: further(most.tip_up, now.tip_up, begin.tip_up),
-            pitch: further(most.pitch, now.pitch, begin.pitch),
-            load_factor: further(most.load_factor, now.load_factor, begin.load_factor),
-            bending: further(most.bending, now.bending, begin.bending),
-        };
+        history.push(trimmed(flight, entry.cut));
     }
-    most
+    let swing = |of: fn(&Watched) -> f64| {
+        let ends = history
+            .iter()
+            .map(of)
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], now| [low.min(now), high.max(now)]);
+        ends[1] - ends[0]
+    };
+    Watched {
+        tip_up: swing(|watched| watched.tip_up),
+        pitch: swing(|watched| watched.pitch),
+        load_factor: swing(|watched| watched.load_factor),
+        bending: swing(|watched| watched.bending),
+    }
 }

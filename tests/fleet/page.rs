@@ -123,8 +123,8 @@ fn difference(one: f64, other: f64) -> String {
     match 100.0 * (other / one - 1.0) {
         _ if one.abs() < 0.01 => "–".to_owned(),
         percent if percent.abs() < 0.05 => "0".to_owned(),
-        percent if percent.abs() < 9.95 => format!("{percent:+.1} %"),
-        percent => format!("{percent:+.0} %"),
+        percent if percent.abs() < 9.95 => format!("{percent:+.1} %").replace('-', "−"),
+        percent => format!("{percent:+.0} %").replace('-', "−"),
     }
 }
 
@@ -142,9 +142,10 @@ fn three(number: f64) -> String {
     if number.abs() < 5e-4 {
         return "0".to_owned();
     }
-    let decimals = (2 - number.abs().log10().floor() as i32).clamp(0, 4);
-    let unit = 10_f64.powi((number.abs().log10().floor() as i32 - 2).max(0));
-    format!("{:.*}", decimals as usize, (number / unit).round() * unit).replace('-', "−")
+    let leading = number.abs().log10().floor() as i32;
+    let unit = 10_f64.powi(leading - 2);
+    let decimals = usize::try_from(2 - leading).unwrap_or(0);
+    format!("{:.decimals$}", (number / unit).round() * unit).replace('-', "−")
 }
 
 fn tenths(number: f64) -> String {

@@ -89,6 +89,7 @@ impl Cantilever {
             components: Vec::new(),
             written: Vec::new(),
             cuts: Vec::new(),
+            joints: Vec::new(),
         }
     }
 }

@@ -157,5 +157,6 @@ fn model(strip: ReducedStrip) -> ReducedModel {
         stations: Vec::new(),
         masses: Vec::new(),
         cuts: Vec::new(),
+        joints: Vec::new(),
     }
 }

@@ -65,6 +65,7 @@ fn model(elements: usize) -> ReducedModel {
         }],
         masses: Vec::new(),
         cuts: Vec::new(),
+        joints: Vec::new(),
     }
 }
 
