@@ -3,6 +3,8 @@
 #[cfg(test)]
 mod aircraft;
 #[cfg(test)]
+mod fleet;
+#[cfg(test)]
 mod fmu;
 #[cfg(test)]
 mod support;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # All tests: Rust, then the packaged FMU through FMPy, through every importer that a registry has, and coupled with control
-# laws, then what `flexair view` writes, files and pages in Chromium. With platforms in PLATFORMS (win64, aarch64-linux) their
+# laws, then what `flexair view` writes, files and pages in Chromium, and Nastran decks beside pyNastran. With platforms in PLATFORMS (win64, aarch64-linux) their
 # libraries are built and flown too, with WHEEL=1, or platforms in WHEEL, the Python package is built, installed and tested: that is
 # slow, and rarely breaks. Needs Rust, a C compiler and Python 3.11 or newer.
 #
@@ -25,7 +25,7 @@ environment() {
     cp "$requirements" "$venv/requirements.txt"
 }
 environments() {
-    for tests in fmpy masters coupling view; do
+    for tests in fmpy masters coupling view nastran; do
         environment tests/$tests/requirements.txt $tests
     done
     # An importer whose packages conflict with those of the others.
@@ -56,7 +56,7 @@ is_made $package "$target/package.log"
 is_made $environments "$target/environments.log"
 export GEMSEO_PYTHON=$target/venv-gemseo/bin/python
 export FMU=$target/fmu/FlexibleAircraft.fmu FLEXAIR=$target/release/flexair EXAMPLES=$target/checked/examples
-for tests in fmpy masters coupling view; do
+for tests in fmpy masters coupling view nastran; do
     # A file of tests stays with one process: its tests share what is costly to make.
     "$target/venv-$tests/bin/python" -m pytest -rs --numprocesses auto --dist loadfile tests/$tests
 done

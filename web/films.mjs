@@ -13,6 +13,7 @@ import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import sharp from "sharp";
 import { launch, missing, open } from "../tests/view/browser.mjs";
+import { drag, style } from "./scene-alone.mjs";
 
 const root = resolve(import.meta.dirname, "..");
 const flexair = resolve(process.env.FLEXAIR ?? join(root, "target/release/flexair"));
@@ -59,26 +60,6 @@ const films = [
   },
 ];
 
-/**
- * Only the scene, as large as the film, with what it says above and its legend below. That has a layer of its own: the grain of its colours
- * depends on where on a layer it lies, and that is else not always the same.
- */
-const style = (says) => `
-  #stage { position: fixed !important; inset: 0; height: auto !important; z-index: 9 }
-  #legend { top: auto; bottom: 10px; will-change: transform }
-  #stage::after { content: ${JSON.stringify(says).replaceAll("\\n", "\\A ")}; position: absolute; left: 12px; top: 10px;
-    white-space: pre; line-height: 1.4; font-size: 13px; font-weight: 600 }`;
-
-/** Drags the mouse over the scene, with a key held. */
-async function drag(page, [right, down], key) {
-  if (key) await page.keyboard.down(key);
-  await page.mouse.move(SIZE.width / 2, SIZE.height / 2);
-  await page.mouse.down();
-  await page.mouse.move(SIZE.width / 2 + right, SIZE.height / 2 + down, { steps: 8 });
-  await page.mouse.up();
-  if (key) await page.keyboard.up(key);
-}
-
 /** Opens a film's page and points the camera. */
 async function stage(browser, address, film) {
   const options = { viewport: SIZE, deviceScaleFactor: RATIO, colorScheme: "light" };
@@ -88,8 +69,8 @@ async function stage(browser, address, film) {
     flexair.setColour("bending");
     flexair.setDeformation(deformation);
   }, film.deformation ?? 1);
-  await drag(page, film.turn);
-  await drag(page, film.shift, "Shift");
+  await drag(page, SIZE, film.turn);
+  await drag(page, SIZE, film.shift, "Shift");
   await page.mouse.wheel(0, film.wheel);
   return page;
 }

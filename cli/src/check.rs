@@ -6,11 +6,11 @@ use clap::Args;
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 use flexible_aircraft_packaging::FileError;
 
-use crate::describe::Description;
-use crate::describe::{json, text};
+use crate::describe::{Description, json, text};
 use crate::diagnostics::odd_trims;
 use crate::files::{Drafts, Overwriting, STANDARD, refuse_overwriting};
 use crate::flown::{self, FlownOptions};
+use crate::outcome::Outcome;
 use crate::terminal;
 
 /// Options of `flexair check`.
@@ -50,11 +50,11 @@ pub enum Error {
     Overwriting(#[from] Overwriting),
 }
 
-/// Checks an aircraft file and says how many things are unusual.
+/// Checks an aircraft file and says what is unusual.
 ///
 /// # Errors
 /// When there are mistakes in the file, or its aircraft has no modes or structure that could be described.
-pub fn run(options: &CheckOptions) -> Result<usize, Error> {
+pub fn run(options: &CheckOptions) -> Result<Outcome, Error> {
     let outputs: Vec<&Path> = options.json.iter().map(PathBuf::as_path).collect();
     refuse_overwriting(&outputs, [options.file.as_path()])?;
     let to_standard = options.json.as_deref() == Some(Path::new(STANDARD));
@@ -72,7 +72,7 @@ pub fn run(options: &CheckOptions) -> Result<usize, Error> {
         None => terminal::print(&format!("{}\n{}\n", text::text(&description), verdict(options, count)))?,
     }
     drafts.keep(json.filter(|_| !to_standard))?;
-    Ok(count)
+    Ok(if count == 0 { Outcome::Clean } else { Outcome::Remarks })
 }
 
 fn verdict(options: &CheckOptions, warnings: usize) -> String {

@@ -29,6 +29,11 @@ pub struct ConditionOptions {
     #[arg(long, value_name = "M", allow_negative_numbers = true)]
     altitude: Option<f64>,
 
+    /// By how much the air is warmer than the standard atmosphere, K, where the aircraft has no `density_kg_m3` [default: the
+    /// aircraft's]
+    #[arg(long, value_name = "K", allow_negative_numbers = true)]
+    temperature_offset: Option<f64>,
+
     /// Factor on all elastic properties
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
     stiffness_scale: f64,
@@ -81,10 +86,10 @@ pub enum Error {
     #[error("{option}: found {}, allowed is {} to {} m/s", Plain(*found), allowed.start(), allowed.end())]
     Airspeed { option: &'static str, found: f64, allowed: RangeInclusive<f64> },
     #[error(
-        "--altitude {}: {aircraft} is in a wind tunnel with air of its own, `density_kg_m3`; allowed is one of them",
-        Plain(*altitude)
+        "{option} {}: {aircraft} is in a wind tunnel with air of its own, `density_kg_m3`; allowed is one of them",
+        Plain(*found)
     )]
-    TunnelAltitude { altitude: f64, aircraft: String },
+    TunnelAir { option: &'static str, found: f64, aircraft: String },
     #[error(
         "--from {} --to {} --points {points} is no range: 0 < from < to (m/s) and 2 to {MOST_POINTS} points are allowed",
         Plain(*from),
@@ -121,8 +126,16 @@ impl ConditionOptions {
     pub fn read(&self) -> Result<Aircraft, Error> {
         let mut aircraft = diagnostics::read_aircraft(&self.aircraft)?;
         aircraft.load_modes |= self.load_modes;
-        if let (Some(altitude), Some(_)) = (self.altitude, &aircraft.tunnel_air) {
-            return Err(Error::TunnelAltitude { altitude, aircraft: self.aircraft.display().to_string() });
+        for (option, given) in
+            [("--altitude", self.altitude), ("--temperature-offset", self.temperature_offset)]
+        {
+            if let (Some(found), Some(_)) = (given, &aircraft.tunnel_air) {
+                return Err(Error::TunnelAir {
+                    option,
+                    found,
+                    aircraft: self.aircraft.display().to_string(),
+                });
+            }
         }
         Ok(aircraft)
     }
@@ -182,6 +195,7 @@ impl ConditionOptions {
         PlantSettings {
             fidelity: self.fidelity(aircraft),
             altitude: self.altitude.unwrap_or(aircraft.altitude),
+            temperature_offset: self.temperature_offset.unwrap_or(aircraft.temperature_offset),
             stiffness_scale: self.stiffness_scale,
             structural_damping: self.structural_damping,
             mode_selection: self.mode_family.selection(),

@@ -8,7 +8,7 @@ use std::path::Path;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 
-use crate::marked::Rejected;
+use crate::marked::{Rejected, RejectedFiles};
 use crate::terminal;
 
 /// What any command fails of, for people on a terminal.
@@ -40,6 +40,9 @@ impl<E: Error + 'static> Report for E {
             }
             if let Some(rejected) = error.downcast_ref() {
                 return render_rejected(rejected, renderer);
+            }
+            if let Some(files) = error.downcast_ref() {
+                return render_files(files, renderer);
             }
             cause = error.source();
         }
@@ -95,6 +98,12 @@ fn render_rejected(rejected: &Rejected, renderer: &Renderer) -> String {
         block(renderer, (file_name, text), &mistake.span, (&title, &mistake.allowed))
     });
     blocks.collect::<Vec<_>>().join("\n\n")
+}
+
+fn render_files(rejected: &RejectedFiles, renderer: &Renderer) -> String {
+    let whole = rejected.whole.iter().map(|text| format!("error: {text}"));
+    let files = rejected.files.iter().map(|file| render_rejected(file, renderer));
+    whole.chain(files).chain(rejected.more()).collect::<Vec<_>>().join("\n\n")
 }
 
 /// A title, the lines of a file with a place, and a label under it.

@@ -18,7 +18,7 @@ use crate::diagnostics;
 use crate::numbers::Plain;
 
 /// The modes and parameters of an aircraft that flies.
-#[derive(Args)]
+#[derive(Args, Default)]
 pub struct FlownOptions {
     /// How many natural modes fly, lowest frequencies first; load modes are not counted [default: 12, or all where there are
     /// fewer; `--set mode_count=…` then has up to 26 fly]
@@ -106,7 +106,7 @@ pub fn condition(model: &ReducedModel, settings: &Settings) -> String {
     let plant = &settings.plant;
     let air = match model.tunnel_air {
         Some(air) => format!("air of {} kg/m³", Plain(air.density)),
-        None => format!("{} m", Plain(plant.altitude)),
+        None => plant.air_in_words(),
     };
     format!("{} m/s, {air}, {}", Plain(plant.airspeed), level(settings))
 }

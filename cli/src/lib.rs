@@ -29,6 +29,7 @@ mod flutter;
 mod gust;
 mod gust_flights;
 pub mod home;
+pub mod import;
 mod interfaces;
 mod limits;
 mod linearise;
@@ -39,6 +40,7 @@ mod marked;
 mod merge;
 mod new;
 mod numbers;
+mod outcome;
 mod package;
 pub mod progress;
 mod proof;
@@ -53,8 +55,8 @@ mod view;
 mod watched;
 mod workspace;
 
-use diagnostics::Report as _;
 use home::Home;
+use outcome::Outcome;
 
 /// Nonlinear flight dynamics of flexible aircraft, packaged for simulation tools (FMI 2.0 and 3.0)
 #[derive(Parser)]
@@ -115,6 +117,9 @@ enum Command {
 
     /// Write a first file of your own aircraft: asks for kind, span, mass and the like, finds the rest, says what it assumed
     New(new::NewOptions),
+
+    /// Write an aircraft file from the model of another program (a Nastran deck), and report by line what is not held
+    Import(import::ImportOptions),
 
     /// Write the format of aircraft files as JSON Schema, by which editors complete, explain and mark them
     Schema(schema::SchemaOptions),
@@ -212,7 +217,8 @@ fn command_line(home: &Home) -> clap::Command {
     };
     CommandLine::command().mut_subcommands(|command| {
         let name = command.get_name().to_owned();
-        command.mut_args(|argument| at_home(home, &name, option(argument)))
+        let command = command.mut_args(|argument| at_home(home, &name, option(argument)));
+        command.mut_subcommands(|command| command.mut_args(option))
     })
 }
 
@@ -261,6 +267,11 @@ const USAGE: u8 = 2;
 /// What a command ends with that did what was asked and has something to say of it.
 const REMARKS: u8 = 2;
 
+/// How a command ended, or the report of why it did not do what was asked.
+fn ended<T: Into<Outcome>, E: diagnostics::Report>(result: Result<T, E>) -> Result<Outcome, String> {
+    result.map(Into::into).map_err(|error| error.report())
+}
+
 /// Does what a command line asks for, the program's name first, and returns what the program should end with.
 pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8 {
     stop_when_asked();
@@ -274,35 +285,31 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8
         }
     };
     let outcome = match command {
-        Command::Package(options) => package::run(options, home).map_err(|error| error.report()),
-        Command::Merge(options) => merge::run(&options).map_err(|error| error.report()),
-        Command::Reproduce(options) => reproduce::run(&options).map_err(|error| error.report()),
-        Command::Simulate(options) => simulate::run(&options).map_err(|error| error.report()),
-        Command::Trim(options) => trim::run(&options).map_err(|error| error.report()),
-        Command::Describe(options) => describe::run(&options).map_err(|error| error.report()),
-        Command::Check(options) => match check::run(&options) {
-            Ok(0) => Ok(()),
-            Ok(_) => return REMARKS,
-            Err(error) => Err(error.report()),
-        },
-        Command::Linearise(options) => linearise::run(&options).map_err(|error| error.report()),
-        Command::Flutter(options) => flutter::run(&options).map_err(|error| error.report()),
-        Command::Converge(options) => converge::run(&options).map_err(|error| error.report()),
-        Command::Gust(options) => gust::run(&options).map_err(|error| error.report()),
-        Command::Loads(options) => loads::run(&options).map_err(|error| error.report()),
-        Command::View(options) => view::run(&options, home).map_err(|error| error.report()),
-        Command::Sweep(options) => sweep::run(&options, home).map_err(|error| error.report()),
-        Command::Bench(options) => bench::run(&options).map_err(|error| error.report()),
-        Command::Ssp(options) => ssp::run(&options).map_err(|error| error.report()),
-        Command::New(options) => new::run(&options).map_err(|error| error.report()),
-        Command::Schema(options) => schema::run(&options).map_err(|error| error.report()),
-        Command::Aircraft(_) => aircraft::run(home).map_err(|error| error.report()),
-        Command::Completions(options) => {
-            completions::run(&options, command_line(home)).map_err(|error| error.report())
-        }
+        Command::Package(options) => ended(package::run(options, home)),
+        Command::Merge(options) => ended(merge::run(&options)),
+        Command::Reproduce(options) => ended(reproduce::run(&options)),
+        Command::Simulate(options) => ended(simulate::run(&options)),
+        Command::Trim(options) => ended(trim::run(&options)),
+        Command::Describe(options) => ended(describe::run(&options)),
+        Command::Check(options) => ended(check::run(&options)),
+        Command::Linearise(options) => ended(linearise::run(&options)),
+        Command::Flutter(options) => ended(flutter::run(&options)),
+        Command::Converge(options) => ended(converge::run(&options)),
+        Command::Gust(options) => ended(gust::run(&options)),
+        Command::Loads(options) => ended(loads::run(&options)),
+        Command::View(options) => ended(view::run(&options, home)),
+        Command::Sweep(options) => ended(sweep::run(&options, home)),
+        Command::Bench(options) => ended(bench::run(&options)),
+        Command::Ssp(options) => ended(ssp::run(&options)),
+        Command::New(options) => ended(new::run(&options)),
+        Command::Import(options) => ended(import::run(&options)),
+        Command::Schema(options) => ended(schema::run(&options)),
+        Command::Aircraft(_) => ended(aircraft::run(home)),
+        Command::Completions(options) => ended(completions::run(&options, command_line(home))),
     };
     match outcome {
-        Ok(()) => SUCCESS,
+        Ok(Outcome::Clean) => SUCCESS,
+        Ok(Outcome::Remarks) => REMARKS,
         Err(report) => {
             terminal::note(&report);
             FAILURE

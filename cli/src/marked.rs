@@ -40,6 +40,30 @@ impl Rejected {
     }
 }
 
+/// Texts that are not as they must be, and what is wrong in none of their lines. Displayed as one line for each mistake.
+#[derive(Clone, Debug, Default, PartialEq, Eq, thiserror::Error)]
+#[error("{}", self.lines())]
+pub struct RejectedFiles {
+    /// Each with its own mistakes.
+    pub files: Vec<Rejected>,
+    /// Mistakes that are in no line.
+    pub whole: Vec<String>,
+    /// How many more there are, which are not told.
+    pub more: usize,
+}
+
+impl RejectedFiles {
+    fn lines(&self) -> String {
+        let files = self.files.iter().map(ToString::to_string);
+        self.whole.iter().cloned().chain(files).chain(self.more()).collect::<Vec<_>>().join("\n")
+    }
+
+    /// Says that there are more.
+    pub fn more(&self) -> Option<String> {
+        (self.more > 0).then(|| format!("and {} mistakes more", self.more))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -132,7 +132,7 @@ fn support(aircraft: &Aircraft) -> String {
         Support::Clamped => {
             let air = match aircraft.tunnel_air {
                 Some(air) => format!("its air has {} kg/m³", air.density),
-                None => "<code>altitude</code> chooses its air".to_owned(),
+                None => "<code>altitude</code> and <code>temperature_offset</code> choose its air".to_owned(),
             };
             format!(
                 "The aircraft is clamped at O in a wind tunnel: it does not move as a whole, and stands as its file says. \

@@ -8,7 +8,7 @@ mod imposed;
 mod out_of_range;
 mod turbulence;
 
-pub use atmosphere::{Air, STANDARD_GRAVITY};
+pub use atmosphere::{Air, Atmosphere, STANDARD_GRAVITY};
 pub(crate) use atmosphere::{SEA_LEVEL_DENSITY, SEA_LEVEL_PRESSURE};
 pub use flow::UniformFlow;
 pub(crate) use flow::{MetAir, MetAt, UniformlyMet};

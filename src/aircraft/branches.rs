@@ -46,6 +46,19 @@ impl Branches {
         self.parents[node]
     }
 
+    /// The end nodes of the beams on the way from a node to another one.
+    pub(crate) fn between(&self, [one, other]: [usize; 2]) -> Vec<usize> {
+        let to_origin = |node: usize| {
+            std::iter::successors(Some(node), |&node| Some(self.parents[node]).filter(|_| node != 0))
+        };
+        let beyond_origin = |node: usize| to_origin(node).take_while(|&node| node != 0).collect::<Vec<_>>();
+        let (ones, others) = (beyond_origin(one), beyond_origin(other));
+        let apart = |own: &[usize], their: &[usize]| {
+            own.iter().copied().filter(|node| !their.contains(node)).collect::<Vec<_>>()
+        };
+        [apart(&ones, &others), apart(&others, &ones)].concat()
+    }
+
     /// The image of each node, if it has one, each taken once; `alike` says whether a node with the beam that ends
     /// there is, by itself, the image of another one with its beam. Whole branches go before single beams.
     pub(crate) fn images(&self, alike: &dyn Fn(usize, usize) -> bool) -> Vec<Option<usize>> {

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::branches::{Branches, CLOSE, one_to_one};
+use super::coupling::{Coupling, Hinge, Spring};
 use super::document::Located;
 use super::error::{Place, Problem, Report};
 use super::expand::Assembly;
@@ -60,7 +61,7 @@ pub(super) fn mass(aircraft: &Aircraft, report: &Report) {
     }
 }
 
-/// The structure is its own image in y = 0: nodes, beams, bays, engines.
+/// The structure is its own image in y = 0: nodes, beams, joints, bays, engines.
 pub(super) fn symmetry(assembly: &Assembly, file: &FileSpec, report: &Report) {
     let aircraft = &assembly.aircraft;
     let mirror = Mirror::of(aircraft);
@@ -77,6 +78,12 @@ pub(super) fn symmetry(assembly: &Assembly, file: &FileSpec, report: &Report) {
         }
     }
     let mut told: Vec<&Place> = Vec::new();
+    for (joint, place) in aircraft.joints.iter().zip(&assembly.joint_places) {
+        let is_lonely = joint.ends.iter().any(|end| lonely_components.contains(&&end.component));
+        if !is_lonely && !aircraft.is_mirrored(joint, &mirror.images) {
+            complain(place, joint.to_string());
+        }
+    }
     let bays = pair_off(&aircraft.bays, |one, other| mirror.bays(one, other));
     for ((bay, place), image) in aircraft.bays.iter().zip(&assembly.bay_places).zip(bays) {
         let component = &aircraft.beams[bay.attachment.beam].component;
@@ -85,12 +92,61 @@ pub(super) fn symmetry(assembly: &Assembly, file: &FileSpec, report: &Report) {
             complain(place, format!("a mass of {} kg", bay.mass));
         }
     }
-    let engines = pair_off(&aircraft.engines, |one, other| mirror.engines(one, other));
+    let engines =
+        pair_off(&aircraft.engines, |one, other| mirror.engines(one, other) && run_mirrored(one, other));
     for ((engine, spec), image) in aircraft.engines.iter().zip(&file.engines).zip(engines) {
-        if image.is_none() {
-            complain(&spec.name.place, format!("the engine \"{}\"", engine.name));
+        let Engine { name, .. } = engine;
+        let mut in_place = aircraft.engines.iter().filter(|other| mirror.engines(engine, other));
+        match (image, in_place.next()) {
+            (Some(_), _) => {}
+            (None, None) => complain(&spec.name.place, format!("the engine \"{name}\"")),
+            (None, Some(other)) => {
+                let (found, allowed) = odd_engines(engine, other);
+                report.add(Problem::NotSymmetric, &spec.name.place, found, allowed);
+            }
         }
     }
+}
+
+/// Some engine has thrust in trims, where there are any.
+pub(super) fn trim_shares(aircraft: &Aircraft, file: &FileSpec, report: &Report) {
+    let Some(first) = file.engines.first() else { return };
+    if aircraft.engines.iter().all(|engine| engine.trim_share == 0.0) {
+        let place = first.name.place.clone();
+        let found = "found trim_share = 0 of all engines: none has thrust in trims";
+        report.add(Problem::OutOfRange, &place, found, "more than 0 is allowed of one at least");
+    }
+}
+
+/// Whether engines that are mirror images by their places are so by what they do: axes of rotation turn the other way in a mirror.
+fn run_mirrored(one: &Engine, other: &Engine) -> bool {
+    same(one.torque, -other.torque)
+        && same(one.angular_momentum, -other.angular_momentum)
+        && same(one.trim_share, other.trim_share)
+}
+
+/// What is found and what is allowed where they are not.
+fn odd_engines(one: &Engine, other: &Engine) -> (String, String) {
+    let (field, found, image, allowed) = if !same(one.torque, -other.torque) {
+        ("torque_m", one.torque, other.torque, -other.torque)
+    } else if !same(one.angular_momentum, -other.angular_momentum) {
+        ("angular_momentum_kg_m2_s", one.angular_momentum, other.angular_momentum, -other.angular_momentum)
+    } else {
+        ("trim_share", one.trim_share, other.trim_share, other.trim_share)
+    };
+    let name = &one.name;
+    if one.name == other.name {
+        let found = format!(
+            "found {field} = {found} of the engine \"{name}\" in the plane y = 0, while symmetric = true"
+        );
+        return (found, "0 is allowed there, or symmetric = false".to_owned());
+    }
+    let found = format!(
+        "found {field} = {found} of the engine \"{name}\", and {image} of its mirror image \"{}\", while symmetric = true",
+        other.name
+    );
+    // 0 and not −0.
+    (found, format!("{} is allowed, or symmetric = false", allowed + 0.0))
 }
 
 /// The image of each part, if it has one: itself or another, each taken once.
@@ -135,15 +191,16 @@ impl<'a> Mirror<'a> {
             (Some(one), Some(other)) => mirror.beams(one, other),
             _ => false,
         };
-        let with_bays = |one: usize, other: usize| {
+        let joined = aircraft.rotations_joined();
+        let with_all = |one: usize, other: usize| {
             let carried = |one: &MassBay, other: &MassBay| {
                 let apart = (one.attachment.fraction - other.attachment.fraction).abs();
                 apart <= CLOSE && mirror.lumps(one, other)
             };
-            alike(one, other) && one_to_one(&bays[one], &bays[other], carried)
+            joined[one] == joined[other] && alike(one, other) && one_to_one(&bays[one], &bays[other], carried)
         };
         // Branches in one place are told apart by what they carry; what cannot be found so is by its beams alone.
-        let images = Some(mirror.branches.images(&with_bays)).filter(|images| !images.contains(&None));
+        let images = Some(mirror.branches.images(&with_all)).filter(|images| !images.contains(&None));
         mirror.images = images.unwrap_or_else(|| mirror.branches.images(&alike));
         mirror
     }
@@ -158,13 +215,36 @@ impl<'a> Mirror<'a> {
 
     fn beams(&self, one: &Beam, other: &Beam) -> bool {
         let node = |beam: &Beam, end: usize| self.aircraft.nodes[beam.nodes[end]];
-        let y_axes = Side::Mirrored.vector(one.y_axis).cross(&other.y_axis).norm();
+        let image_of_y = Side::Mirrored.vector(one.y_axis);
+        let is_turned = image_of_y.dot(&other.y_axis) < 0.0;
+        let image = one.coupling.mirrored();
+        let image = if is_turned { image.turned_about() } else { image };
         (0..2).all(|end| self.places(node(one, end), node(other, end)))
-            && y_axes <= 1e-9
+            && image_of_y.cross(&other.y_axis).norm() <= 1e-9
             && same(one.axial_stiffness, other.axial_stiffness)
             && same(one.torsional_stiffness, other.torsional_stiffness)
             && same(one.bending_stiffness_y, other.bending_stiffness_y)
             && same(one.bending_stiffness_z, other.bending_stiffness_z)
+            && self.couplings(other, &image)
+            && same_hinges(one.hinge.as_ref(), other.hinge.as_ref())
+    }
+
+    /// Whether a beam has a coupling, each stiffness of it relative to those that it couples.
+    fn couplings(&self, beam: &Beam, coupling: &Coupling) -> bool {
+        let Coupling { bending, bend_twist: [y, z], stretch_by_twist, tension_axis, shear_centre } =
+            beam.coupling;
+        let [torsional, bending_y, bending_z] =
+            [beam.torsional_stiffness, beam.bending_stiffness_y, beam.bending_stiffness_z];
+        let near = |one: f64, other: f64, size: f64| (one - other).abs() <= 1e-9 * size;
+        let places = |one: [f64; 2], other: [f64; 2]| {
+            (0..2).all(|axis| near(one[axis], other[axis], 1e9 * self.slack))
+        };
+        near(bending, coupling.bending, (bending_y * bending_z).sqrt())
+            && near(y, coupling.bend_twist[0], (torsional * bending_y).sqrt())
+            && near(z, coupling.bend_twist[1], (torsional * bending_z).sqrt())
+            && near(stretch_by_twist, coupling.stretch_by_twist, 1e9 * self.slack)
+            && places(tension_axis, coupling.tension_axis)
+            && places(shear_centre, coupling.shear_centre)
     }
 
     fn bays(&self, one: &MassBay, other: &MassBay) -> bool {
@@ -183,6 +263,23 @@ impl<'a> Mirror<'a> {
         self.sections(one.attachment, other.attachment)
             && self.places(one.offset, other.offset)
             && (Side::Mirrored.vector(one.direction) - other.direction).norm() <= 1e-9
+    }
+}
+
+/// Whether each spring of one hinge has its image among those of the other.
+fn same_hinges(one: Option<&Hinge>, other: Option<&Hinge>) -> bool {
+    let mirrors = |one: &Spring, other: &Spring| {
+        Side::Mirrored.vector(one.axis).cross(&other.axis).norm() <= 1e-9
+            && same(one.stiffness, other.stiffness)
+    };
+    match (one, other) {
+        (None, None) => true,
+        (Some(one), Some(other)) => one_to_one(
+            &one.springs.iter().collect::<Vec<_>>(),
+            &other.springs.iter().collect::<Vec<_>>(),
+            mirrors,
+        ),
+        _ => false,
     }
 }
 

@@ -23,6 +23,7 @@ pub(crate) const TAKEN: &[&str] = &[
     "model",
     "airspeed",
     "altitude",
+    "temperature_offset",
     "heading",
     "stiffness_scale",
     "structural_damping",

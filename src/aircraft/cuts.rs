@@ -1,7 +1,7 @@
 //! Where the airframe can be cut in thought, and what is outboard of a cut [theory: section-loads.outboard].
 
 use super::components::component_named;
-use super::error::Report;
+use super::error::{Problem, Report};
 use super::model::{Aircraft, Attachment, Component, Cut};
 use super::schema::CutSpec;
 
@@ -14,14 +14,21 @@ pub(super) fn cuts(specs: &[CutSpec], aircraft: &Aircraft, report: &Report) -> V
         let names = aircraft.components.iter().map(|component| component.name.as_str());
         let component = component_named(&spec.component, names, report)?;
         let node = aircraft.node_nearest(component, spec.at);
-        Some(Cut { asked: spec.at, ..aircraft.cut(&spec.name.value, component, node) })
+        let cut = Cut { asked: spec.at, ..aircraft.cut(&spec.name.value, component, node) };
+        if let Some(joint) = aircraft.loop_through(&cut) {
+            let found = format!("found a cut within the loop that is closed by {joint}");
+            let allowed = "a cut beside loops is allowed: within one the structure is statically indeterminate, summation has no \
+                           unique answer";
+            report.add(Problem::Contradiction, &spec.name.place, found, allowed);
+        }
+        Some(cut)
     };
     specs.iter().filter_map(cut).collect()
 }
 
 impl Aircraft {
-    /// Cuts at every node of a component, named after it and numbered from its root: `wing_right_00` and on. `None` without
-    /// such a component.
+    /// Cuts at every node of a component, named after it and numbered from its root: `wing_right_00` and on; none within loops, where
+    /// summation has no unique answer. `None` without such a component.
     ///
     /// ```
     /// # use flexible_aircraft::{Aircraft, ReducedModel};
@@ -42,7 +49,7 @@ impl Aircraft {
         let nodes = self.components[index].nodes.len();
         let digits = (nodes - 1).to_string().len().max(2);
         let cut = |node| self.cut(&format!("{component}_{node:0digits$}"), index, node);
-        Some((0..nodes).map(cut).collect())
+        Some((0..nodes).map(cut).filter(|cut| self.loop_through(cut).is_none()).collect())
     }
 
     /// A cut at a node of a component, counted from its root.

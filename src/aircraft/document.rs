@@ -136,6 +136,31 @@ impl<'r, 't> Value<'r, 't> {
         chosen.and_then(meaning).map(|(_, meaning)| *meaning).or_else(|| self.wrong(&list()))
     }
 
+    /// What some of the other words of the field mean, each once.
+    pub(super) fn several_of<T: Copy>(&self, meanings: &[(&str, T)]) -> Option<Vec<T>> {
+        let names = || meanings.iter().map(|(word, _)| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
+        let what = || format!("a list of at least one of {}, each once,", names());
+        let list = self.list(&what())?;
+        let mut chosen: Vec<usize> = Vec::new();
+        for entry in &list {
+            let DeValue::String(text) = entry.value else { return entry.wrong(&names()) };
+            match meanings.iter().position(|(word, _)| word == text) {
+                Some(place) if !chosen.contains(&place) => chosen.push(place),
+                Some(_) => return self.wrong(&what()),
+                None => return entry.wrong(&names()),
+            }
+        }
+        if chosen.is_empty() {
+            self.wrong(&what())
+        } else {
+            Some(chosen.iter().map(|&place| meanings[place].1).collect())
+        }
+    }
+
+    pub(super) fn is_list(&self) -> bool {
+        matches!(self.value, DeValue::Array(_))
+    }
+
     pub(super) fn list(&self, what: &str) -> Option<Vec<Value<'r, 't>>> {
         let DeValue::Array(list) = self.value else { return self.wrong(what) };
         let entry = |(i, value)| {

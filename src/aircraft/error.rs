@@ -28,6 +28,8 @@ pub enum Problem {
     OutOfRange,
     /// Fields that exclude or need each other.
     Contradiction,
+    /// A stiffness by which some strain has no energy, or a negative one.
+    NotPositiveDefinite,
     /// Principal moments of inertia that no body has.
     UnphysicalInertia,
     /// A component that hangs on nothing.

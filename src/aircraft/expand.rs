@@ -9,6 +9,7 @@ use super::cuts;
 use super::document::Located;
 use super::error::{Place, Problem, Report};
 use super::geometry::{Line, Side};
+use super::joints;
 use super::law::Laws;
 use super::masses::{self, LocatedBay};
 use super::model::{
@@ -17,6 +18,7 @@ use super::model::{
 use super::schema::{
     Along, ComponentSpec, ControlSpec, EngineSpec, FileSpec, Hand, MoveSpec, ParentSpec, StationSpec,
 };
+use super::sections;
 use super::stations_along::twist_axis;
 use super::surfaces::{self, PartStrip};
 
@@ -27,6 +29,8 @@ pub(super) struct Assembly {
     pub(super) beam_places: Vec<Place>,
     /// One for each bay.
     pub(super) bay_places: Vec<Place>,
+    /// One for each joint.
+    pub(super) joint_places: Vec<Place>,
 }
 
 /// A component by itself; nodes and elements count from its root, vectors from its attachment point.
@@ -49,6 +53,8 @@ struct Placed<'p> {
     /// From the attachment point on.
     nodes: Vec<usize>,
     first_beam: usize,
+    /// Whether it turns against the first of its nodes.
+    is_hinged: bool,
 }
 
 /// Builds the aircraft; what is wrong with it is reported and `None`.
@@ -66,6 +72,7 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
             inflow_states: file.inflow_states,
             airspeed: file.airspeed.value,
             altitude: file.altitude,
+            temperature_offset: file.temperature_offset,
             reference: file.reference,
             limits: file.limits,
             tunnel_air: file.tunnel_air.as_ref().map(|air| air.value),
@@ -73,6 +80,7 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
             controls: file.controls.iter().map(|spec| spec.control.clone()).collect(),
             nodes: vec![Vector3::zeros()],
             beams: Vec::new(),
+            joints: Vec::new(),
             bays: Vec::new(),
             strips: Vec::new(),
             engines: Vec::new(),
@@ -83,6 +91,7 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
         },
         beam_places: Vec::new(),
         bay_places: Vec::new(),
+        joint_places: Vec::new(),
     };
     let mut placed = Vec::new();
     for part in &parts {
@@ -111,6 +120,9 @@ pub(super) fn expand(file: &FileSpec, report: &Report) -> Option<Assembly> {
     let stations = file.stations.iter().filter_map(|s| station(s, &placed, &assembly.aircraft, report));
     let stations = stations.collect();
     assembly.aircraft.stations = stations;
+    let joints = joints::joints(&file.joints, &assembly.aircraft, report);
+    (assembly.aircraft.joints, assembly.joint_places) = joints.into_iter().unzip();
+    joints::level(file, &assembly.aircraft, &assembly.joint_places, report);
     assembly.aircraft.cuts = cuts::cuts(&file.cuts, &assembly.aircraft, report);
     Some(assembly)
 }
@@ -129,7 +141,10 @@ fn build<'s>(spec: &'s ComponentSpec, report: &Report) -> Option<Part<'s>> {
     let named = |field: &'static str| (1..).map(move |number| format!("{field}[{number}]"));
     let distributed = spec.distributed_masses.iter().map(|mass| masses::distributed(mass, &line, &laws));
     let at_points = spec.point_masses.iter().map(|mass| masses::at_points(mass, &line, report));
+    let of_sections =
+        sections::bays(spec, &line, &laws).into_iter().map(|(name, bays)| (name.to_owned(), bays));
     let of_groups = named("distributed_mass").zip(distributed).chain(named("point_masses").zip(at_points));
+    let of_groups = of_groups.chain(of_sections);
     for (name, more) in of_groups {
         groups.push((name, more.as_ref().map_or(0, Vec::len)));
         bays = extended(bays, more);
@@ -166,18 +181,19 @@ fn extended<T>(list: Option<Vec<T>>, more: Option<Vec<T>>) -> Option<Vec<T>> {
 }
 
 fn beams(spec: &ComponentSpec, line: &Line, laws: &Laws) -> Option<Vec<Beam>> {
-    let middles = line.points_at(0.5);
-    let values = spec.stiffness.iter().map(|(_, law)| laws.values(law, &middles));
-    let stiffness: Vec<Vec<f64>> = values.collect::<Vec<_>>().into_iter().collect::<Option<_>>()?;
+    let sections = sections::of_elements(spec, line, laws)?;
     let beam = |element: usize| {
+        let section = &sections[element];
         Some(Beam {
             component: spec.name.value.clone(),
             nodes: [element, element + 1],
             y_axis: y_axis(spec, line, element, laws.report)?,
-            axial_stiffness: stiffness[0][element],
-            torsional_stiffness: stiffness[1][element],
-            bending_stiffness_y: stiffness[2][element],
-            bending_stiffness_z: stiffness[3][element],
+            axial_stiffness: section.axial,
+            torsional_stiffness: section.torsional,
+            bending_stiffness_y: section.bending_y,
+            bending_stiffness_z: section.bending_z,
+            coupling: section.coupling,
+            hinge: if element == 0 { sections::hinge(spec, line) } else { None },
         })
     };
     (0..line.elements()).map(beam).collect()
@@ -185,8 +201,8 @@ fn beams(spec: &ComponentSpec, line: &Line, laws: &Laws) -> Option<Vec<Beam>> {
 
 /// The written direction made perpendicular to the element.
 fn y_axis(spec: &ComponentSpec, line: &Line, element: usize, report: &Report) -> Option<Vector3<f64>> {
-    let (written, x_axis) = (spec.y_axis.value, line.span(element).normalize());
-    (written - x_axis * x_axis.dot(&written)).try_normalize(1e-6).or_else(|| {
+    let axes = sections::local_axes(spec, line, element);
+    axes.map(|axes| axes.column(1).into_owned()).or_else(|| {
         let found = format!("found a direction along element {} itself", element + 1);
         report.add(Problem::NoDirection, &spec.y_axis.place, found, "a direction across the beam is allowed");
         None
@@ -239,6 +255,12 @@ fn root(
         report.add(Problem::Disconnected, &at.place, found, allowed);
         return None;
     };
+    if node == 0 && parent.is_hinged {
+        let found = format!("found the root of \"{}\", where a hinge is", name.value);
+        let allowed = "a node beyond the hinge is allowed, or what that component hangs on";
+        report.add(Problem::Disconnected, &at.place, found, allowed);
+        return None;
+    }
     if side == Side::AsWritten {
         return Some(Root::of(placed, index, node));
     }
@@ -282,6 +304,8 @@ impl Assembly {
                 component: name.to_owned(),
                 nodes: beam.nodes.map(|local| nodes[local]),
                 y_axis: side.vector(beam.y_axis),
+                coupling: side.coupling(beam.coupling),
+                hinge: beam.hinge.as_ref().map(|hinge| hinge.turned(|axis| side.vector(axis))),
                 ..beam.clone()
             });
             self.beam_places.push(part.spec.name.place.clone());
@@ -313,7 +337,8 @@ impl Assembly {
             image: None,
             parent,
         });
-        Placed { name, partner, line: &part.line, nodes, first_beam }
+        let is_hinged = part.spec.section.hinge.is_some();
+        Placed { name, partner, line: &part.line, nodes, first_beam, is_hinged }
     }
 }
 
@@ -351,7 +376,8 @@ fn attach(name: &Located<String>, along: &Along, placed: &[Placed], report: &Rep
 fn engine(spec: &EngineSpec, placed: &[Placed], report: &Report) -> Option<Engine> {
     let attachment = attach(&spec.component, &spec.along, placed, report)?;
     let name = spec.name.value.clone();
-    Some(Engine { name, attachment, offset: spec.offset, direction: spec.direction })
+    let EngineSpec { offset, direction, torque, angular_momentum, trim_share, .. } = *spec;
+    Some(Engine { name, attachment, offset, direction, torque, angular_momentum, trim_share })
 }
 
 fn station(spec: &StationSpec, placed: &[Placed], aircraft: &Aircraft, report: &Report) -> Option<Station> {

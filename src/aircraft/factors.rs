@@ -16,7 +16,7 @@ pub struct Factor {
 /// What is multiplied.
 #[derive(Clone, Debug, PartialEq)]
 enum Target {
-    /// EA, GJ and both EI of the elements of a component and of its mirror image.
+    /// All stiffnesses of the elements of a component and of its mirror image, that of a hinge at its root too.
     Stiffness { component: String, image: Option<String> },
     /// Mass and inertia of bays, so that radii of gyration stay.
     Mass { bays: Vec<usize> },
@@ -95,6 +95,8 @@ impl Aircraft {
                     beam.torsional_stiffness *= by;
                     beam.bending_stiffness_y *= by;
                     beam.bending_stiffness_z *= by;
+                    beam.coupling = beam.coupling.scaled(by);
+                    beam.hinge = beam.hinge.as_ref().map(|hinge| hinge.scaled(by));
                 }
             }
             Target::Mass { bays } => {

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::coupling::Coupling;
 use super::document::Located;
 use super::error::{Place, Problem, Report};
 use super::law::AxisPoint;
@@ -36,6 +37,14 @@ impl Side {
         match self {
             Side::AsWritten => v,
             Side::Mirrored => Vector3::new(-v.x, v.y, -v.z),
+        }
+    }
+
+    /// Of a section whose local axes are x and y as they come to lie, and z = x × y.
+    pub(super) fn coupling(self, coupling: Coupling) -> Coupling {
+        match self {
+            Side::AsWritten => coupling,
+            Side::Mirrored => coupling.mirrored(),
         }
     }
 

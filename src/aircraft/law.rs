@@ -210,7 +210,10 @@ impl Laws<'_> {
             None => {
                 let names: Vec<&str> = self.named.iter().map(|(name, _)| *name).collect();
                 let found = format!("found \"{of}\", which is not a law here");
-                let allowed = format!("allowed: {}", names.join(", "));
+                let allowed = match names.as_slice() {
+                    [] => "the stiffnesses of this component are no laws: another form is allowed".to_owned(),
+                    names => format!("allowed: {}", names.join(", ")),
+                };
                 self.report.add(
                     Problem::UnknownName,
                     &law.place.within(fields::MULTIPLE_OF.name),

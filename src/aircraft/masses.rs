@@ -120,7 +120,7 @@ fn squared(v: Vector3<f64>) -> Vector3<f64> {
 }
 
 /// Complains about the first inertia that no body has; true when all are in order.
-fn check_inertia(bays: &[LocatedBay], report: &Report) -> bool {
+pub(super) fn check_inertia(bays: &[LocatedBay], report: &Report) -> bool {
     for (bay, place) in bays {
         if let Err(moments) = principal_moments(&bay.inertia) {
             let found = format!("found the principal moments of inertia {moments} kg m²");

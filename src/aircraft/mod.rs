@@ -8,13 +8,17 @@
 //!
 //! | module | takes | gives |
 //! | --- | --- | --- |
-//! | `document`, `read`, `control_tables`, `cut_tables`, `limit_tables`, `model_tables`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
+//! | `document`, `read`, `control_tables`, `cut_tables`, `joint_tables`, `limit_tables`, `model_tables`, `section_tables`, `tunnel` | TOML text | `schema`: the fields, each allowed by itself, with their places |
 //! | `format` | | which fields there are, what they may hold, what holds without them; `allowed` asks it about a number |
 //! | `control`, `limits` | | what controls are, what trims should stay within |
-//! | `law`, `geometry`, `masses`, `surfaces` | one component | its beams, bays and strips |
+//! | `law`, `geometry`, `sections`, `masses`, `surfaces` | one component | its beams, bays and strips |
+//! | `section_matrix`, `box_section` | a 6 × 6 matrix, sizes of a box | stiffness and mass of a section |
+//! | `coupling` | | what sections have beyond four stiffnesses, hinges |
 //! | `expand` | components | [`Aircraft`]: placed, mirrored, attached to one another |
 //! | `toml_value` | a TOML value | what messages call it, its number |
 //! | `components` | a name | the component that has it |
+//! | `joints` | [`Aircraft`] | which of its nodes move together |
+//! | `loops` | [`Aircraft`] | the loops that joints close |
 //! | `cuts` | [`Aircraft`] | where it is cut in thought, what is outboard of a cut |
 //! | `reference` | [`Aircraft`] | the lengths by which coefficients are made dimensionless |
 //! | `stations_along` | [`Aircraft`] | stations that no file lists |
@@ -31,12 +35,14 @@
 #![doc = include_str!("../../aircraft/README.md")]
 
 mod allowed;
+mod box_section;
 mod branches;
 mod check;
 mod components;
 mod control;
 mod control_check;
 mod control_tables;
+mod coupling;
 mod cut_tables;
 mod cuts;
 mod document;
@@ -48,9 +54,12 @@ mod flap;
 pub mod format;
 mod former;
 mod geometry;
+mod joint_tables;
+mod joints;
 mod law;
 mod limit_tables;
 mod limits;
+mod loops;
 mod masses;
 mod model;
 mod model_tables;
@@ -58,6 +67,9 @@ mod read;
 mod reference;
 mod roles;
 mod schema;
+mod section_matrix;
+mod section_tables;
+mod sections;
 mod stations_along;
 mod stretch;
 mod surfaces;
@@ -74,15 +86,16 @@ pub(crate) use branches::Branches;
 pub use control::{Control, Mirroring, TrimRole};
 #[cfg(test)]
 pub(crate) use control_check::{TAKEN, TAKEN_BY_TRIM};
+pub use coupling::{Coupling, Hinge, Spring};
 pub use error::{AircraftFileError, Diagnostic, Problem, looked_for};
 pub use factors::{Factor, FactorOutOfRange};
 pub use fidelity::Fidelity;
 pub use flap::FlapEffect;
 pub use limits::{Bound, Bounds, Limits};
 pub use model::{
-    AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Component, Cut, Engine, Flap, GivenReference,
-    MOST_INFLOW_STATES, MassBay, MassGroup, ModeBasis, Station, Strip, Support, TUNNEL_SPEEDS, TunnelAir,
-    WrittenComponent,
+    AIRSPEEDS, ALTITUDES, Aircraft, Attachment, Beam, Component, Cut, Engine, Flap, GivenReference, Joint,
+    JointEnd, MOST_INFLOW_STATES, MassBay, MassGroup, ModeBasis, Station, Strip, Support,
+    TEMPERATURE_OFFSETS, TUNNEL_SPEEDS, TunnelAir, WrittenComponent,
 };
 pub use reference::ReferenceLengths;
 pub use stations_along::StationsAlongError;
@@ -128,6 +141,7 @@ impl Aircraft {
         let file = report.conclude(file, file_name)?;
         let assembly = report.conclude(expand::expand(&file, &report), file_name)?;
         check::mass(&assembly.aircraft, &report);
+        check::trim_shares(&assembly.aircraft, &file, &report);
         control_check::roles(&assembly.aircraft, &file, &report);
         if file.symmetric {
             check::symmetry(&assembly, &file, &report);

@@ -6,6 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::control::Control;
+use super::coupling::{Coupling, Hinge};
 use super::fidelity::Fidelity;
 use super::limits::Limits;
 
@@ -54,8 +55,11 @@ pub const AIRSPEEDS: RangeInclusive<f64> = 1.0..=400.0;
 /// Speeds of a wind tunnel's flow, m/s: it may be off.
 pub const TUNNEL_SPEEDS: RangeInclusive<f64> = 0.0..=400.0;
 
-/// Altitudes at which an aircraft may be trimmed, m: the standard atmosphere's two layers.
-pub const ALTITUDES: RangeInclusive<f64> = -1000.0..=20_000.0;
+/// Altitudes at which an aircraft may be trimmed, m: within the standard atmosphere's three lowest layers.
+pub const ALTITUDES: RangeInclusive<f64> = -1000.0..=30_000.0;
+
+/// By how much the air may be warmer than the standard atmosphere, K.
+pub const TEMPERATURE_OFFSETS: RangeInclusive<f64> = -60.0..=60.0;
 
 /// Most inflow states of a strip: beyond, the coefficients of the inflow model lose their digits.
 pub const MOST_INFLOW_STATES: usize = 8;
@@ -101,6 +105,8 @@ pub struct Aircraft {
     pub airspeed: f64,
     /// Altitude at which it is trimmed unless someone asks for another, m.
     pub altitude: f64,
+    /// By how much the air is warmer than the standard atmosphere unless someone asks for another number, K; 0 in a tunnel's own air.
+    pub temperature_offset: f64,
     /// What the file says of reference lengths; [`reference_lengths`](Aircraft::reference_lengths) are all of them.
     pub reference: GivenReference,
     /// What its trims should stay within.
@@ -116,6 +122,8 @@ pub struct Aircraft {
     pub beams: Vec<Beam>,
     /// What moves its flaps, in the order of the inputs.
     pub controls: Vec<Control>,
+    /// Nodes that move together: what closes loops in the tree of beams.
+    pub joints: Vec<Joint>,
     /// Lumped masses.
     pub bays: Vec<MassBay>,
     /// Aerodynamic strips.
@@ -159,6 +167,45 @@ pub struct Beam {
     pub bending_stiffness_y: f64,
     /// EI_z, N·m²: resists v″.
     pub bending_stiffness_z: f64,
+    /// What couples these, and axes apart from the reference axis.
+    pub coupling: Coupling,
+    /// By which it turns against its first node, if it does.
+    pub hinge: Option<Hinge>,
+}
+
+/// Two nodes that move together [theory: structure.joints].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    /// Different nodes, at most 1 mm apart.
+    pub ends: [JointEnd; 2],
+    /// Whether they turn together about the body x, y and z axis.
+    pub rotations: [bool; 3],
+}
+
+/// A node that is joined.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointEnd {
+    /// The component that has it.
+    pub component: String,
+    /// Where along it, as a fraction of its length.
+    pub at: f64,
+    /// Among [`Aircraft::nodes`].
+    pub node: usize,
+}
+
+impl Joint {
+    /// Its nodes.
+    pub fn nodes(&self) -> [usize; 2] {
+        [self.ends[0].node, self.ends[1].node]
+    }
+}
+
+impl std::fmt::Display for Joint {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [one, other] = &self.ends;
+        let (name, other_name) = (&one.component, &other.component);
+        write!(f, "the joint of \"{name}\" at {} and \"{other_name}\" at {}", one.at, other.at)
+    }
 }
 
 /// A place on the elastic axis: a fraction of an element's length.
@@ -208,6 +255,8 @@ pub struct Strip {
     ///
     /// [theory: air-loads.moment]
     pub zero_lift_moment: f64,
+    /// c_mα, 1/rad: slope of the moment coefficient about the quarter chord, nose-up [theory: air-loads.moment-slope].
+    pub moment_slope: f64,
     /// CD0.
     pub profile_drag: f64,
     /// η: share of the two-dimensional leading-edge suction that is recovered [theory: air-loads.suction].
@@ -223,6 +272,10 @@ pub struct Flap {
     pub lift_slope: f64,
     /// Hinge position as a fraction of the chord from the leading edge, 0…1 exclusive.
     pub hinge: f64,
+    /// c_mδ, 1/rad: moment coefficient about the quarter chord, nose-up; `None`: that of thin-aerofoil theory.
+    pub moment_slope: Option<f64>,
+    /// k, 1/rad²: profile drag per square of its angle, ≥ 0 [theory: air-loads.drag].
+    pub drag: f64,
     /// Its angle per angle of each control of the aircraft; a positive angle is trailing edge towards +n ("down").
     pub gains: Vec<f64>,
 }
@@ -245,6 +298,12 @@ pub struct Engine {
     pub offset: Vector3<f64>,
     /// Unit vector of positive thrust, body axes.
     pub direction: Vector3<f64>,
+    /// N·m per N of thrust, right-handed about the direction [theory: gravity-and-thrust.torque].
+    pub torque: f64,
+    /// Of what turns in it, along the direction, kg·m²/s [theory: gravity-and-thrust.gyroscopic].
+    pub angular_momentum: f64,
+    /// In what proportion it has the thrust of trims, ≥ 0 [theory: trim.shares].
+    pub trim_share: f64,
 }
 
 /// A beam of several elements, and what it hangs on.

@@ -9,6 +9,7 @@ use super::document::{Located, Table, Value};
 use super::error::{Place, Problem, Report};
 use super::format::allowed::MASS;
 use super::format::{FILE, Field, component, file, masses, places, surface};
+use super::joint_tables::read_joints;
 use super::law::Law;
 use super::limit_tables::read_limits;
 use super::model::{ModeBasis, Support};
@@ -18,6 +19,7 @@ use super::schema::{
     Along, ComponentSpec, DistributedMassSpec, EngineSpec, FileSpec, FlapSpec, Hand, InertiaSpec,
     MassPartSpec, MoveSpec, ParentSpec, PointMassesSpec, StationSpec, SurfaceSpec,
 };
+use super::section_tables::read_sections;
 use super::stretch::Stretch;
 use super::tunnel;
 
@@ -48,10 +50,12 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
             .and_then(|v| v.located(Value::number))
             .unwrap_or(Located { value: file::AIRSPEED_FIELD.absent.number(), place: table.place.clone() }),
         altitude: if tunnel_air.is_some() { 0.0 } else { table.number(&file::ALTITUDE_FIELD) },
+        temperature_offset: if tunnel_air.is_some() { 0.0 } else { table.number(&file::OFFSET_FIELD) },
         tunnel_air,
         mount: table.optional(&file::MOUNT).and_then(|v| v.located(tunnel::read_mount)),
         load_modes: model_tables::read_load_modes(&table),
         fidelity: model_tables::read_fidelity(&table),
+        fidelity_place: table.optional(&file::MODEL).map(|v| v.place),
         symmetric: table.flag(&file::SYMMETRIC),
         reference: read_reference(&table),
         limits,
@@ -62,6 +66,7 @@ pub(super) fn read_file(document: &DeTable, report: &Report) -> Option<FileSpec>
         controls,
         has_all_controls,
         components: components.into_iter().flatten().collect(),
+        joints: read_joints(&table),
         engines: engines.into_iter().flatten().collect(),
         stations: stations.into_iter().flatten().collect(),
         cuts: read_cuts(&table),
@@ -109,8 +114,7 @@ fn read_component(table: &Table) -> Option<ComponentSpec> {
     let segments = axis.as_ref().map(|axis| axis.value.len() - 1);
     let elements = table.required(&component::ELEMENTS).and_then(|v| read_elements(&v, segments?));
     let y_axis = table.required(&component::Y_AXIS).and_then(|v| v.located(Value::direction));
-    let law = |field: &Field| Some((field.name, table.required(field).and_then(|v| Law::read(&v))?));
-    let stiffness = component::STIFFNESSES.map(law);
+    let sections = read_sections(table);
     let chord = table.optional(&component::CHORD).and_then(|v| Law::read(&v));
     let distributed = table.tables(&component::DISTRIBUTED_MASSES);
     let distributed: Vec<_> = distributed.iter().map(read_distributed_mass).collect();
@@ -118,6 +122,7 @@ fn read_component(table: &Table) -> Option<ComponentSpec> {
     let points: Vec<_> = points.iter().map(read_point_masses).collect();
     let surfaces = table.tables(&component::SURFACES);
     let surfaces: Vec<_> = surfaces.iter().map(read_surface).collect();
+    let (stiffness, section) = sections?;
     Some(ComponentSpec {
         mirror: table.optional(&component::MIRROR).and_then(|v| v.located(Value::name)),
         name: name?,
@@ -125,7 +130,8 @@ fn read_component(table: &Table) -> Option<ComponentSpec> {
         axis: axis?,
         elements: elements?,
         y_axis: y_axis?,
-        stiffness: stiffness.into_iter().collect::<Option<_>>()?,
+        stiffness,
+        section,
         chord,
         distributed_masses: distributed.into_iter().collect::<Option<_>>()?,
         point_masses: points.into_iter().collect::<Option<_>>()?,
@@ -276,6 +282,7 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
         width: law(&surface::WIDTH),
         zero_lift_offset: law(&surface::ZERO_LIFT_OFFSET),
         zero_lift_moment: law(&surface::ZERO_LIFT_MOMENT),
+        moment_slope: law(&surface::MOMENT_SLOPE),
         leading_edge_suction: law(&surface::SUCTION),
         flap: flap.and_then(|v| read_flap(&v)),
         moves: moves.into_iter().flatten().collect(),
@@ -289,7 +296,9 @@ fn read_flap(value: &Value) -> Option<FlapSpec> {
     let table = value.table()?;
     let lift_slope = table.required(&surface::FLAP_LIFT).and_then(|v| v.number());
     let hinge = table.required(&surface::HINGE).and_then(|v| v.number());
-    Some(FlapSpec { lift_slope: lift_slope?, hinge: hinge? })
+    let moment_slope = table.optional(&surface::FLAP_MOMENT).and_then(|v| v.number());
+    let drag = table.number(&surface::FLAP_DRAG);
+    Some(FlapSpec { lift_slope: lift_slope?, hinge: hinge?, moment_slope, drag })
 }
 
 fn read_move(table: &Table) -> Option<MoveSpec> {
@@ -315,6 +324,9 @@ fn read_engine(table: &Table) -> Option<EngineSpec> {
         along: along?,
         offset: table.vector(&places::THRUST_OFFSET),
         direction: direction?,
+        torque: table.number(&places::TORQUE),
+        angular_momentum: table.number(&places::ANGULAR_MOMENTUM),
+        trim_share: table.number(&places::TRIM_SHARE),
     })
 }
 

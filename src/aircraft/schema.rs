@@ -1,6 +1,6 @@
 //! The aircraft file as its author thinks of it: controls, components, masses, surfaces, engines, stations.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix6, Vector3};
 
 use super::control::{Control, Mirroring};
 use super::document::Located;
@@ -18,9 +18,12 @@ pub(super) struct FileSpec {
     pub(super) mode_basis: ModeBasis,
     pub(super) load_modes: bool,
     pub(super) fidelity: Fidelity,
+    /// Where it stands, if it does.
+    pub(super) fidelity_place: Option<Place>,
     pub(super) inflow_states: usize,
     pub(super) airspeed: Located<f64>,
     pub(super) altitude: f64,
+    pub(super) temperature_offset: f64,
     pub(super) tunnel_air: Option<Located<TunnelAir>>,
     pub(super) mount: Option<Located<Vector3<f64>>>,
     /// Whether the structure must be its own mirror image.
@@ -33,6 +36,7 @@ pub(super) struct FileSpec {
     /// Whether the names of all controls could be read.
     pub(super) has_all_controls: bool,
     pub(super) components: Vec<ComponentSpec>,
+    pub(super) joints: Vec<JointSpec>,
     pub(super) engines: Vec<EngineSpec>,
     pub(super) stations: Vec<StationSpec>,
     pub(super) cuts: Vec<CutSpec>,
@@ -47,11 +51,56 @@ pub(super) struct ComponentSpec {
     /// Number of elements between each corner and the next.
     pub(super) elements: Vec<usize>,
     pub(super) y_axis: Located<Vector3<f64>>,
+    /// By the names of their fields; none where something else says how stiff it is.
     pub(super) stiffness: Vec<(&'static str, Law)>,
+    pub(super) section: SectionSpec,
     pub(super) chord: Option<Law>,
     pub(super) distributed_masses: Vec<DistributedMassSpec>,
     pub(super) point_masses: Vec<PointMassesSpec>,
     pub(super) surfaces: Vec<SurfaceSpec>,
+}
+
+/// What of a component's sections goes beyond four stiffnesses.
+pub(super) struct SectionSpec {
+    pub(super) source: StiffnessSource,
+    /// EI_yz, two bend–twist couplings, two places of the tension axis, two of the shear centre.
+    pub(super) beside: Vec<Option<Law>>,
+    pub(super) masses: Vec<MatrixSpec>,
+    pub(super) hinge: Option<HingeSpec>,
+}
+
+/// What says how stiff a component is.
+pub(super) enum StiffnessSource {
+    /// EA, GJ and two EI.
+    Laws,
+    Matrices(Vec<MatrixSpec>),
+    Box(Box<BoxSpec>),
+}
+
+/// A matrix of the section at a fraction of the component's length.
+pub(super) struct MatrixSpec {
+    pub(super) at: f64,
+    pub(super) matrix: Located<Matrix6<f64>>,
+}
+
+/// A rectangular tube; Pa, kg/m³.
+pub(super) struct BoxSpec {
+    pub(super) place: Place,
+    pub(super) height: Law,
+    pub(super) width: Law,
+    pub(super) skin: Law,
+    pub(super) web: Option<Law>,
+    pub(super) young: f64,
+    pub(super) shear: f64,
+    pub(super) density: Option<f64>,
+}
+
+/// Springs of a hinge, N m/rad.
+pub(super) enum HingeSpec {
+    /// About one axis.
+    About { axis: Vector3<f64>, stiffness: f64 },
+    /// About local x, y and z.
+    AboutLocalAxes(Vector3<f64>),
 }
 
 pub(super) enum ParentSpec {
@@ -114,6 +163,8 @@ pub(super) struct SurfaceSpec {
     /// degrees.
     pub(super) zero_lift_offset: Option<Law>,
     pub(super) zero_lift_moment: Option<Law>,
+    /// per rad.
+    pub(super) moment_slope: Option<Law>,
     pub(super) profile_drag: Law,
     pub(super) leading_edge_suction: Option<Law>,
     pub(super) flap: Option<FlapSpec>,
@@ -124,6 +175,8 @@ pub(super) struct SurfaceSpec {
 pub(super) struct FlapSpec {
     pub(super) lift_slope: f64,
     pub(super) hinge: f64,
+    pub(super) moment_slope: Option<f64>,
+    pub(super) drag: f64,
 }
 
 pub(super) struct ControlSpec {
@@ -161,12 +214,29 @@ pub(super) enum Hand {
     Left,
 }
 
+/// Two nodes that move together.
+pub(super) struct JointSpec {
+    pub(super) place: Place,
+    pub(super) ends: [JointEndSpec; 2],
+    /// Whether they turn together about each of the body axes.
+    pub(super) rotations: [bool; 3],
+}
+
+/// A node of a component: at a fraction of its length.
+pub(super) struct JointEndSpec {
+    pub(super) component: Located<String>,
+    pub(super) at: Located<f64>,
+}
+
 pub(super) struct EngineSpec {
     pub(super) name: Located<String>,
     pub(super) component: Located<String>,
     pub(super) along: Along,
     pub(super) offset: Vector3<f64>,
     pub(super) direction: Vector3<f64>,
+    pub(super) torque: f64,
+    pub(super) angular_momentum: f64,
+    pub(super) trim_share: f64,
 }
 
 pub(super) struct StationSpec {

@@ -7,7 +7,7 @@ use super::format::surface as fields;
 use super::geometry::{Line, SAME_PLACE};
 use super::law::{AxisPoint, Law, Laws};
 use super::model::{Flap, Strip};
-use super::schema::{MoveSpec, SurfaceSpec};
+use super::schema::{FlapSpec, MoveSpec, SurfaceSpec};
 use super::stretch::{Piece, Stretch};
 
 /// A strip of a component by itself.
@@ -41,11 +41,12 @@ pub(super) fn strips<'s>(spec: &'s SurfaceSpec, line: &Line, laws: &Laws) -> Opt
     let incidences = optional(&spec.incidence, &fields::INCIDENCE);
     let offsets = optional(&spec.zero_lift_offset, &fields::ZERO_LIFT_OFFSET);
     let moments = optional(&spec.zero_lift_moment, &fields::ZERO_LIFT_MOMENT);
+    let slopes = optional(&spec.moment_slope, &fields::MOMENT_SLOPE);
     let suctions = optional(&spec.leading_edge_suction, &fields::SUCTION);
     let axes = incidences.and_then(|incidences| axes(spec, line, &pieces, &incidences, laws.report));
     let moves = moves(&spec.moves, &pieces, laws.report);
     let (chords, elastic_axes, lift_slopes, drags) = (chords?, elastic_axes?, lift_slopes?, drags?);
-    let (offsets, moments, suctions) = (offsets?, moments?, suctions?);
+    let (offsets, moments, slopes, suctions) = (offsets?, moments?, slopes?, suctions?);
     let (axes, moves) = (axes?, moves?);
     let mut strips = Vec::with_capacity(pieces.len());
     for (i, (piece, moves)) in pieces.iter().zip(moves).enumerate() {
@@ -64,13 +65,19 @@ pub(super) fn strips<'s>(spec: &'s SurfaceSpec, line: &Line, laws: &Laws) -> Opt
             lift_slope: lift_slopes[i],
             zero_lift_offset: offsets[i].to_radians(),
             zero_lift_moment: moments[i],
+            moment_slope: slopes[i],
             profile_drag: drags[i],
             leading_edge_suction: suctions[i],
-            flap: spec.flap.map(|f| Flap { lift_slope: f.lift_slope, hinge: f.hinge, gains: Vec::new() }),
+            flap: spec.flap.map(without_gains),
         };
         strips.push(PartStrip { strip, moves });
     }
     Some(strips)
+}
+
+/// The flap of a surface before it is known on which side of the aircraft it is.
+fn without_gains(FlapSpec { lift_slope, hinge, moment_slope, drag }: FlapSpec) -> Flap {
+    Flap { lift_slope, hinge, moment_slope, drag, gains: Vec::new() }
 }
 
 /// Surfaces that share a stretch of a component count it twice, unless their spans cross, as those of a body do that

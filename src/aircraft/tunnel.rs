@@ -20,9 +20,11 @@ pub(super) fn read_air(table: &Table) -> Option<Located<TunnelAir>> {
         }
         return None;
     };
-    if let Some(altitude) = table.optional(&file::ALTITUDE_FIELD) {
-        let found = "found \"altitude_m\" and \"density_kg_m3\"";
-        table.report.add(Problem::Contradiction, &altitude.place, found, "one of the two is allowed");
+    for field in [&file::ALTITUDE_FIELD, &file::OFFSET_FIELD] {
+        if let Some(value) = table.optional(field) {
+            let found = format!("found \"{}\" and \"density_kg_m3\"", field.name);
+            table.report.add(Problem::Contradiction, &value.place, found, "one of the two is allowed");
+        }
     }
     density.located(|value| Some(TunnelAir { density: value.number()?, temperature }))
 }

@@ -13,6 +13,11 @@ impl EquationsOfMotion {
         &self.controls
     }
 
+    /// In what proportion each engine has the thrust of trims.
+    pub(crate) fn trim_shares(&self) -> &[f64] {
+        self.engines.trim_shares()
+    }
+
     /// Number of engines.
     pub fn engine_count(&self) -> usize {
         self.engines.len()

@@ -80,7 +80,7 @@ impl EquationsOfMotion {
 
     /// The air around O.
     pub fn air(&self, state: &[f64]) -> Air {
-        self.tunnel_air.unwrap_or_else(|| Air::at(self.altitude(state)))
+        self.atmosphere.at(self.altitude(state))
     }
 
     /// The first lifting strip that met the air from behind at the last evaluation. Where a clamped aircraft swings in

@@ -79,6 +79,8 @@ impl<K: Kinematics> Assembly<'_, K> {
         inertia.add_gravity(&sections, &gravity, forces.passive_mut());
         let deformed_arms = equations.terms.deformed_forcing;
         equations.engines.write_effects(&sections, deformed_arms, forces.of_thrust_mut());
+        let turning = (&equations.motion(state).rate, at.q_dot);
+        equations.engines.add_gyroscopic_forces(&sections, turning, forces.passive_mut());
         let to_body = &attitude.body_from_inertial;
         equations.station_loads.add(&sections, to_body, deformed_arms, forces.passive_mut());
 
@@ -220,6 +222,7 @@ mod tests {
             stiffness_scale: 0.0,
             structural_damping: 0.0,
             inflow_states: 0,
+            temperature_offset: 0.0,
             tunnel_flow: Vector3::zeros(),
         };
         let equations = EquationsOfMotion::new(&model, &configuration);

@@ -19,7 +19,7 @@ pub struct Mechanics {
     pub strain_energy: f64,
     /// Inertial components, kg·m/s.
     pub linear_momentum: Vector3<f64>,
-    /// About the inertial origin, inertial components, kg·m²/s.
+    /// About the inertial origin, inertial components, with that of what turns in engines, kg·m²/s.
     pub angular_momentum: Vector3<f64>,
 }
 
@@ -35,6 +35,14 @@ impl EquationsOfMotion {
             inertia.write_mass_matrix(&sections, true, &mut mass);
         });
         DMatrix::from_fn(mass.size(), mass.size(), |row, column| mass[(row, column)])
+    }
+
+    /// Of what turns in the engines, body axes, kg·m²/s. Allocates.
+    fn engines_momentum(&self, state: &[f64]) -> Vector3<f64> {
+        by_kind!(&self.kinematics, |kinematics| {
+            let (at, memory) = self.evaluated(kinematics, state);
+            self.engines.momentum(&kinematics.sections(at, &memory))
+        })
     }
 }
 
@@ -53,7 +61,7 @@ impl Mechanics {
         let to_inertial = Attitude::from_quaternion(&state[layout.attitude()]).body_from_inertial.transpose();
         let momentum = GeneralisedVector::of(&momenta);
         let linear_momentum = to_inertial * momentum.translation;
-        let about_origin = to_inertial * momentum.rotation;
+        let about_origin = to_inertial * (momentum.rotation + equations.engines_momentum(state));
         let position = Vector3::from_column_slice(&state[layout.position()]);
         Mechanics {
             kinetic_energy: 0.5 * momenta.iter().zip(&velocities).map(|(p, v)| p * v).sum::<f64>(),

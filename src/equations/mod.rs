@@ -13,6 +13,7 @@
 //!     stiffness_scale: 1.0,
 //!     structural_damping: 0.0,
 //!     inflow_states: 2,
+//!     temperature_offset: 0.0,
 //!     tunnel_flow: Vector3::zeros(),
 //! });
 //! let mut state = vec![0.0; equations.layout().len()];

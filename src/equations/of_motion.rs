@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use pulp::Arch;
 
-use crate::air::{Air, FrozenGust};
+use crate::air::{Atmosphere, FrozenGust};
 use crate::aircraft::{Control, Support};
 use crate::kinematics::{AnyInertia, AnyKind, RigidFreedom, RigidMotion};
 use crate::math::LinearSystem;
@@ -31,6 +31,8 @@ pub struct Configuration {
     pub structural_damping: f64,
     /// Inflow states per strip; more than [`PetersInflow::MAX_STATES`] count as that many.
     pub inflow_states: usize,
+    /// By how much the air is warmer than the standard atmosphere, K; of no account where the model has air of its own.
+    pub temperature_offset: f64,
     /// Steady flow of a wind tunnel around a clamped model, north-east-down, m/s; zero in free flight.
     pub tunnel_flow: Vector3<f64>,
 }
@@ -59,8 +61,7 @@ pub struct EquationsOfMotion {
     pub(super) cuts: Cuts,
     pub(crate) inflow: PetersInflow,
     pub(crate) tunnel_flow: Vector3<f64>,
-    /// `None`: the standard atmosphere.
-    pub(crate) tunnel_air: Option<Air>,
+    pub(super) atmosphere: Atmosphere,
     /// What blows beside wind and tunnel.
     pub(super) gust: Option<Arc<FrozenGust>>,
     /// Roll, pitch and yaw in the tunnel, rad.
@@ -132,12 +133,12 @@ impl EquationsOfMotion {
             kinematics: AnyKind::new(model, edge_on, terms.superposed_strains),
             strips,
             controls: model.controls.clone(),
-            engines: Engines::new(model),
+            engines: Engines::new(model, !terms.deformed_forcing),
             station_loads: StationLoads::default(),
             cuts: Cuts::new(model),
             inflow,
             tunnel_flow: configuration.tunnel_flow,
-            tunnel_air: model.tunnel_air.as_ref().map(Air::of_tunnel),
+            atmosphere: Atmosphere::new(model.tunnel_air.as_ref(), configuration.temperature_offset),
             gust: None,
             mount: model.mount,
             arch: Arch::new(),
@@ -162,6 +163,13 @@ impl EquationsOfMotion {
         let damping = libm::sqrt(stiffness);
         varied.damping.iter_mut().for_each(|rate| *rate *= damping);
         varied
+    }
+
+    /// From now on the standard atmosphere is warmer by so many K.
+    pub(crate) fn take_temperature_offset(&mut self, offset: f64) {
+        if let Atmosphere::Standard { temperature_offset } = &mut self.atmosphere {
+            *temperature_offset = offset;
+        }
     }
 
     /// From now on these loads act on the stations.

@@ -103,10 +103,11 @@ impl EquationsOfMotion {
         instant: &Instant,
         loads: &mut [SectionLoads],
     ) {
-        for (engine, (resultant, thrust)) in
-            self.engines.per_newton(sections).zip(&instant.controls.thrust).enumerate()
-        {
-            let resultant = Resultant { force: resultant.force * *thrust, ..resultant };
+        let gyroscopic = self.engines.gyroscopic_moments(sections, &instant.motion.rate);
+        let acting = self.engines.per_newton(sections).zip(&instant.controls.thrust).zip(gyroscopic);
+        for (engine, ((Resultant { position, force, moment }, thrust), gyroscopic)) in acting.enumerate() {
+            let (force, moment) = (force * *thrust, moment * *thrust + gyroscopic);
+            let resultant = Resultant { position, force, moment };
             self.cuts.add(loads, |outboard| &outboard.engines, engine, &resultant);
         }
         for (station, resultant) in self.station_loads.resultants(sections, instant.to_body).enumerate() {

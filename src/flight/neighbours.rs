@@ -51,8 +51,8 @@ impl Neighbours {
         self.settings == *settings
     }
 
-    /// What is read at the beginning of four flights under inputs and their rates. Airspeed, altitude, heading and
-    /// stiffness of the flights lie along one change of the settings, by −1, −½, ½ and 1 of it; right to first order of
+    /// What is read at the beginning of four flights under inputs and their rates. Airspeed, altitude, the air's
+    /// temperature, heading and stiffness of the flights lie along one change of the settings, by −1, −½, ½ and 1 of it; right to first order of
     /// the change. `with_loads` at the cuts, or without. `None` where the trim has no tangent.
     pub fn outputs(
         &self,
@@ -107,6 +107,9 @@ impl Neighbours {
     /// A plant of the flight in the middle as it is under other settings.
     fn varied(&self, plant: &Plant, settings: &Settings) -> Plant {
         let tunnel_flow = settings.plant.along_course().configuration(self.model.support).tunnel_flow;
-        plant.varied(tunnel_flow, settings.plant.stiffness_scale / self.settings.plant.stiffness_scale)
+        let stiffness = settings.plant.stiffness_scale / self.settings.plant.stiffness_scale;
+        let mut varied = plant.varied(tunnel_flow, stiffness);
+        varied.take_temperature_offset(settings.plant.temperature_offset);
+        varied
     }
 }

@@ -83,6 +83,7 @@ impl Settings {
             fidelity,
             airspeed,
             altitude,
+            temperature_offset,
             heading,
             stiffness_scale,
             structural_damping,
@@ -102,7 +103,8 @@ impl Settings {
             writer.count(u32::try_from(count).unwrap_or(u32::MAX));
         }
         writer.count(seed);
-        writer.reals([airspeed, altitude, heading, stiffness_scale, structural_damping, *tolerance]);
+        writer.reals([airspeed, altitude, temperature_offset, heading]);
+        writer.reals([stiffness_scale, structural_damping, *tolerance]);
         for &Actuator { frequency, damping, rate_limit, minimum, maximum } in actuators {
             writer.reals([frequency, damping, rate_limit, minimum, maximum]);
         }
@@ -235,6 +237,7 @@ mod tests {
             change(|s| s.plant.fidelity = Fidelity::Rigid),
             change(|s| s.plant.airspeed += 1.0),
             change(|s| s.plant.altitude += 1.0),
+            change(|s| s.plant.temperature_offset += 1.0),
             change(|s| s.plant.heading += 1.0),
             change(|s| s.plant.stiffness_scale += 1.0),
             change(|s| s.plant.structural_damping += 1.0),
@@ -291,7 +294,7 @@ mod tests {
         for count in [12_u32, 5, 0, 0, 0, 1] {
             bytes.extend(count.to_le_bytes());
         }
-        let condition = [127.0_f64, 7620.0, 0.0, 1.0, 0.0, 1e-5];
+        let condition = [127.0_f64, 7620.0, 0.0, 0.0, 1.0, 0.0, 1e-5];
         for number in condition.into_iter().chain([0.01, 0.0]).chain([0.0; 7]) {
             bytes.extend(number.to_le_bytes());
         }

@@ -22,12 +22,13 @@ use super::life_cycle::State;
 use super::refusal::Refusal;
 use super::values::{Numbers, ValueReference};
 
-/// Changes over which the outputs bend little, yet far beyond rounding: rad, N, m/s, m/s², m, rad, parts of the parameter.
+/// Changes over which the outputs bend little, yet far beyond rounding: rad, N, m/s, m/s², m, K, rad, parts of the parameter.
 const CONTROL_CHANGE: f64 = 0.01;
 const THRUST_CHANGE: f64 = 1000.0;
 const WIND_CHANGE: f64 = 0.1;
 const WIND_RATE_CHANGE: f64 = 1.0;
 const ALTITUDE_CHANGE: f64 = 1.0;
+const TEMPERATURE_CHANGE: f64 = 0.1;
 const HEADING_CHANGE: f64 = 1e-3;
 const SHARE_CHANGED: f64 = 1e-3;
 /// What is added is linear in its rms, and at most 8.6 times as much: so much of it moves no angle by half a turn.
@@ -176,7 +177,7 @@ impl Instance {
                     .to_owned()
             }
             Slot::Parameter(ParameterSlot::Condition(_)) => {
-                "is part of the flight condition: there are derivatives by airspeed, altitude and heading, and none by it".to_owned()
+                "is part of the flight condition: there are derivatives by airspeed, altitude, temperature_offset and heading, and none by it".to_owned()
             }
             _ if !component.is_finite() => {
                 format!("has the component {component} in the direction, allowed are finite numbers")
@@ -192,6 +193,7 @@ impl Instance {
         match parameter {
             ParameterSlot::Airspeed => SHARE_CHANGED * airspeed.max(1.0),
             ParameterSlot::Altitude => ALTITUDE_CHANGE,
+            ParameterSlot::TemperatureOffset => TEMPERATURE_CHANGE,
             ParameterSlot::Heading => HEADING_CHANGE,
             ParameterSlot::StiffnessScale => SHARE_CHANGED * stiffness_scale,
             ParameterSlot::Actuator {

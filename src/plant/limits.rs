@@ -30,8 +30,10 @@ pub enum LimitedQuantity {
     AngleOfAttack,
     /// Mach number.
     Mach,
-    /// Of one engine, N.
+    /// Of one engine, all having the same, N.
     Thrust,
+    /// Of one engine, others having more or less, N.
+    ThrustOfOne,
     /// Of the control with this name, rad.
     Control(String),
 }
@@ -48,9 +50,8 @@ impl LimitExceeded {
         let used = plant.controls().iter().zip(&controls.angles);
         let used = used
             .map(|(control, &angle)| (LimitedQuantity::Control(control.name.clone()), control.limits, angle));
-        // The engines that run share the thrust equally.
-        let has_engines = plant.engine_count() > 0;
-        let thrust = has_engines.then_some((LimitedQuantity::Thrust, limits.thrust, trim.point.thrust));
+        let thrust =
+            thrusts(plant, trim).into_iter().map(|(quantity, value)| (quantity, limits.thrust, value));
         // What is clamped needs neither controls nor engines.
         let is_free = plant.support() == Support::Free;
         let used = used.chain(thrust).filter(|_| is_free);
@@ -66,13 +67,34 @@ impl LimitExceeded {
         model: &ReducedModel,
         settings: &PlantSettings,
     ) -> Option<String> {
-        let PlantSettings { airspeed, altitude, .. } = settings;
+        let airspeed = settings.airspeed;
         let condition = match model.tunnel_air {
             Some(air) => format!("{airspeed} m/s in air of {} kg/m³", air.density),
-            None => format!("{airspeed} m/s and {altitude} m"),
+            None => format!("{airspeed} m/s and {}", settings.air_in_words()),
         };
         let list: Vec<String> = exceeded.iter().map(ToString::to_string).collect();
         (!list.is_empty()).then(|| format!("the trim at {condition} stands, but {}", list.join("; ")))
+    }
+}
+
+/// What engines give in a trim: all the same, or the greatest and the least of those that run [theory: trim.shares].
+fn thrusts(plant: &Plant, trim: &Trim) -> Vec<(LimitedQuantity, f64)> {
+    let thrust = trim.point.thrust;
+    let shares = plant.equations.trim_shares();
+    match shares.first() {
+        None => Vec::new(),
+        Some(first) if shares.iter().all(|share| share == first) => {
+            vec![(LimitedQuantity::Thrust, first * thrust)]
+        }
+        Some(_) => {
+            let acting = trim.controls.thrust.iter().copied().filter(|acting| *acting != 0.0);
+            let [least, greatest] = acting
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, greatest], acting| {
+                    [least.min(acting), greatest.max(acting)]
+                });
+            let ends = [least, greatest].into_iter().filter(|thrust| thrust.is_finite());
+            ends.map(|thrust| (LimitedQuantity::ThrustOfOne, thrust)).collect()
+        }
     }
 }
 
@@ -83,6 +105,7 @@ impl LimitedQuantity {
             LimitedQuantity::AngleOfAttack => "angle of attack",
             LimitedQuantity::Mach => "Mach number",
             LimitedQuantity::Thrust => "thrust per engine",
+            LimitedQuantity::ThrustOfOne => "thrust of one engine",
             LimitedQuantity::Control(name) => name,
         }
     }
@@ -91,7 +114,7 @@ impl LimitedQuantity {
     pub fn text(&self, value: f64) -> String {
         match self {
             LimitedQuantity::Mach => format!("{value:.3}"),
-            LimitedQuantity::Thrust => format!("{value:.0} N"),
+            LimitedQuantity::Thrust | LimitedQuantity::ThrustOfOne => format!("{value:.0} N"),
             // As many digits as a small angle needs.
             _ if value.abs() < 1e-3 && value != 0.0 => {
                 format!("{value:.2e} rad ({:.2e}°)", value.to_degrees())

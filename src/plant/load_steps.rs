@@ -15,7 +15,7 @@ const SMALLEST_STEP: f64 = 1.0 / 1024.0;
 
 impl Plant {
     /// Finds the flight of the condition, straight and level without sideslip unless it says otherwise, and q at which all
-    /// accelerations vanish, thrust equal on all engines that run. A clamped aircraft keeps its attitude; only q is found, under point
+    /// accelerations vanish, thrust by the shares of the engines that run. A clamped aircraft keeps its attitude; only q is found, under point
     /// loads the one to which a growing load leads.
     ///
     /// # Errors

@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use nalgebra::Vector3;
 
-use crate::aircraft::{ALTITUDES, Support};
+use crate::aircraft::{ALTITUDES, Support, TEMPERATURE_OFFSETS};
 use crate::equations::{Configuration, Fidelity};
 use crate::strips::PetersInflow;
 use crate::structure::{ModeFamily, ModesInUse, ReducedModel};
@@ -50,6 +50,9 @@ pub struct PlantSettings {
     pub airspeed: f64,
     /// Trimmed altitude, m, within [`ALTITUDES`]; of no account in a tunnel with air of its own but for gusts of CS-25.
     pub altitude: f64,
+    /// By how much the air is warmer than the standard atmosphere, K, within [`TEMPERATURE_OFFSETS`]; of no account in a tunnel
+    /// with air of its own.
+    pub temperature_offset: f64,
     /// Initial yaw angle, rad.
     pub heading: f64,
     /// Factor on all elastic properties, > 0.
@@ -79,6 +82,7 @@ impl PlantSettings {
             fidelity: model.fidelity,
             airspeed: model.airspeed,
             altitude: model.altitude,
+            temperature_offset: model.temperature_offset,
             heading: 0.0,
             stiffness_scale: 1.0,
             structural_damping: 0.0,
@@ -97,6 +101,12 @@ impl PlantSettings {
     pub fn choose_modes(&self, model: &ReducedModel) -> Result<ModesInUse, SettingError> {
         self.check(model.support)?;
         self.condition.check(model.support, model.engines.len())?;
+        self.check_thrust(model)?;
+        if let (Fidelity::GeometricallyExact, Some(joint)) = (self.fidelity, model.joints.first()) {
+            let others = Fidelity::OF_THESIS.map(Fidelity::name).join(", ");
+            let allowed = format!("{others}: {joint} closes a loop");
+            return refuse("model", self.fidelity.name(), &allowed);
+        }
         if self.fidelity == Fidelity::Rigid {
             return Ok(ModesInUse::chosen(&[]));
         }
@@ -123,10 +133,30 @@ impl PlantSettings {
         }
     }
 
+    /// That an engine with a share of the thrust runs.
+    fn check_thrust(&self, model: &ReducedModel) -> Result<(), SettingError> {
+        let Some(failed) = self.condition.manoeuvre().failed_engine else { return Ok(()) };
+        let mut others = model.engines.iter().enumerate().filter(|(engine, _)| *engine != failed);
+        if model.support == Support::Clamped || others.any(|(_, engine)| engine.trim_share > 0.0) {
+            return Ok(());
+        }
+        let allowed = "one beside which another has a `trim_share` above 0";
+        refuse("condition.failed_engine", failed + 1, allowed)
+    }
+
     /// The flight to be trimmed.
     pub fn trim_condition(&self) -> TrimCondition {
         let PlantSettings { airspeed, altitude, heading, condition, .. } = *self;
         TrimCondition { airspeed, altitude, heading, manoeuvre: condition.manoeuvre() }
+    }
+
+    /// Altitude, and temperature where it is not that of the standard atmosphere: `7620 m, ISA +20 K`.
+    pub fn air_in_words(&self) -> String {
+        let PlantSettings { altitude, temperature_offset, .. } = self;
+        match temperature_offset {
+            0.0 => format!("{altitude} m"),
+            offset => format!("{altitude} m, ISA {offset:+} K"),
+        }
     }
 
     /// The same, with the heading along the course.
@@ -148,6 +178,7 @@ impl PlantSettings {
             stiffness_scale: self.stiffness_scale,
             structural_damping: self.structural_damping,
             inflow_states: self.inflow_states,
+            temperature_offset: self.temperature_offset,
             tunnel_flow,
         }
     }
@@ -164,7 +195,9 @@ impl PlantSettings {
         let airspeeds = support.airspeeds();
         let allowed = format!("{} to {} (m/s)", airspeeds.start(), airspeeds.end());
         within("airspeed", airspeed, airspeeds.contains(&airspeed), &allowed)?;
-        within("altitude", altitude, ALTITUDES.contains(&altitude), "-1000 to 20000 (m)")?;
+        within("altitude", altitude, ALTITUDES.contains(&altitude), "-1000 to 30000 (m)")?;
+        let offset = self.temperature_offset;
+        within("temperature_offset", offset, TEMPERATURE_OFFSETS.contains(&offset), "-60 to 60 (K)")?;
         within("heading", heading, true, "a finite number (rad)")?;
         within("stiffness_scale", stiffness_scale, stiffness_scale > 0.0, "a finite number > 0")?;
         within("structural_damping", structural_damping, structural_damping >= 0.0, "a finite number >= 0")?;

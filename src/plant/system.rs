@@ -80,6 +80,9 @@ impl PackagedStrip {
 
 impl Plant {
     /// Of a whole aircraft, all of whose modes take part unless it is to be rigid.
+    ///
+    /// Nothing is refused here: of a model with joints that is to be geometrically exact, joined nodes part at large deflections.
+    /// [`under`](Self::under) refuses that.
     pub fn new(model: &ReducedModel, configuration: &Configuration) -> Self {
         let modes: Vec<usize> = (0..model.modes.len()).collect();
         Plant::of_modes(model, configuration, &ModesInUse::chosen(&modes))
@@ -322,6 +325,11 @@ impl Plant {
     /// The same plant in another flow of the tunnel (m/s), with all elastic properties multiplied by a factor.
     pub(crate) fn varied(&self, tunnel_flow: Vector3<f64>, stiffness: f64) -> Self {
         Plant { equations: self.equations.varied(tunnel_flow, stiffness), ..self.clone() }
+    }
+
+    /// From now on the standard atmosphere is warmer by so many K.
+    pub(crate) fn take_temperature_offset(&mut self, offset: f64) {
+        self.equations.take_temperature_offset(offset);
     }
 
     /// Velocity of the air mass in the axes of the state, that of a tunnel's flow included, m/s.

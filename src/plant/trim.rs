@@ -48,7 +48,7 @@ pub struct TrimPoint {
     pub roll_control: f64,
     /// Of the control with the role of yaw, rad.
     pub yaw_control: f64,
-    /// N per engine that runs.
+    /// N per engine that runs; of engines with shares per unit of share [theory: trim.shares].
     pub thrust: f64,
 }
 

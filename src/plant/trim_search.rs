@@ -193,10 +193,17 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// N per engine that runs.
+    /// N per engine that runs, or per unit of share.
     fn weight_per_engine(&self) -> f64 {
-        let failed = usize::from(self.condition.manoeuvre.failed_engine.is_some());
-        self.weight() / (self.plant.engine_count() - failed.min(self.plant.engine_count())).max(1) as f64
+        let whole = self.running().map(|(_, share)| share).sum::<f64>();
+        self.weight() / if whole > 0.0 { whole } else { 1.0 }
+    }
+
+    /// The engines that run, and their shares of the thrust [theory: trim.shares].
+    pub(super) fn running(&self) -> impl Iterator<Item = (usize, f64)> {
+        let failed = self.condition.manoeuvre.failed_engine;
+        let shares = self.plant.equations.trim_shares().iter().copied().enumerate();
+        shares.filter(move |(engine, _)| failed != Some(*engine))
     }
 
     fn weight(&self) -> f64 {
@@ -210,8 +217,11 @@ impl<'a> Search<'a> {
             *angle = trimmed;
         }
         let TrimCondition { airspeed, altitude, heading, manoeuvre } = self.condition;
-        for (engine, thrust) in self.controls.thrust.iter_mut().enumerate() {
-            *thrust = if manoeuvre.failed_engine == Some(engine) { 0.0 } else { point.thrust };
+        self.controls.thrust.fill(0.0);
+        for (engine, &share) in self.plant.equations.trim_shares().iter().enumerate() {
+            if manoeuvre.failed_engine != Some(engine) {
+                self.controls.thrust[engine] = share * point.thrust;
+            }
         }
         let layout = *self.plant.layout();
         self.state[layout.position().end - 1] = 0.0 - altitude;

@@ -72,10 +72,10 @@ impl Plant {
                 break;
             }
             let mut problem = search.problem.clone();
-            for (unknown, found) in &beyond {
-                problem = problem.holding(*unknown, found.limit);
+            for (unknown, _, value) in &beyond {
+                problem = problem.holding(*unknown, *value);
             }
-            held.extend(beyond);
+            held.extend(beyond.into_iter().map(|(unknown, held, _)| (unknown, held)));
             let mut next = Search::new(&steady, *condition, problem);
             next.begin_at(&search);
             let has_ended = matches!(next.iterate(), SearchEnd::Steps(_));
@@ -95,8 +95,8 @@ impl Plant {
 }
 
 impl Search<'_> {
-    /// What the present unknowns need beyond limits.
-    fn beyond(&self, limits: &TrimLimits) -> Vec<(TrimUnknown, Held)> {
+    /// What the present unknowns need beyond limits, and where they are to be held.
+    fn beyond(&self, limits: &TrimLimits) -> Vec<(TrimUnknown, Held, f64)> {
         let mut point = self.point();
         let mut beyond = Vec::new();
         for &unknown in &self.problem.unknowns {
@@ -107,16 +107,37 @@ impl Search<'_> {
                     let Some((control, limits)) = of_role.next() else { continue };
                     (LimitedQuantity::Control(control.name.clone()), *limits)
                 }
-                TrimUnknown::Thrust => (LimitedQuantity::Thrust, limits.thrust),
+                TrimUnknown::Thrust => {
+                    let thrust = self.thrust_beyond(point.thrust, limits.thrust);
+                    beyond.extend(thrust.map(|(held, value)| (unknown, held, value)));
+                    continue;
+                }
                 _ => continue,
             };
             let needed = *unknown.of(&mut point);
             let limit = needed.clamp(least.min(most), most);
             if limit != needed {
-                beyond.push((unknown, Held { quantity, needed, limit, left: 0.0 }));
+                beyond.push((unknown, Held { quantity, needed, limit, left: 0.0 }, limit));
             }
         }
         beyond
+    }
+
+    /// What of a thrust per unit of share is beyond the limits of an engine, of several the one that is furthest beyond, and the thrust per
+    /// unit of share at which that is held.
+    fn thrust_beyond(&self, thrust: f64, [least, most]: [f64; 2]) -> Option<(Held, f64)> {
+        let shares: Vec<f64> = self.running().map(|(_, share)| share).collect();
+        let all_the_same = shares.iter().all(|share| *share == shares[0]);
+        let quantity = if all_the_same { LimitedQuantity::Thrust } else { LimitedQuantity::ThrustOfOne };
+        let beyond = shares.into_iter().filter(|share| *share > 0.0).map(|share| {
+            let needed = share * thrust;
+            (needed, needed.clamp(least.min(most), most), share)
+        });
+        let too_much = |(needed, limit, share): &(f64, f64, f64)| (needed - limit).abs() / share;
+        let (needed, limit, share) = beyond
+            .filter(|(needed, limit, _)| limit != needed)
+            .max_by(|one, other| too_much(one).total_cmp(&too_much(other)))?;
+        Some((Held { quantity, needed, limit, left: 0.0 }, limit / share))
     }
 
     /// The acceleration that an unknown would balance, at the last evaluation.
@@ -163,6 +184,9 @@ impl Held {
             LimitedQuantity::Thrust => {
                 format!("each engine would need {needed:.0} N, its limit is {limit:.0} N")
             }
+            LimitedQuantity::ThrustOfOne => {
+                format!("one engine would need {needed:.0} N, its limit is {limit:.0} N")
+            }
             _ => format!("{} would need {needed:.4} rad, its limit is {limit:.4} rad", quantity.name()),
         }
     }
@@ -170,7 +194,9 @@ impl Held {
     fn leaves(&self) -> String {
         let Held { quantity, left, .. } = self;
         match quantity {
-            LimitedQuantity::Thrust => format!("{left:.5} m/s² along the path"),
+            LimitedQuantity::Thrust | LimitedQuantity::ThrustOfOne => {
+                format!("{left:.5} m/s² along the path")
+            }
             _ => format!("{left:.5} rad/s² that {} would balance", quantity.name()),
         }
     }

@@ -1,6 +1,6 @@
 //! Lift, moment, suction and drag of aerofoil sections, several side by side.
 //!
-//! [theory: air-loads.lift, air-loads.moment, air-loads.suction, air-loads.drag, gusts.strip; thesis §4.1]
+//! [theory: air-loads.lift, air-loads.moment, air-loads.moment-slope, air-loads.suction, air-loads.drag, gusts.strip; thesis §4.1]
 //!
 //! Symbols: U `chordwise`, w `upwash`, Ω `pitch_rate`, λ₀ `induced`. Loads are per unit width and leave out
 //! the apparent-mass part that is proportional to accelerations, which the equations of motion carry on
@@ -66,6 +66,8 @@ pub struct SectionFlapLoads<S: Arithmetic> {
     pub forward: Lanes<S>,
     /// Along −f per δ², N/m.
     pub drag: Lanes<S>,
+    /// Along −n per δ², N/m, where it has any.
+    pub drag_across: Option<Lanes<S>>,
     /// Along n, N/m.
     pub down: Lanes<S>,
     /// About s, nose-up, N.
@@ -162,6 +164,22 @@ impl<S: Arithmetic> Aerofoil<Lanes<S>> {
         }
     }
 
+    /// The moment of sections whose 2 c_mα is a slope, N [theory: air-loads.moment-slope].
+    #[inline(always)]
+    pub fn moment_by_slope(&self, slope: Lanes<S>, flow: &LocalFlow<S>) -> Lanes<S> {
+        let effective_upwash = flow.w3 - flow.induced;
+        slope * (flow.density * self.semichord) * self.semichord * flow.chordwise * effective_upwash
+    }
+
+    /// Adds the profile drag of flaps by their k [theory: air-loads.drag].
+    #[inline(always)]
+    pub fn add_flap_drag(&self, k: Lanes<S>, flow: &LocalFlow<S>, loads: &mut SectionFlapLoads<S>) {
+        let speed = (flow.chordwise * flow.chordwise + flow.normal * flow.normal).sqrt();
+        let per_velocity = k * (flow.density * self.semichord) * speed;
+        loads.drag += per_velocity * flow.chordwise;
+        loads.drag_across = Some(per_velocity * flow.normal);
+    }
+
     /// What the flaps add: the loads are linear in δ but for a drag, which is proportional to δ².
     ///
     /// [theory: air-loads.flap-products]
@@ -176,6 +194,7 @@ impl<S: Arithmetic> Aerofoil<Lanes<S>> {
         SectionFlapLoads {
             forward: lift_by_velocity * (suction_velocity - self.suction_loss * incidence_velocity * 2.0),
             drag: pressure * self.flap_drag,
+            drag_across: None,
             down: -lift,
             pitching: (half(b) + d) * lift + pressure * b * self.flap_moment,
         }

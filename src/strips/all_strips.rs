@@ -9,7 +9,7 @@ use crate::structure::{ReducedModel, ReducedStrip};
 
 use super::edge_on::EdgeOnStrips;
 use super::flap_factor::FlapFactor;
-use super::group::{Group, flap_drag};
+use super::group::{Group, drags_by_flap};
 use super::gust_at_strips::GustAtStrips;
 use super::inflow::PetersInflow;
 use super::inflow_layout::InflowLayout;
@@ -33,7 +33,7 @@ impl Strips {
     /// plane.
     pub fn new(model: &ReducedModel, edge_on: &[ReducedStrip], free: RigidFreedom) -> Self {
         let flaps =
-            model.strips.iter().filter_map(|strip| Some((strip.flap.as_ref()?, flap_drag(strip) != 0.0)));
+            model.strips.iter().filter_map(|strip| Some((strip.flap.as_ref()?, drags_by_flap(strip))));
         let factors = FlapFactor::of_flaps(flaps);
         let group = |strips| Group::new(strips, &factors, free);
         Strips {

@@ -52,9 +52,13 @@ impl FlapFactor {
 mod tests {
     use super::*;
 
+    fn of_gains(gains: &[f64]) -> Flap {
+        Flap { lift_slope: 3.0, hinge: 0.7, moment_slope: None, drag: 0.0, gains: gains.to_vec() }
+    }
+
     #[test]
     fn only_controls_that_share_a_flap_that_drags_have_a_product() {
-        let flap = |gains: [f64; 4]| Flap { lift_slope: 3.0, hinge: 0.7, gains: gains.to_vec() };
+        let flap = |gains: [f64; 4]| of_gains(&gains);
         let [one, two, three] =
             [flap([0.0, 1.0, -1.0, 0.0]), flap([0.0, 0.0, 0.5, 0.0]), flap([2.0, 0.0, 1.0, 0.0])];
         let factors = FlapFactor::of_flaps([(&one, true), (&two, true), (&three, false)].into_iter());
@@ -66,7 +70,7 @@ mod tests {
     #[test]
     fn factors_and_coefficients_make_the_angle_of_a_flap_and_its_square() {
         let (gains, angles) = ([0.5, -1.0, 2.0], [0.1, 0.2, -0.3]);
-        let flap = Flap { lift_slope: 3.0, hinge: 0.7, gains: gains.to_vec() };
+        let flap = of_gains(&gains);
         let factors = FlapFactor::of_flaps([(&flap, true)].into_iter());
         let sum = |is_angle: bool| -> f64 {
             let kept = factors.iter().filter(|factor| matches!(factor, FlapFactor::Angle(_)) == is_angle);

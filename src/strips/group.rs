@@ -13,7 +13,7 @@ use crate::kinematics::RigidFreedom;
 use crate::math::{Arithmetic, Arrow, Eight, EightVectors, Lanes, Window};
 use crate::structure::ReducedStrip;
 
-use super::aerofoil::{Aerofoil, LocalFlow};
+use super::aerofoil::{Aerofoil, LocalFlow, SectionFlapLoads, SectionLoads};
 use super::flap_factor::FlapFactor;
 use super::strip_loads::{Displacement, StripFlapLoads, StripLoads, StripSizes};
 use super::sums::{Row, add_to};
@@ -33,6 +33,10 @@ pub(crate) struct Group {
     pub(crate) per_semichord: Eight,
     pub(crate) zero_lift_offset: Eight,
     pub(crate) aerofoil: Aerofoil,
+    /// 2 c_mα, 1/rad, where any of them has one.
+    moment_slope: Option<Eight>,
+    /// k, 1/rad², where a flap of any has one.
+    flap_profile_drag: Option<Eight>,
     /// Coefficients of δ by the factors, by their places, that move any flap here.
     pub(super) gains: Vec<(usize, Eight)>,
     /// Coefficients of δ², where it drags.
@@ -88,6 +92,8 @@ impl Group {
                 flap_drag: lanes(&flap_drag, 0.0),
                 flap_moment: flap(&|effect| effect.moment),
             },
+            moment_slope: if_any(lanes(&|strip| 2.0 * strip.moment_slope, 0.0)),
+            flap_profile_drag: if_any(lanes(&flap_profile_drag, 0.0)),
             gains: coefficients(&|factor| matches!(factor, FlapFactor::Angle(_))),
             squared_gains: coefficients(&|factor| matches!(factor, FlapFactor::Product(_))),
             in_plane: free == RigidFreedom::InPlane && strips.iter().all(ReducedStrip::stays_in_plane),
@@ -150,13 +156,44 @@ impl Group {
             root_mass: window.load(&self.root_mass),
             root_inertia: window.load(&self.root_inertia),
         };
-        let loads = StripLoads::new(&aerofoil.loads(flow), &sizes, axes);
+        let loads = StripLoads::new(&self.section_loads(window, &aerofoil, flow), &sizes, axes);
         let flaps = if self.gains.is_empty() {
             None
         } else {
-            Some(StripFlapLoads::new(&aerofoil.flap_loads(flow), &sizes, window.load(&self.per_root_mass)))
+            let loads = self.section_flap_loads(window, &aerofoil, flow);
+            Some(StripFlapLoads::new(&loads, &sizes, window.load(&self.per_root_mass)))
         };
         (loads, flaps)
+    }
+
+    /// The loads per unit width, flaps neutral.
+    #[inline(always)]
+    pub(super) fn section_loads<S: Arithmetic>(
+        &self,
+        window: Window<S>,
+        aerofoil: &Aerofoil<Lanes<S>>,
+        flow: &LocalFlow<S>,
+    ) -> SectionLoads<S> {
+        let mut loads = aerofoil.loads(flow);
+        if let Some(slope) = &self.moment_slope {
+            loads.pitching += aerofoil.moment_by_slope(window.load(slope), flow);
+        }
+        loads
+    }
+
+    /// What the flaps add per unit width.
+    #[inline(always)]
+    pub(super) fn section_flap_loads<S: Arithmetic>(
+        &self,
+        window: Window<S>,
+        aerofoil: &Aerofoil<Lanes<S>>,
+        flow: &LocalFlow<S>,
+    ) -> SectionFlapLoads<S> {
+        let mut loads = aerofoil.flap_loads(flow);
+        if let Some(k) = &self.flap_profile_drag {
+            aerofoil.add_flap_drag(window.load(k), flow, &mut loads);
+        }
+        loads
     }
 
     /// Adds what the loads and the flaps contribute to one component of ν.
@@ -191,7 +228,7 @@ fn suction_loss(strip: &ReducedStrip) -> f64 {
 }
 
 /// (1 − η)(CLδ c1)²/CLα, 1/rad.
-pub(crate) fn flap_drag(strip: &ReducedStrip) -> f64 {
+fn flap_drag(strip: &ReducedStrip) -> f64 {
     match &strip.flap {
         Some(flap) if strip.lift_slope != 0.0 => {
             let lift = FlapEffect::new(flap).lift;
@@ -201,10 +238,25 @@ pub(crate) fn flap_drag(strip: &ReducedStrip) -> f64 {
     }
 }
 
+/// k, 1/rad².
+fn flap_profile_drag(strip: &ReducedStrip) -> f64 {
+    strip.flap.as_ref().map_or(0.0, |flap| flap.drag)
+}
+
+/// Whether a strip's flap makes a drag that is proportional to δ².
+pub(crate) fn drags_by_flap(strip: &ReducedStrip) -> bool {
+    flap_drag(strip) != 0.0 || flap_profile_drag(strip) != 0.0
+}
+
+/// Numbers of which one at least is not zero.
+fn if_any(numbers: Eight) -> Option<Eight> {
+    (numbers != Eight::ZERO).then_some(numbers)
+}
+
 /// The coefficient of a factor in a strip's δ; in its δ² where that drags.
 fn coefficient(strip: &ReducedStrip, factor: FlapFactor) -> f64 {
     match factor {
-        FlapFactor::Product(_) if flap_drag(strip) == 0.0 => 0.0,
+        FlapFactor::Product(_) if !drags_by_flap(strip) => 0.0,
         _ => strip.flap.as_ref().map_or(0.0, |flap| factor.coefficient(&flap.gains)),
     }
 }

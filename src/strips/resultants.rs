@@ -83,7 +83,8 @@ impl Group {
         flow.pitch_drift += span.dot(&angular);
 
         let aerofoil = self.aerofoil.at(window);
-        let (loads, flaps) = (aerofoil.loads(&flow), aerofoil.flap_loads(&flow));
+        let loads = self.section_loads(window, &aerofoil, &flow);
+        let flaps = self.section_flap_loads(window, &aerofoil, &flow);
         let sum = |gains: &[(usize, Eight)]| {
             gains.iter().fold(window.splat(0.0), |sum, (factor, gain)| {
                 sum + window.load(gain) * factors[*factor].value(at.angles)
@@ -92,7 +93,11 @@ impl Group {
         let (angle, squared) = (sum(&self.gains), sum(&self.squared_gains));
         let width = window.load(&self.width);
         let along = (loads.forward + flaps.forward * angle - flaps.drag * squared) * width;
-        let down = (loads.down + flaps.down * angle) * width;
+        let mut down = loads.down + flaps.down * angle;
+        if let Some(across) = flaps.drag_across {
+            down = down - across * squared;
+        }
+        let down = down * width;
         let pitching = (loads.pitching + flaps.pitching * angle) * width;
         Resultant {
             position: position.vector(),

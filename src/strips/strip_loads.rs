@@ -48,6 +48,8 @@ pub struct StripFlapLoads<S: Arithmetic> {
     moment: Lanes<S>,
     /// Per radian squared: N along −f.
     drag: Lanes<S>,
+    /// Per radian squared: N per √kg along −heave, where there is any.
+    drag_across: Option<Lanes<S>>,
 }
 
 /// Properties of whole strips that distributing their loads needs.
@@ -184,6 +186,7 @@ impl<S: Arithmetic, const EQUAL_ROWS: bool> Resultants<PlaneVector<S>, EQUAL_ROW
 
 impl<S: Arithmetic> StripFlapLoads<S> {
     /// Of the flaps of strips.
+    #[expect(clippy::manual_map, reason = "registers do not go through a closure")]
     #[inline(always)]
     pub fn new(loads: &SectionFlapLoads<S>, sizes: &StripSizes<S>, per_root_mass: Lanes<S>) -> Self {
         StripFlapLoads {
@@ -191,6 +194,10 @@ impl<S: Arithmetic> StripFlapLoads<S> {
             forward: loads.forward * sizes.width,
             moment: loads.pitching * sizes.width,
             drag: loads.drag * sizes.width,
+            drag_across: match loads.drag_across {
+                Some(across) => Some(across * sizes.width * per_root_mass),
+                None => None,
+            },
         }
     }
 
@@ -203,6 +210,10 @@ impl<S: Arithmetic> StripFlapLoads<S> {
     /// The generalised force along a component of ν, per radian squared.
     #[inline(always)]
     pub fn drag_on(&self, displacement: &Displacement<S>) -> Lanes<S> {
-        -(displacement.forward * self.drag)
+        let along = -(displacement.forward * self.drag);
+        match self.drag_across {
+            Some(across) => along - displacement.heave * across,
+            None => along,
+        }
     }
 }

@@ -5,14 +5,16 @@
 
 use nalgebra::Vector3;
 
-use crate::aircraft::{ALTITUDES, Flap, MOST_INFLOW_STATES, Support};
+use crate::aircraft::{ALTITUDES, Fidelity, Flap, MOST_INFLOW_STATES, Support, TEMPERATURE_OFFSETS};
 use crate::sealed::hash;
 
 use super::cuts::{ROUNDING, is_unit};
-use super::{BeamSection, Carrier, ModeFamily, ModeShapes, ReducedMass, ReducedModel, StructureError};
+use super::{
+    BeamSection, Carrier, ModeFamily, ModeShapes, ReducedEngine, ReducedMass, ReducedModel, StructureError,
+};
 
 /// Names the format and its version.
-const MAGIC: &[u8; 8] = b"FLXAIR08";
+const MAGIC: &[u8; 8] = b"FLXAIR09";
 
 /// Bytes before the payload.
 const HEADER: usize = 8 + 8 + 16;
@@ -48,6 +50,9 @@ impl ReducedModel {
         }
         let model: ReducedModel = postcard::from_bytes(payload)
             .map_err(|_| StructureError::Bytes("its content cannot be decoded"))?;
+        if model.fidelity == Fidelity::GeometricallyExact && !model.joints.is_empty() {
+            return Err(StructureError::Bytes("it has joints, and a level that has none"));
+        }
         if !model.is_consistent() {
             return Err(StructureError::Bytes("its arrays do not fit together"));
         }
@@ -79,6 +84,7 @@ impl ReducedModel {
             && self.gravity.is_finite()
             && self.support.airspeeds().contains(&self.airspeed)
             && ALTITUDES.contains(&self.altitude)
+            && TEMPERATURE_OFFSETS.contains(&self.temperature_offset)
             && self.tunnel_air.is_none_or(|air| positive(air.density) && positive(air.temperature))
             && self.mount.iter().all(|angle| angle.is_finite())
             && (self.support == Support::Clamped
@@ -92,10 +98,12 @@ impl ReducedModel {
                     && is_unit(&strip.span)
                     && strip.forward.dot(&strip.span).abs() < ROUNDING
                     && strip.zero_lift_moment.is_finite()
+                    && strip.moment_slope.is_finite()
                     && positive(strip.width)
                     && strip.flap.as_ref().is_none_or(Flap::is_physical)
             })
-            && self.engines.iter().all(|engine| is_unit(&engine.direction))
+            && self.engines.iter().all(ReducedEngine::is_physical)
+            && (self.engines.is_empty() || self.engines.iter().any(|engine| engine.trim_share > 0.0))
             && self.stations.iter().all(|station| is_unit(&station.twist_axis))
     }
 
@@ -160,10 +168,26 @@ impl ReducedModel {
     }
 }
 
+impl ReducedEngine {
+    /// Whether it is such as an aircraft file allows.
+    fn is_physical(&self) -> bool {
+        is_unit(&self.direction)
+            && self.torque.is_finite()
+            && self.angular_momentum.is_finite()
+            && self.trim_share.is_finite()
+            && self.trim_share >= 0.0
+    }
+}
+
 impl Flap {
     /// Whether it is such as an aircraft file allows.
     fn is_physical(&self) -> bool {
-        self.hinge > 0.0 && self.hinge < 1.0 && self.gains.iter().all(|gain| gain.is_finite())
+        self.hinge > 0.0
+            && self.hinge < 1.0
+            && self.moment_slope.is_none_or(f64::is_finite)
+            && self.drag.is_finite()
+            && self.drag >= 0.0
+            && self.gains.iter().all(|gain| gain.is_finite())
     }
 }
 
@@ -222,5 +246,20 @@ mod tests {
         assert!(is_refused(|jet| jet.strips[0].span = jet.strips[0].forward), "a strip has no normal");
         assert!(is_refused(|jet| jet.engines[0].direction *= 2.0), "an engine pushes twice");
         assert!(is_refused(|jet| jet.stations[0].twist_axis.x = f64::NAN), "a station has no axis");
+        assert!(is_refused(|jet| jet.strips[0].moment_slope = f64::NAN), "a strip has no moment");
+        let flap = |jet: &mut ReducedModel, change: fn(&mut Flap)| {
+            change(jet.strips.iter_mut().find_map(|strip| strip.flap.as_mut()).unwrap());
+        };
+        assert!(is_refused(|jet| flap(jet, |flap| flap.drag = -0.1)), "a flap propels");
+        assert!(
+            is_refused(|jet| flap(jet, |flap| flap.moment_slope = Some(f64::NAN))),
+            "a flap has no moment"
+        );
+        assert!(is_refused(|jet| jet.engines[1].angular_momentum = f64::NAN), "an engine turns without end");
+        assert!(
+            is_refused(|jet| jet.engines.iter_mut().for_each(|engine| engine.trim_share = 0.0)),
+            "no thrust"
+        );
+        assert!(is_refused(|jet| jet.temperature_offset = -61.0), "the air is too cold");
     }
 }

@@ -6,12 +6,11 @@ use nalgebra::{DMatrix, DVector, SVector};
 
 use crate::aircraft::{Aircraft, Attachment};
 
-use super::beam::{BeamGeometry, NodalMap, NodalRow};
+use super::beam::{BeamGeometry, axial_stiffness};
+use super::nodal::{NodalMap, NodalRow};
 use super::particles::{Particle, particles};
+use super::shared_unknowns::SharedUnknowns;
 use super::{ModeShapes, StructureError};
-
-/// EA of axially rigid elements, N [theory: structure.axially-rigid].
-const RIGID_AXIAL_STIFFNESS: f64 = 1e12;
 
 /// An aircraft's structure: beams with their geometry, particles, and the numbering of unknowns.
 #[derive(Debug)]
@@ -39,18 +38,38 @@ impl<'a> Structure<'a> {
         6 * (self.aircraft.nodes.len() - 1)
     }
 
-    /// Stiffness matrix; with `axially_rigid` every EA is raised until axial strain is negligible.
+    /// Stiffness matrix of beams that no joints hold; with `axially_rigid` every EA beside the loops that joints close is raised until
+    /// axial strain is negligible [theory: structure.axially-rigid, structure.loops].
     pub fn stiffness(&self, axially_rigid: bool) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.unknowns(), self.unknowns());
+        let in_loops = self.aircraft.elements_in_loops();
         for (index, beam) in self.aircraft.beams.iter().enumerate() {
-            let axial = if axially_rigid {
-                beam.axial_stiffness.max(RIGID_AXIAL_STIFFNESS)
-            } else {
-                beam.axial_stiffness
-            };
+            let axial = axial_stiffness(beam, axially_rigid && !in_loops[index]);
             self.add_element(&mut matrix, index, &self.geometry[index].stiffness(beam, axial));
         }
         matrix
+    }
+
+    /// T of all unknowns x = T y of which joints make some equal, orthonormal: stiffness of y is TᵀKT, mass TᵀMT, load Tᵀf. The unit
+    /// matrix without joints.
+    ///
+    /// ```
+    /// use flexible_aircraft::{Aircraft, structure::Structure};
+    ///
+    /// let aircraft = Aircraft::read("tests/data/strut-braced.toml")?; // two struts, each pinned to its wing
+    /// let structure = Structure::new(&aircraft)?;
+    /// assert_eq!(structure.joined().ncols(), structure.unknowns() - 6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// [theory: structure.joints]
+    pub fn joined(&self) -> DMatrix<f64> {
+        let columns = SharedUnknowns::of(self.aircraft).columns();
+        let mut joined = DMatrix::zeros(self.unknowns(), columns.len());
+        for (column, terms) in columns.iter().enumerate() {
+            terms.iter().for_each(|&(unknown, share)| joined[(unknown, column)] = share);
+        }
+        joined
     }
 
     /// Mass matrix (singular: lumps are fewer than unknowns) [theory: structure.mass-matrix].

@@ -45,6 +45,24 @@ pub enum StructureError {
         /// Allowed.
         most: usize,
     },
+    /// The aircraft flies geometrically exactly unless someone asks for another level, and has loops.
+    #[error(
+        "{joint} closes a loop, and level \"geometrically_exact\" has none: \"exact\" is a level that has"
+    )]
+    Loop {
+        /// The joint.
+        joint: String,
+    },
+    /// A cut for section loads is within a loop.
+    #[error(
+        "the cut \"{cut}\" is within the loop that is closed by {joint}: summation has no unique answer there"
+    )]
+    CutInLoop {
+        /// Name of the cut.
+        cut: String,
+        /// The joint.
+        joint: String,
+    },
     /// The aircraft's numbers are too large or too small to be computed with.
     #[error(
         "the reduced model has numbers that are not finite: the aircraft's stiffnesses or masses are too large or too small"

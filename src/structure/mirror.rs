@@ -5,8 +5,9 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use crate::aircraft::{Aircraft, Branches};
 
 use super::ModeFamily;
+use super::shared_unknowns::SharedUnknowns;
 
-/// A unit vector of the symmetric or antisymmetric subspace: one unknown, or a pair of them.
+/// A unit vector of the symmetric or antisymmetric subspace: one unknown, a pair of them, or several that joints make one.
 type BasisVector = Vec<(usize, f64)>;
 
 /// The reflection of nodal unknowns in the plane y = 0.
@@ -25,22 +26,27 @@ const SYMMETRIC: f64 = 1e-9;
 pub(super) const SIGN: [f64; 6] = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
 
 impl Reflection {
-    /// The mirror of an aircraft, `None` when its nodes, stiffness or mass have no mirror plane y = 0.
+    /// The mirror of an aircraft, `None` when its nodes, joints, stiffness or mass have no mirror plane y = 0.
     pub fn find(aircraft: &Aircraft, stiffness: &DMatrix<f64>, mass: &DMatrix<f64>) -> Option<Self> {
         let size = aircraft.nodes.iter().map(Vector3::norm).fold(0.0, f64::max);
         let branches = Branches::of(aircraft);
+        let joined = aircraft.rotations_joined();
         let matrices = [Reflected::new(stiffness), Reflected::new(mass)];
         let alike = |node: usize, other: usize| {
             let (at, image_at) = (aircraft.nodes[node], aircraft.nodes[other]);
             let (before, image_before) = (branches.parent(node), branches.parent(other));
             (Vector3::new(at.x, -at.y, at.z) - image_at).norm() < 1e-9 * size
+                && joined[node] == joined[other]
                 && matrices.iter().all(|matrix| {
                     matrix.preserves([node, node], [other, other])
                         && matrix.preserves([before, node], [image_before, other])
                 })
         };
         // Stiffness and mass join each node to itself and to its neighbours in the tree: nothing else is to be compared.
-        Some(Reflection { image: branches.images(&alike).into_iter().collect::<Option<_>>()? })
+        let images = branches.images(&alike);
+        let are_joined = aircraft.joints.iter().all(|joint| aircraft.is_mirrored(joint, &images));
+        let image = images.into_iter().collect::<Option<_>>()?;
+        are_joined.then_some(Reflection { image })
     }
 
     /// The mirror image of a node, itself on the plane.
@@ -48,18 +54,20 @@ impl Reflection {
         self.image[node]
     }
 
-    /// Orthonormal basis of a family's subspace.
-    pub fn subspace(&self, family: ModeFamily) -> Vec<BasisVector> {
+    /// Orthonormal basis of a family's subspace, in which shared unknowns are one.
+    pub fn subspace(&self, family: ModeFamily, shared: &SharedUnknowns) -> Vec<BasisVector> {
         let sign = if family == ModeFamily::Antisymmetric { -1.0 } else { 1.0 };
         let mut basis = Vec::new();
         for (node, &image) in self.image.iter().enumerate().skip(1) {
             for (axis, reflected) in SIGN.iter().enumerate() {
-                let unknown = 6 * (node - 1) + axis;
-                if image == node && sign * reflected > 0.0 {
-                    basis.push(vec![(unknown, 1.0)]);
-                } else if image > node {
+                let Some(own) = shared.led_by(node, axis) else { continue };
+                let (first, image) = (6 * node + axis, shared.first(image, axis));
+                if image == first && sign * reflected > 0.0 {
+                    basis.push(own.column(1.0).collect());
+                } else if image > first {
                     let half = std::f64::consts::FRAC_1_SQRT_2;
-                    basis.push(vec![(unknown, half), (6 * (image - 1) + axis, sign * reflected * half)]);
+                    let image = shared.of_first(image);
+                    basis.push(own.column(half).chain(image.column(sign * reflected * half)).collect());
                 }
             }
         }
@@ -93,11 +101,6 @@ impl<'m> Reflected<'m> {
             difference.abs() <= SYMMETRIC * self.scale[first + i] * self.scale[first_column + j]
         })
     }
-}
-
-/// The whole space as a basis, for a structure without a mirror plane.
-pub fn whole_space(unknowns: usize) -> Vec<BasisVector> {
-    (0..unknowns).map(|unknown| vec![(unknown, 1.0)]).collect()
 }
 
 /// The matrix restricted to a subspace.

@@ -1,6 +1,6 @@
 //! What moves in a mode and what strains: its energies by component and by kind of strain [theory: structure.motions].
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::assembly::Structure;
 use super::beam::GAUSS_2;
@@ -120,20 +120,29 @@ fn strain_energies(structure: &Structure, beam: usize, shapes: &DMatrix<f64>) ->
     let (element, geometry) = (&structure.aircraft.beams[beam], &structure.geometry[beam]);
     let up = Axes::new(structure, beam).up;
     let [along_y, along_z] = [1, 2].map(|axis| geometry.axes.row(axis).dot(&up.transpose()).abs());
+    let (is_w_out, coupling) = (along_z >= along_y, element.coupling);
     let mut energies = vec![StrainShares::default(); shapes.ncols()];
     for (fraction, weight) in GAUSS_2 {
         let gradients = geometry.gradients(fraction);
-        let terms = [
-            (gradients.curvature_w, element.bending_stiffness_y),
-            (gradients.curvature_v, element.bending_stiffness_z),
-            (gradients.twist, element.torsional_stiffness),
-            (gradients.stretch, element.axial_stiffness),
-        ];
-        let [w, v, twist, stretch] = terms.map(|(row, stiffness)| {
-            let strains = structure.apply_row(beam, &row, shapes);
-            strains.map(|strain| stiffness * strain * strain * weight * geometry.length)
-        });
-        let (bending, in_plane) = if along_z >= along_y { (w, v) } else { (v, w) };
+        let [w, v, twist, stretch] =
+            [gradients.curvature_w, gradients.curvature_v, gradients.twist, gradients.stretch]
+                .map(|row| structure.apply_row(beam, &row, shapes));
+        let work = |strains: &DVector<f64>, stiffness: f64, coupled: [(&DVector<f64>, f64); 2]| {
+            let own = strains.map(|strain| stiffness * strain * strain * weight * geometry.length);
+            // A strain works on what others make of moments too.
+            coupled.into_iter().filter(|(_, stiffness)| *stiffness != 0.0).fold(
+                own,
+                |sum, (other, stiffness)| {
+                    sum + strains.component_mul(other) * (stiffness * weight * geometry.length)
+                },
+            )
+        };
+        let [by_w, by_v] = coupling.bend_twist;
+        let in_w = work(&w, element.bending_stiffness_y, [(&twist, by_w), (&v, coupling.bending)]);
+        let in_v = work(&v, element.bending_stiffness_z, [(&twist, by_v), (&w, coupling.bending)]);
+        let twist = work(&twist, element.torsional_stiffness, [(&w, by_w), (&v, by_v)]);
+        let stretch = work(&stretch, element.axial_stiffness, [(&w, 0.0), (&v, 0.0)]);
+        let (bending, in_plane) = if is_w_out { (in_w, in_v) } else { (in_v, in_w) };
         for (mode, energy) in energies.iter_mut().enumerate() {
             *energy = energy.plus(&StrainShares {
                 bending: bending[mode],
@@ -143,7 +152,28 @@ fn strain_energies(structure: &Structure, beam: usize, shapes: &DMatrix<f64>) ->
             });
         }
     }
+    add_hinge((structure, beam), is_w_out, shapes, &mut energies);
     energies
+}
+
+/// Adds those of the springs at an element's beginning: each axis bends or twists, by its direction in the element.
+fn add_hinge(
+    (structure, beam): (&Structure, usize),
+    is_w_out: bool,
+    shapes: &DMatrix<f64>,
+    energies: &mut [StrainShares],
+) {
+    let Some(hinge) = &structure.aircraft.beams[beam].hinge else { return };
+    let geometry = &structure.geometry[beam];
+    for (spring, (row, stiffness)) in hinge.springs.iter().zip(geometry.springs()) {
+        // About local x it twists, about y it bends in w, about z in v.
+        let parts = (geometry.axes * spring.axis).map(|part| part * part);
+        let (bending, in_plane) = if is_w_out { (parts.y, parts.z) } else { (parts.z, parts.y) };
+        let shares = StrainShares { bending, in_plane, torsion: parts.x, stretch: 0.0 };
+        for (energy, angle) in energies.iter_mut().zip(structure.apply_row(beam, row, shapes).iter()) {
+            *energy = energy.plus(&shares.scaled(stiffness * angle * angle));
+        }
+    }
 }
 
 #[cfg(test)]

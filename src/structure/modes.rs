@@ -9,6 +9,7 @@ use super::load_modes::{MAX_ITERATIONS, Metric, load_modes};
 use super::mirror::{self, Reflection};
 use super::mode_count::ModeCount;
 use super::pairs::Pairs;
+use super::shared_unknowns::SharedUnknowns;
 use super::static_loads::{StaticLoad, static_loads};
 use super::{Mode, ModeFamily, ModeKind, StructureError};
 
@@ -55,13 +56,14 @@ impl ModalBasis {
         let mass = structure.mass();
         // Axially rigid beams would hide a difference in bending.
         let mirror = Reflection::find(aircraft, &structure.stiffness(false), &mass);
+        let shared = SharedUnknowns::of(aircraft);
         let family = |family, basis| Subspace::new(family, &stiffness, &mass, basis);
         let subspaces = match &mirror {
             Some(mirror) => [ModeFamily::Symmetric, ModeFamily::Antisymmetric]
-                .map(|name| family(name, mirror.subspace(name)))
+                .map(|name| family(name, mirror.subspace(name, &shared)))
                 .into_iter()
                 .collect::<Result<Vec<_>, _>>()?,
-            None => vec![family(ModeFamily::Unsymmetric, mirror::whole_space(structure.unknowns()))?],
+            None => vec![family(ModeFamily::Unsymmetric, shared.columns())?],
         };
         let families = subspaces.iter().map(Subspace::natural_modes).collect::<Result<Vec<_>, _>>()?;
         let mut modes = families.into_iter().reduce(merge).unwrap_or_default();

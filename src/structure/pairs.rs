@@ -25,6 +25,9 @@ const MIRRORED: f64 = 0.25;
 /// Nodes count as mirror images within this part of the aircraft's size.
 const NEAR: f64 = 1e-2;
 
+/// Nodes nearer to each other, in parts of the aircraft's size, share a place.
+const SAME_PLACE: f64 = 1e-9;
+
 /// An aircraft held against a mirror in y = 0 that it need not have.
 pub(super) struct Pairs<'a> {
     /// Node → the node at its mirrored place, if there is one.
@@ -32,18 +35,34 @@ pub(super) struct Pairs<'a> {
     mass: &'a DMatrix<f64>,
 }
 
+/// Node → the one of its component's mirror image, itself where there is none.
+fn images_by_component(aircraft: &Aircraft) -> Vec<usize> {
+    let mut images: Vec<usize> = (0..aircraft.nodes.len()).collect();
+    for component in &aircraft.components {
+        let Some(image) = component.image else { continue };
+        // Its first node is of the component on which it hangs.
+        for (&node, &image) in component.nodes.iter().zip(&aircraft.components[image].nodes).skip(1) {
+            images[node] = image;
+        }
+    }
+    images
+}
+
 impl<'a> Pairs<'a> {
     /// Of an aircraft with this mass matrix of its nodal unknowns.
     pub fn new(aircraft: &Aircraft, mass: &'a DMatrix<f64>) -> Self {
         let nodes = &aircraft.nodes;
         let size = nodes.iter().map(Vector3::norm).fold(0.0, f64::max);
-        let image = |node: &Vector3<f64>| {
-            let mirrored = Vector3::new(node.x, -node.y, node.z);
+        let by_component = images_by_component(aircraft);
+        let image = |node: usize| {
+            let mirrored = Vector3::new(nodes[node].x, -nodes[node].y, nodes[node].z);
             let distance = |other: usize| (nodes[other] - mirrored).norm();
-            let nearest = (0..nodes.len()).min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
-            nearest.filter(|&other| distance(other) <= NEAR * size)
+            let nearest = (0..nodes.len()).min_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
+            let own = by_component[node];
+            let chosen = if distance(own) <= distance(nearest) + SAME_PLACE * size { own } else { nearest };
+            (distance(chosen) <= NEAR * size).then_some(chosen)
         };
-        Pairs { image: nodes.iter().map(image).collect(), mass }
+        Pairs { image: (0..nodes.len()).map(image).collect(), mass }
     }
 
     /// Marks all modes, lowest frequencies first, that make a pair with one before, as far as bases of up to `count` and the

@@ -9,7 +9,8 @@ use nalgebra::Vector3;
 use crate::aircraft::{Aircraft, Attachment, MassBay};
 
 use super::StructureError;
-use super::beam::{BeamGeometry, NodalMap};
+use super::beam::BeamGeometry;
+use super::nodal::NodalMap;
 
 /// A point mass carried by a section of the elastic axis.
 #[derive(Clone, Debug)]

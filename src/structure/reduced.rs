@@ -10,6 +10,7 @@ use crate::aircraft::{Aircraft, Control, Fidelity, Flap, Limits, Support, TrimRo
 use super::assembly::Structure;
 use super::carrier::Carrier;
 use super::cuts::{ReducedCut, ReducedMass, reduced_cuts, reduced_masses};
+use super::loops;
 use super::mode_count::ModeCount;
 use super::sections::SectionTree;
 use super::{
@@ -43,6 +44,8 @@ pub struct ReducedModel {
     pub airspeed: f64,
     /// Default altitude, m.
     pub altitude: f64,
+    /// By how much the air is warmer than the standard atmosphere, K.
+    pub temperature_offset: f64,
     /// What its trims should stay within.
     pub limits: Limits,
     /// The air around a clamped aircraft; `None`: that of the standard atmosphere.
@@ -71,6 +74,8 @@ pub struct ReducedModel {
     pub masses: Vec<ReducedMass>,
     /// Where section loads are outputs.
     pub cuts: Vec<ReducedCut>,
+    /// What each joint joins, for messages. Each closes a loop of beams: geometrically exact kinematics does not fly such a model.
+    pub joints: Vec<String>,
 }
 
 /// A strip with the mode shapes at its attachment.
@@ -98,6 +103,8 @@ pub struct ReducedStrip {
     pub zero_lift_offset: f64,
     /// c_m0: the section's moment coefficient about its aerodynamic centre.
     pub zero_lift_moment: f64,
+    /// c_mα, 1/rad.
+    pub moment_slope: f64,
     /// CD0.
     pub profile_drag: f64,
     /// η.
@@ -137,6 +144,12 @@ pub struct ReducedEngine {
     pub carrier: Carrier,
     /// Unit vector of positive thrust.
     pub direction: Vector3<f64>,
+    /// About it, N·m per N.
+    pub torque: f64,
+    /// Of what turns in it, along the direction, kg·m²/s.
+    pub angular_momentum: f64,
+    /// In what proportion it has the thrust of trims.
+    pub trim_share: f64,
     /// At the point of action.
     pub shapes: ModeShapes,
 }
@@ -203,13 +216,14 @@ impl ReducedModel {
     /// Reduces a structure to the modes of a basis.
     ///
     /// # Errors
-    /// When there are too many, or the numbers overflow.
+    /// When there are too many, the numbers overflow, or there are loops that its level or its cuts cannot have.
     pub fn of_basis(structure: &Structure, basis: ModalBasis) -> Result<Self, StructureError> {
         let aircraft = structure.aircraft;
         let (wanted, most) = (basis.modes.len(), Self::MOST_MODES);
         if wanted > most {
             return Err(StructureError::TooManyModes { wanted, most });
         }
+        loops::refuse(aircraft)?;
         let tree = SectionTree::new(structure, &basis.shapes, basis.mirror.as_ref());
         let model = ReducedModel {
             name: aircraft.name.clone(),
@@ -219,6 +233,7 @@ impl ReducedModel {
             inflow_states: aircraft.inflow_states,
             airspeed: aircraft.airspeed,
             altitude: aircraft.altitude,
+            temperature_offset: aircraft.temperature_offset,
             limits: aircraft.limits,
             tunnel_air: aircraft.tunnel_air,
             mount: aircraft.mount,
@@ -232,6 +247,7 @@ impl ReducedModel {
             masses: reduced_masses(structure, &tree),
             cuts: reduced_cuts(structure, &tree, &basis.shapes),
             sections: tree.sections,
+            joints: aircraft.joints.iter().map(ToString::to_string).collect(),
             modes: basis.modes,
         };
         if model.is_finite() { Ok(model) } else { Err(StructureError::NotFinite) }
@@ -334,6 +350,7 @@ fn reduced_strips(structure: &Structure, tree: &SectionTree, shapes: &DMatrix<f6
         lift_slope: strip.lift_slope,
         zero_lift_offset: strip.zero_lift_offset,
         zero_lift_moment: strip.zero_lift_moment,
+        moment_slope: strip.moment_slope,
         profile_drag: strip.profile_drag,
         leading_edge_suction: strip.leading_edge_suction,
         flap: strip.flap.clone(),
@@ -353,6 +370,9 @@ fn reduced_engines(structure: &Structure, tree: &SectionTree, shapes: &DMatrix<f
             position: geometry.position(engine.attachment.fraction) + engine.offset,
             carrier: Carrier::own(tree.at(engine.attachment)),
             direction: engine.direction,
+            torque: engine.torque,
+            angular_momentum: engine.angular_momentum,
+            trim_share: engine.trim_share,
             shapes: ModeShapes {
                 translation: structure.apply_map(beam, &displacement, shapes),
                 rotation: structure.apply_map(beam, &rotation, shapes),

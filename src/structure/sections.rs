@@ -1,8 +1,8 @@
 //! The tree of sections at which geometrically exact kinematics evaluates the structure, and the rigid bodies on them.
 //!
-//! [theory: geometrically-exact.sections, geometrically-exact.attached]
+//! [theory: geometrically-exact.sections, geometrically-exact.attached, coupled-sections.hinge]
 //!
-//! Sections stand where something is attached and where the structure branches or bends. Of each the linear pose is known; its
+//! Sections stand where something is attached, where the structure branches or bends, and beyond hinges. Of each the linear pose is known; its
 //! difference from that of the section before it, but for what a helix makes, is what exact kinematics needs.
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
@@ -101,6 +101,10 @@ impl SectionTree {
         for (index, beam) in structure.aircraft.beams.iter().enumerate() {
             let [first, last] = beam.nodes;
             let mut parent = of_node[first];
+            if beam.hinge.is_some() {
+                parent = growing.push(parent, Attachment { beam: index, fraction: 0.0 });
+            }
+            let root = parent;
             let mut own = Vec::new();
             for &fraction in &layout.within[index] {
                 parent = growing.push(parent, Attachment { beam: index, fraction });
@@ -111,7 +115,7 @@ impl SectionTree {
             } else {
                 growing.push(parent, Attachment { beam: index, fraction: 1.0 })
             };
-            ends.push([of_node[first], of_node[last]]);
+            ends.push([root, of_node[last]]);
             between.push(own);
         }
         let mut tree = SectionTree { sections: growing.sections, ends, between };
@@ -160,6 +164,9 @@ impl Layout {
                 fraction if fraction >= 1.0 - CLOSE => carries[last] = true,
                 fraction => within[place.beam].push(fraction),
             }
+        }
+        for beam in aircraft.beams.iter().filter(|beam| beam.hinge.is_some()) {
+            carries[beam.nodes[0]] = true;
         }
         for fractions in &mut within {
             fractions.sort_by(f64::total_cmp);

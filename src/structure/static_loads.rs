@@ -76,7 +76,11 @@ fn lift(
             continue;
         }
         let lift = strip.lift_slope * strip.semichord * strip.width * incidence;
-        load.add(place, -lift * normal, lift * quarter_chord_arm(strip) * strip.span);
+        let mut moment = lift * quarter_chord_arm(strip);
+        if strip.moment_slope != 0.0 {
+            moment += 2.0 * strip.moment_slope * strip.semichord * strip.semichord * strip.width * incidence;
+        }
+        load.add(place, -lift * normal, moment * strip.span);
     }
     load.forces
 }

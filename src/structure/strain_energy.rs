@@ -9,7 +9,7 @@
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-use crate::aircraft::Beam;
+use crate::aircraft::{Beam, Coupling};
 
 use super::assembly::Structure;
 use super::beam::{GAUSS_5, Gradients};
@@ -39,6 +39,10 @@ impl StrainEnergy {
             for (fraction, weight) in GAUSS_5 {
                 let section = SectionGradients::new(structure, index, &geometry.gradients(fraction), shapes);
                 energy.add_section(beam, &section, weight * geometry.length);
+            }
+            for (angle, spring) in geometry.springs() {
+                let angle = structure.apply_row(index, angle, shapes);
+                energy.add_linear_stiffness(&(&angle * angle.transpose() * *spring));
             }
         }
         energy
@@ -174,19 +178,31 @@ impl StrainEnergy {
     fn add_section(&mut self, beam: &Beam, section: &SectionGradients, length: f64) {
         let torsion = &section.twist * section.twist.transpose() * (beam.torsional_stiffness * length);
         self.add_linear_stiffness(&torsion);
-        let half_height_y = (beam.bending_stiffness_z / beam.axial_stiffness).sqrt();
-        let half_height_z = (beam.bending_stiffness_y / beam.axial_stiffness).sqrt();
-        for (y, z) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+        if !beam.coupling.is_none() {
+            self.add_coupling(&beam.coupling, section, length);
+        }
+        let Coupling { tension_axis: [y_t, z_t], shear_centre: [y_s, z_s], .. } = beam.coupling;
+        for place in booms(beam) {
             let rigidity = 0.25 * beam.axial_stiffness * length;
-            self.add_boom(section, [y * half_height_y, z * half_height_z], rigidity);
+            self.add_boom(section, (place, [y_t - y_s, z_t - z_s]), rigidity);
         }
     }
 
-    /// Adds ½ EA ε² of a boom at (y, z): ε = e·q + ½ qᵀQq [theory: strain-energy.polynomial].
-    fn add_boom(&mut self, section: &SectionGradients, [y, z]: [f64; 2], rigidity: f64) {
+    /// Adds what couples torsion with bending; EI_yz comes from the booms [theory: coupled-sections.higher].
+    fn add_coupling(&mut self, coupling: &Coupling, section: &SectionGradients, length: f64) {
+        let [by_w, by_v] = coupling.bend_twist;
+        for (curvature, rigidity) in [(&section.curvature_w, by_w), (&section.curvature_v, by_v)] {
+            let product = &section.twist * curvature.transpose();
+            self.add_linear_stiffness(&((&product + product.transpose()) * (rigidity * length)));
+        }
+    }
+
+    /// Adds ½ EA ε² of a boom at (y, z) from the tension axis, which is some way from the shear centre: ε = e·q + ½ qᵀQq
+    /// [theory: strain-energy.polynomial].
+    fn add_boom(&mut self, section: &SectionGradients, ([y, z], apart): ([f64; 2], [f64; 2]), rigidity: f64) {
         let e = &section.stretch - &section.curvature_v * y - &section.curvature_w * z;
-        let v = &section.slope_v - &section.twist * z;
-        let w = &section.slope_w + &section.twist * y;
+        let v = &section.slope_v - &section.twist * (z + apart[1]);
+        let w = &section.slope_w + &section.twist * (y + apart[0]);
         let quadratic = &e * e.transpose() + &v * v.transpose() + &w * w.transpose();
         self.add_linear_stiffness(&(&e * e.transpose() * rigidity));
 
@@ -221,6 +237,26 @@ impl StrainEnergy {
             *sum += term;
         }
     }
+}
+
+/// The places of four booms from the tension axis, in the principal axes of bending.
+///
+/// [theory: strain-energy.section, coupled-sections.higher]
+fn booms(beam: &Beam) -> [[f64; 2]; 4] {
+    let Beam { axial_stiffness: axial, bending_stiffness_y: about_y, bending_stiffness_z: about_z, .. } =
+        *beam;
+    let product = beam.coupling.bending;
+    let (one, other) = if product == 0.0 {
+        ([(about_z / axial).sqrt(), 0.0], [0.0, (about_y / axial).sqrt()])
+    } else {
+        let (mean, apart) = (0.5 * (about_z + about_y), 0.5 * (about_z - about_y));
+        let radius = libm::hypot(apart, product);
+        let (sin, cos) = libm::sincos(0.5 * libm::atan2(product, apart));
+        let (far, near) = (((mean + radius) / axial).sqrt(), ((mean - radius) / axial).sqrt());
+        ([far * cos, far * sin], [-near * sin, near * cos])
+    };
+    let signs = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
+    signs.map(|(a, b)| [a * one[0] + b * other[0], a * one[1] + b * other[1]])
 }
 
 /// Displacement gradients at one section as linear forms on the generalised coordinates.

@@ -6,6 +6,7 @@
 //! the gains of the flaps, and s = −1 where positive angles mirror into negative ones. A flap on a strip edge-on in the plane is
 //! its own image with s = −1. Most flaps say the same; what is left are a few independent conditions on u.
 
+use crate::aircraft::{Flap, FlapEffect};
 use crate::math::{are_alike, largest};
 use crate::structure::ReducedStrip;
 
@@ -68,15 +69,21 @@ impl EvenControls {
 /// What two strips that are images of each other, or one that is its own, ask of the controls.
 fn rows(strip: &ReducedStrip, image: &ReducedStrip, sign: f64) -> Vec<Vec<f64>> {
     match (&strip.flap, &image.flap) {
-        (Some(flap), Some(other))
-            if are_alike(flap.lift_slope, other.lift_slope, EQUAL)
-                && are_alike(flap.hinge, other.hinge, EQUAL) =>
-        {
+        (Some(flap), Some(other)) if do_alike(flap, other) => {
             vec![flap.gains.iter().zip(&other.gains).map(|(gain, other)| gain - sign * other).collect()]
         }
         // Flaps that do not mirror each other have to rest.
         (flap, other) => [flap, other].into_iter().flatten().map(|flap| flap.gains.clone()).collect(),
     }
+}
+
+/// Whether two flaps make the same of an angle.
+fn do_alike(flap: &Flap, other: &Flap) -> bool {
+    let [one, other] = [flap, other].map(|flap| {
+        let FlapEffect { moment, .. } = FlapEffect::new(flap);
+        [flap.lift_slope, flap.hinge, moment, flap.drag]
+    });
+    one.into_iter().zip(other).all(|(one, other)| are_alike(one, other, EQUAL))
 }
 
 /// Conditions that say the same as some rows of factors, each with a control of its own whose factor is 1; factors up to

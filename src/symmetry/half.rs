@@ -256,6 +256,7 @@ impl Reflection {
                 strip.elastic_axis_aft_of_midchord,
                 strip.width,
                 strip.lift_slope,
+                strip.moment_slope,
                 strip.profile_drag,
                 strip.leading_edge_suction,
             ]
@@ -270,6 +271,9 @@ impl Reflection {
     fn maps_engine(&self, engine: &ReducedEngine, image: &ReducedEngine) -> bool {
         self.maps(&engine.position, &image.position, self.size)
             && self.maps(&engine.direction, &image.direction, 1.0)
+            && are_alike(engine.torque, -image.torque, SYMMETRIC)
+            && are_alike(engine.angular_momentum, -image.angular_momentum, SYMMETRIC)
+            && are_alike(engine.trim_share, image.trim_share, SYMMETRIC)
             && self.maps_shapes(&engine.shapes, &image.shapes)
     }
 
@@ -335,6 +339,15 @@ mod tests {
         assert!(!has_half(|jet| jet.strips[3].semichord *= 1.001));
         assert!(!has_half(|jet| jet.strips[3].shapes.rotation[0] += 1e-3));
         assert!(!has_half(|jet| jet.engines[0].position.y -= 0.1));
+        assert!(!has_half(|jet| jet.engines[0].trim_share = 0.5));
+        for sense in [1.0, -1.0] {
+            let has_mirrored_rotors = has_half(|jet| {
+                for (engine, sense) in jet.engines.iter_mut().zip([1.0, sense]) {
+                    (engine.torque, engine.angular_momentum) = (0.2 * sense, 500.0 * sense);
+                }
+            });
+            assert_eq!(has_mirrored_rotors, sense == -1.0);
+        }
         assert!(!has_half(|jet| jet.modes[5].family = ModeFamily::Unsymmetric));
         assert!(!has_half(|jet| jet.integrals.first_moment.y = 1.0));
         assert!(!has_half(|jet| drop(jet.strips.remove(0))));
@@ -342,6 +355,7 @@ mod tests {
         assert!(!has_half(|jet| jet.strips[fin].zero_lift_offset = 0.01));
         assert!(!has_half(|jet| jet.strips[fin].zero_lift_moment = 0.01));
         assert!(!has_half(|jet| jet.strips[3].zero_lift_moment = -0.1));
+        assert!(!has_half(|jet| jet.strips[3].moment_slope = 0.1));
     }
 
     #[test]

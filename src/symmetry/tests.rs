@@ -49,9 +49,10 @@ fn with_lifting_body(mut model: ReducedModel) -> ReducedModel {
     for strip in model.strips.iter_mut().filter(|strip| strip.position.y == 0.0 && strip.span.y.abs() > 0.9) {
         let mut gains = vec![0.0; 4];
         (gains[ELEVATOR], gains[AILERON_SYMMETRIC]) = (0.5, -0.3);
-        strip.flap = Some(Flap { lift_slope: 4.0, hinge: 0.7, gains });
+        strip.flap = Some(Flap { lift_slope: 4.0, hinge: 0.7, moment_slope: None, drag: 0.3, gains });
         strip.zero_lift_offset = 0.03;
         strip.zero_lift_moment = -0.05;
+        strip.moment_slope = 0.2;
         altered += 1;
     }
     assert!(

@@ -36,12 +36,14 @@ pub(super) fn direct(output: OutputSlot, input: InputSlot) -> bool {
 /// Whether a parameter acts on the value of an output at initialisation, in the trimmed flight; `roles` has that of each
 /// control.
 pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Option<TrimRole>]) -> bool {
-    use ParameterSlot::{Airspeed, Altitude, Heading, InputReference};
+    use ParameterSlot::{Airspeed, Altitude, Heading, InputReference, TemperatureOffset};
     match output {
         OutputSlot::Position(Axis::Z) => parameter == Altitude,
         OutputSlot::Attitude(Axis::Z) => parameter == Heading,
         OutputSlot::Wind(_) => matches!(parameter, Heading | Airspeed),
-        OutputSlot::GustPeakVelocity => matches!(parameter, Altitude | ParameterSlot::Gust(_)),
+        OutputSlot::GustPeakVelocity => {
+            matches!(parameter, Altitude | TemperatureOffset | ParameterSlot::Gust(_))
+        }
         OutputSlot::Position(_) | OutputSlot::ModalRate(_) => false,
         // In straight flight nothing turns; in a turn or a pull-up the rate is the trim's.
         OutputSlot::Rate(_) | OutputSlot::StationRate { .. } => trims(parameter),
@@ -52,8 +54,9 @@ pub(super) fn initial(output: OutputSlot, parameter: ParameterSlot, roles: &[Opt
         | OutputSlot::LoadFactorAtCentre(_)
         | OutputSlot::LiftLoadFactor
         | OutputSlot::SectionLoad { .. } => acts_on_forces(parameter),
-        OutputSlot::Air(AirQuantity::Density | AirQuantity::Pressure | AirQuantity::Temperature) => {
-            parameter == Altitude
+        OutputSlot::Air(AirQuantity::Pressure) => parameter == Altitude,
+        OutputSlot::Air(AirQuantity::Density | AirQuantity::Temperature) => {
+            matches!(parameter, Altitude | TemperatureOffset)
         }
         OutputSlot::Quaternion(_)
         | OutputSlot::Path(PathQuantity::Track)
@@ -125,9 +128,18 @@ fn limits_engine(parameter: ParameterSlot, engine: usize) -> bool {
 pub(super) fn trims(parameter: ParameterSlot) -> bool {
     use ParameterSlot::{
         Airspeed, Altitude, Condition, LoadModes, ModeCount, ModeFamily, Model, StiffnessScale,
+        TemperatureOffset,
     };
     matches!(
         parameter,
-        Model | Airspeed | Altitude | StiffnessScale | ModeFamily | ModeCount | LoadModes | Condition(_)
+        Model
+            | Airspeed
+            | Altitude
+            | TemperatureOffset
+            | StiffnessScale
+            | ModeFamily
+            | ModeCount
+            | LoadModes
+            | Condition(_)
     )
 }

@@ -1,6 +1,6 @@
 //! The rows of parameters.
 
-use crate::aircraft::ALTITUDES;
+use crate::aircraft::{ALTITUDES, TEMPERATURE_OFFSETS};
 use crate::devices::{ActuatorSetting, EngineSetting};
 use crate::flight::{NoiseKind, SensorSettings, Settings};
 use crate::plant::PlantSettings;
@@ -44,6 +44,13 @@ pub(super) fn parameters(model: &ReducedModel, start: &Settings) -> Vec<Variable
         real("altitude", P::Altitude, Unit::Metre, "Altitude of the trimmed flight at the start")
             .between(*ALTITUDES.start(), *ALTITUDES.end())
             .nominal(10_000.0),
+        real(
+            "temperature_offset",
+            P::TemperatureOffset,
+            Unit::Kelvin,
+            "By how much the air is warmer than the standard atmosphere, at the same pressure",
+        )
+        .between(*TEMPERATURE_OFFSETS.start(), *TEMPERATURE_OFFSETS.end()),
         real("heading", P::Heading, Unit::Radian, "Initial yaw angle"),
         real("stiffness_scale", P::StiffnessScale, Unit::One, "Factor on all elastic properties")
             .at_least(1e-6),
@@ -75,7 +82,7 @@ pub(super) fn parameters(model: &ReducedModel, start: &Settings) -> Vec<Variable
             .between(1e-12, 0.1),
     ];
     let is_there = |row: &Variable| match row.slot {
-        Slot::Parameter(P::Altitude) => model.tunnel_air.is_none(),
+        Slot::Parameter(P::Altitude | P::TemperatureOffset) => model.tunnel_air.is_none(),
         Slot::Parameter(P::LoadModes) => model.has_load_modes(),
         _ => true,
     };

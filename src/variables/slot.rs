@@ -33,6 +33,7 @@ pub enum ParameterSlot {
     Model,
     Airspeed,
     Altitude,
+    TemperatureOffset,
     Heading,
     StiffnessScale,
     StructuralDamping,
@@ -108,6 +109,7 @@ impl ParameterSlot {
             ParameterSlot::Model => Value::Integer(settings.plant.fidelity as i32 + 1),
             ParameterSlot::Airspeed => Value::Real(settings.plant.airspeed),
             ParameterSlot::Altitude => Value::Real(settings.plant.altitude),
+            ParameterSlot::TemperatureOffset => Value::Real(settings.plant.temperature_offset),
             ParameterSlot::Heading => Value::Real(settings.plant.heading),
             ParameterSlot::StiffnessScale => Value::Real(settings.plant.stiffness_scale),
             ParameterSlot::StructuralDamping => Value::Real(settings.plant.structural_damping),
@@ -157,6 +159,7 @@ impl ParameterSlot {
             }
             (ParameterSlot::Airspeed, Value::Real(x)) => settings.plant.airspeed = x,
             (ParameterSlot::Altitude, Value::Real(x)) => settings.plant.altitude = x,
+            (ParameterSlot::TemperatureOffset, Value::Real(x)) => settings.plant.temperature_offset = x,
             (ParameterSlot::Heading, Value::Real(x)) => settings.plant.heading = x,
             (ParameterSlot::StiffnessScale, Value::Real(x)) => settings.plant.stiffness_scale = x,
             (ParameterSlot::StructuralDamping, Value::Real(x)) => settings.plant.structural_damping = x,

@@ -226,7 +226,12 @@ fn controls_and_trim(model: &ReducedModel) -> Vec<Variable> {
         Some(if glides {
             ("climb_angle", Unit::Radian, OutputSlot::TrimClimbAngle, "Angle of the path above the horizon")
         } else {
-            ("thrust", Unit::Newton, OutputSlot::TrimThrust, "Thrust per engine that runs")
+            (
+                "thrust",
+                Unit::Newton,
+                OutputSlot::TrimThrust,
+                "Thrust per engine that runs, or per unit of `trim_share` of these",
+            )
         }),
         Some(("roll", Unit::Radian, OutputSlot::TrimRoll, "Bank angle")),
         Some(("beta", Unit::Radian, OutputSlot::TrimSideslip, "Sideslip angle")),

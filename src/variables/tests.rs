@@ -30,7 +30,7 @@ fn the_jet_has_exactly_the_variables_of_the_contract() {
     let mut expected: Vec<String> = [
         "elevator aileron aileron_symmetric surface.aileron_symmetric rudder thrust_left thrust_right wind_north wind_east wind_down input_reference model",
         "wind_rate_north wind_rate_east wind_rate_down",
-        "airspeed altitude heading stiffness_scale structural_damping mode_family mode_count inflow_states",
+        "airspeed altitude temperature_offset heading stiffness_scale structural_damping mode_family mode_count inflow_states",
         "tolerance position.north position.east position.down attitude.roll attitude.pitch attitude.yaw",
         "velocity.x velocity.y velocity.z rate.x rate.y rate.z acceleration.x acceleration.y acceleration.z",
         "load_factor.x load_factor.y load_factor.z air.speed air.alpha air.beta air.mach air.density",
@@ -150,7 +150,7 @@ fn controls_bring_variables_by_their_names_and_only_those_with_roles_stand_in_th
         known.iter().filter(|known| matches!(table.get(**known).unwrap().slot, Slot::Parameter(_))).count()
     };
     // Frequency and limits of its own actuator, and what the trim depends on.
-    assert_eq!([0, 1, 2, 3].map(parameters), [3, 17, 3, 3]);
+    assert_eq!([0, 1, 2, 3].map(parameters), [3, 18, 3, 3]);
 }
 
 #[test]
@@ -357,7 +357,8 @@ fn the_trim_depends_at_initialisation_on_what_defines_steady_flight() {
     let names: Vec<_> = dependencies.iter().map(|r| table.get(*r).unwrap().name.as_str()).collect();
     let [condition, others]: [Vec<_>; 2] = [true, false]
         .map(|is| names.iter().copied().filter(|name| name.starts_with("condition.") == is).collect());
-    assert_eq!(others, ["model", "airspeed", "altitude", "stiffness_scale", "mode_family", "mode_count"]);
+    let expected = "model airspeed altitude temperature_offset stiffness_scale mode_family mode_count";
+    assert_eq!(others.join(" "), expected);
     assert_eq!(condition.len(), 7);
 }
 

@@ -102,7 +102,7 @@ fn unknown_field() {
     assert_messages(
         &[("chord_m = 1.5", "chord_m = 1.5\nsweep_deg = 3")],
         &[
-            "small.toml:17:1: component.wing_right.sweep_deg: found the unknown field \"sweep_deg\"; allowed here: name, mirror, attached_to, axis_m, elements, y_axis, EA_N, GJ_N_m2, EI_y_N_m2, EI_z_N_m2, chord_m, distributed_mass, point_masses, surface",
+            "small.toml:17:1: component.wing_right.sweep_deg: found the unknown field \"sweep_deg\"; allowed here: name, mirror, attached_to, axis_m, elements, y_axis, EA_N, GJ_N_m2, EI_y_N_m2, EI_z_N_m2, EI_yz_N_m2, bend_twist_y_N_m2, bend_twist_z_N_m2, tension_axis_y_m, tension_axis_z_m, shear_centre_y_m, shear_centre_z_m, section_stiffness, box, hinge, chord_m, distributed_mass, section_mass, point_masses, surface",
         ],
     );
 }
@@ -112,8 +112,8 @@ fn unknown_field_in_an_inline_table() {
     assert_messages(
         &[("hinge = 0.75", "hinges = 0.75")],
         &[
-            "small.toml:30:8: component.wing_right.surface[1].flap.hinge: the field \"hinge\" is missing; it is needed; allowed here: lift_slope_per_rad, hinge",
-            "small.toml:30:34: component.wing_right.surface[1].flap.hinges: found the unknown field \"hinges\"; allowed here: lift_slope_per_rad, hinge",
+            "small.toml:30:8: component.wing_right.surface[1].flap.hinge: the field \"hinge\" is missing; it is needed; allowed here: lift_slope_per_rad, hinge, moment_slope, drag",
+            "small.toml:30:34: component.wing_right.surface[1].flap.hinges: found the unknown field \"hinges\"; allowed here: lift_slope_per_rad, hinge, moment_slope, drag",
         ],
     );
 }
@@ -123,7 +123,7 @@ fn missing_field() {
     assert_messages(
         &[("EI_z_N_m2 = 1e6\n", "")],
         &[
-            "small.toml:52:1: component.fin.EI_z_N_m2: the field \"EI_z_N_m2\" is missing; it is needed; allowed here: name, mirror, attached_to, axis_m, elements, y_axis, EA_N, GJ_N_m2, EI_y_N_m2, EI_z_N_m2, chord_m, distributed_mass, point_masses, surface",
+            "small.toml:52:1: component.fin.EI_z_N_m2: the field \"EI_z_N_m2\" is missing; it is needed; allowed here: name, mirror, attached_to, axis_m, elements, y_axis, EA_N, GJ_N_m2, EI_y_N_m2, EI_z_N_m2, EI_yz_N_m2, bend_twist_y_N_m2, bend_twist_z_N_m2, tension_axis_y_m, tension_axis_z_m, shear_centre_y_m, shear_centre_z_m, section_stiffness, box, hinge, chord_m, distributed_mass, section_mass, point_masses, surface",
         ],
     );
 }
@@ -133,7 +133,7 @@ fn missing_top_field() {
     assert_messages(
         &[("support = \"free\"\n", "")],
         &[
-            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, model, inflow_states, airspeed_m_s, altitude_m, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, basis, reference, limits, control, component, engine, station, cut",
+            "small.toml:1:1: support: the field \"support\" is missing; it is needed; allowed here: format, name, gravity_m_s2, support, mode_basis, model, inflow_states, airspeed_m_s, altitude_m, temperature_offset_K, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, basis, reference, limits, control, component, joint, engine, station, cut",
         ],
     );
 }
@@ -277,10 +277,10 @@ fn too_many_inflow_states() {
 #[test]
 fn a_trim_where_nothing_flies() {
     assert_messages(
-        &[("inflow_states = 5", "inflow_states = 5\nairspeed_m_s = 0\naltitude_m = 30000")],
+        &[("inflow_states = 5", "inflow_states = 5\nairspeed_m_s = 0\naltitude_m = 31000")],
         &[
             "small.toml:7:16: airspeed_m_s: found 0; an airspeed in m/s from 1 to 400 is allowed, with support = \"clamped\" from 0 on",
-            "small.toml:8:14: altitude_m: found 30000; an altitude in metres from -1000 to 20000 is allowed",
+            "small.toml:8:14: altitude_m: found 31000; an altitude in metres from -1000 to 30000 is allowed",
         ],
     );
 }

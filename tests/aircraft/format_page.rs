@@ -47,6 +47,7 @@ fn rows(table: &Table) -> String {
 fn meaning(field: &Field) -> String {
     let words = match field.kind {
         Kind::OneOf(words) if field.name != "model" => words,
+        Kind::WordOrWords(words, _) => words,
         _ => &[],
     };
     let words = words.iter().map(|word| format!("{} {}", word.in_quotes(), word.sentence));
@@ -78,11 +79,14 @@ fn the_tables_of_the_page_are_those_of_the_format() {
 
 #[test]
 fn a_field_has_the_unit_that_its_name_ends_in() {
-    const ENDINGS: [(&str, &str); 14] = [
+    const ENDINGS: [(&str, &str); 17] = [
+        ("_N_m_per_rad", "N m/rad"),
+        ("_Pa", "Pa"),
         ("_chords", "chords"),
         ("_lengths", "lengths"),
         ("_kg_m3", "kg/m³"),
         ("_kg_m2", "kg m²"),
+        ("_kg_m2_s", "kg m²/s"),
         ("_N_m2", "N m²"),
         ("_m_s2", "m/s²"),
         ("_m_s", "m/s"),

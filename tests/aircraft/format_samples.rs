@@ -51,7 +51,7 @@ pub fn sample(kind: Kind) -> Value {
     match kind {
         Kind::Numbers(_) => json!([1]),
         Kind::Vector(_) => json!([1, 1, 1]),
-        Kind::OneOf(words) => json!(words[0].word),
+        Kind::OneOf(words) | Kind::WordOrWords(words, _) => json!(words[0].word),
         Kind::Tables(..) => json!([{ "input": "stick", "gain": 1 }]),
         _ => json!(1),
     }

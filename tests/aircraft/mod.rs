@@ -6,15 +6,18 @@ mod bad_fields;
 mod basis;
 mod controls;
 mod cuts;
+mod engines;
 mod format_cases;
 mod format_edits;
 mod format_page;
 mod format_samples;
 mod good_files;
 mod jet;
+mod joints;
 mod mirrors;
 mod ranges;
 mod reference;
+mod sections;
 
 use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
 

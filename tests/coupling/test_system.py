@@ -58,7 +58,7 @@ def test_the_fmus_go_in_unchanged(system, aircraft, fmus):
         ),
         (["--set", "law.limit=much"], ["found the value `much`", "a finite number in rad is allowed"]),
         (["--set", "aircraft.model=9"], ["found the value `9`", "allowed is 1 (exact)", "5 (rigid)"]),
-        (["--set", "aircraft.altitude=25000"], ["found the value `25000`", "allowed is -1000 to 20000 m"]),
+        (["--set", "aircraft.altitude=35000"], ["found the value `35000`", "allowed is -1000 to 30000 m"]),
         (["--set", "aircraft.model=rigid", "--osp", "osp"], ["libcosim has no enumerations"]),
         (["--set", "aircraft.rate.y=2"], ["found the output `aircraft.rate.y`"]),
         (["--component", "law=README.md"], ["README.md: not an FMU"]),

@@ -1,7 +1,7 @@
 //! A uniform cantilever in any direction, as an [`Aircraft`] without air.
 
 use flexible_aircraft::aircraft::{
-    Aircraft, Attachment, Beam, Fidelity, GivenReference, Limits, MassBay, ModeBasis, Support,
+    Aircraft, Attachment, Beam, Coupling, Fidelity, GivenReference, Limits, MassBay, ModeBasis, Support,
 };
 use nalgebra::{Matrix3, Vector3};
 
@@ -53,6 +53,8 @@ impl Cantilever {
             torsional_stiffness: self.torsional,
             bending_stiffness_y: self.bending_y,
             bending_stiffness_z: self.bending_z,
+            coupling: Coupling::NONE,
+            hinge: None,
         };
         let bay = |(beam, &(fraction, share)): (usize, &(f64, f64))| {
             let mass = share * step * self.mass_per_length;
@@ -75,6 +77,7 @@ impl Cantilever {
             inflow_states: 0,
             airspeed: 127.0,
             altitude: 7620.0,
+            temperature_offset: 0.0,
             reference: GivenReference::default(),
             limits: Limits::default(),
             controls: Vec::new(),
@@ -89,6 +92,7 @@ impl Cantilever {
             components: Vec::new(),
             written: Vec::new(),
             cuts: Vec::new(),
+            joints: Vec::new(),
         }
     }
 }

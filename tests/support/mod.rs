@@ -73,6 +73,7 @@ pub fn soft(fidelity: Fidelity) -> Configuration {
         stiffness_scale: 0.1,
         structural_damping: 0.0,
         inflow_states: 0,
+        temperature_offset: 0.0,
         tunnel_flow: Vector3::zeros(),
     }
 }

@@ -175,7 +175,7 @@ impl Instant<'_> {
         } = flow;
         let (b, d) = (strip.semichord, strip.elastic_axis_aft_of_midchord);
         let rho = self.equations.air(self.state).density;
-        let FlapLift { lift: c1_delta, moment: c4_delta } = self.flap_lift(strip);
+        let FlapLift { lift: c1_delta, moment: c4_delta, drag: flap_drag } = self.flap_lift(strip);
 
         let circulatory =
             strip.lift_slope * rho * u * b * (w + (0.5 * b - d) * omega + 0.5 * g1) - PI * rho * b * u * g1;
@@ -183,7 +183,8 @@ impl Instant<'_> {
         let lift = PI * rho * b * b * (w_dot - d * omega_dot) + circulatory + flap_lift;
         let moment = (0.5 * b + d) * (circulatory + flap_lift)
             + PI * rho * b * b * (d * w_dot - 0.5 * b * u * omega - (d * d + b * b / 8.0) * omega_dot)
-            + rho * b * b * u * u * (c4_delta + 2.0 * strip.zero_lift_moment);
+            + rho * b * b * u * u * (c4_delta + 2.0 * strip.zero_lift_moment)
+            + 2.0 * strip.moment_slope * rho * b * b * u * (w + (0.5 * b - d) * omega + 0.5 * g1);
         let w_s = across - d * omega;
         let n1 = strip.lift_slope * (w_s + u * strip.zero_lift_offset) + c1_delta * u;
         let lost = if strip.lift_slope == 0.0 {
@@ -193,7 +194,7 @@ impl Instant<'_> {
         };
         let suction = rho * b * (w_s * n1 - lost);
         let section_velocity = forward * forward.dot(&velocity) + normal * normal.dot(&velocity);
-        let drag = section_velocity * (strip.profile_drag * rho * b * section_velocity.norm());
+        let drag = section_velocity * ((strip.profile_drag + flap_drag) * rho * b * section_velocity.norm());
         StripLoad {
             force: (forward * suction - normal * lift - drag) * strip.width,
             moment: moment * strip.width,
@@ -201,21 +202,26 @@ impl Instant<'_> {
         }
     }
 
-    /// CLδ c1 δ and CLδ c4 δ of a strip.
+    /// CLδ c1 δ, CLδ c4 δ or 2 c_mδ δ, and k δ² of a strip.
     fn flap_lift(&self, strip: &ReducedStrip) -> FlapLift {
-        let Some(flap) = &strip.flap else { return FlapLift { lift: 0.0, moment: 0.0 } };
+        let Some(flap) = &strip.flap else { return FlapLift { lift: 0.0, moment: 0.0, drag: 0.0 } };
         let angle: f64 = flap.gains.iter().zip(&self.controls.angles).map(|(gain, angle)| gain * angle).sum();
         let hinge = libm::acos(2.0 * flap.hinge - 1.0);
         let (sin, cos) = libm::sincos(hinge);
         FlapLift {
             lift: flap.lift_slope * angle * (hinge + sin) / PI,
-            moment: -flap.lift_slope * angle * sin * (1.0 + cos) / (2.0 * PI),
+            moment: match flap.moment_slope {
+                Some(slope) => 2.0 * slope * angle,
+                None => -flap.lift_slope * angle * sin * (1.0 + cos) / (2.0 * PI),
+            },
+            drag: flap.drag * angle * angle,
         }
     }
 }
 
-/// CLδ c1 δ and CLδ c4 δ.
+/// CLδ c1 δ, CLδ c4 δ or 2 c_mδ δ, k δ².
 struct FlapLift {
     lift: f64,
     moment: f64,
+    drag: f64,
 }

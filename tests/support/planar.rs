@@ -2,7 +2,7 @@
 
 use flexible_aircraft::aircraft::{Aircraft, Attachment, Station};
 use flexible_aircraft::equations::{Configuration, Fidelity};
-use flexible_aircraft::plant::Plant;
+use flexible_aircraft::plant::{Plant, PointLoad};
 use flexible_aircraft::structure::{ModalBasis, ReducedModel, Structure};
 use nalgebra::{Cholesky, DMatrix, DVector, Vector3};
 
@@ -47,7 +47,54 @@ pub fn plant(model: &ReducedModel, fidelity: Fidelity) -> Plant {
         stiffness_scale: 1.0,
         structural_damping: 0.0,
         inflow_states: 0,
+        temperature_offset: 0.0,
         tunnel_flow: Vector3::zeros(),
     };
     Plant::new(model, &configuration)
+}
+
+/// Parts in which the load grows: Newton's method does not always lead from straight to far bent in one.
+const PARTS: usize = 8;
+
+/// Where the tip rests under a dead force and a moment that follows the section, both from nothing on.
+pub fn tip(plant: &Plant, model: &ReducedModel, force: Vector3<f64>, moment: Vector3<f64>) -> Vector3<f64> {
+    let mut state = vec![0.0; plant.layout().len()];
+    state[plant.layout().attitude().start] = 1.0;
+    for part in 1..=PARTS {
+        let share = part as f64 / PARTS as f64;
+        let load = PointLoad { station: TIP.to_owned(), force: force * share, moment: moment * share };
+        come_to_rest(&plant.clone().under_loads(&[load]).unwrap(), &mut state);
+    }
+    let outputs = plant.outputs_at(&state, &plant.neutral_controls(), &mut plant.workspace());
+    model.stations[0].position + outputs.deflections[0].displacement
+}
+
+/// Changes q until no force is left on it, by Newton's method.
+fn come_to_rest(plant: &Plant, state: &mut [f64]) {
+    const STEP: f64 = 1e-5;
+    let (coordinates, controls) = (plant.layout().coordinates(), plant.neutral_controls());
+    let (mut workspace, mut rates) = (plant.workspace(), vec![0.0; state.len()]);
+    let mut force = |state: &[f64]| {
+        plant.rates(state, &controls, &mut rates, &mut workspace);
+        DVector::from_row_slice(&workspace.forces()[6..])
+    };
+    for _ in 0..20 {
+        let columns: Vec<DVector<f64>> = coordinates
+            .clone()
+            .map(|place| {
+                let [ahead, behind] = [STEP, -STEP].map(|step| {
+                    let mut moved = state.to_vec();
+                    moved[place] += step;
+                    force(&moved)
+                });
+                (ahead - behind) / (2.0 * STEP)
+            })
+            .collect();
+        let change = DMatrix::from_columns(&columns).lu().solve(&force(state)).unwrap();
+        state[coordinates.clone()].iter_mut().zip(change.iter()).for_each(|(q, change)| *q -= change);
+        if change.amax() < 1e-8 {
+            return;
+        }
+    }
+    panic!("no rest found");
 }

@@ -42,7 +42,13 @@ impl PrescribedStrip {
         hinge: f64,
         alter: impl FnOnce(&mut ReducedStrip),
     ) -> Self {
-        let flap = Flap { lift_slope: std::f64::consts::TAU, hinge, gains: vec![1.0, 0.0] };
+        let flap = Flap {
+            lift_slope: std::f64::consts::TAU,
+            hinge,
+            moment_slope: None,
+            drag: 0.0,
+            gains: vec![1.0, 0.0],
+        };
         let mut strip = ReducedStrip {
             component: "strip".to_owned(),
             position: Vector3::zeros(),
@@ -55,6 +61,7 @@ impl PrescribedStrip {
             lift_slope: std::f64::consts::TAU,
             zero_lift_offset: 0.0,
             zero_lift_moment: 0.0,
+            moment_slope: 0.0,
             profile_drag: 0.0,
             leading_edge_suction: suction,
             flap: Some(flap),
@@ -107,6 +114,7 @@ fn configuration(inflow_states: usize) -> Configuration {
         stiffness_scale: 1.0,
         structural_damping: 0.0,
         inflow_states,
+        temperature_offset: 0.0,
         tunnel_flow: Vector3::zeros(),
     }
 }
@@ -133,6 +141,7 @@ fn model(strip: ReducedStrip) -> ReducedModel {
         inflow_states: 0,
         airspeed: 127.0,
         altitude: 7620.0,
+        temperature_offset: 0.0,
         limits: Limits::default(),
         tunnel_air: None,
         mount: Vector3::zeros(),
@@ -157,5 +166,6 @@ fn model(strip: ReducedStrip) -> ReducedModel {
         stations: Vec::new(),
         masses: Vec::new(),
         cuts: Vec::new(),
+        joints: Vec::new(),
     }
 }

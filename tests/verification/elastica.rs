@@ -8,12 +8,12 @@ use std::f64::consts::PI;
 
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::plant::{Plant, PlantSettings, PointLoad};
+use flexible_aircraft::plant::{PlantSettings, PointLoad};
 use flexible_aircraft::structure::ReducedModel;
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
 use crate::support::beams::{Cantilever, MIDDLE};
-use crate::support::planar::{TIP, plant, with_strains_of_tip_loads, with_tip};
+use crate::support::planar::{TIP, plant, tip, with_strains_of_tip_loads, with_tip};
 
 use super::record::Record;
 
@@ -32,52 +32,6 @@ fn cantilever(elements: usize) -> Aircraft {
         lumps: MIDDLE,
     };
     with_tip(beam.aircraft(elements))
-}
-
-/// Parts in which the load grows: Newton's method does not always lead from straight to far bent in one.
-const PARTS: usize = 8;
-
-/// Where the tip rests under a dead force and a moment that follows the section.
-fn tip(plant: &Plant, model: &ReducedModel, force: Vector3<f64>, moment: Vector3<f64>) -> Vector3<f64> {
-    let mut state = vec![0.0; plant.layout().len()];
-    state[plant.layout().attitude().start] = 1.0;
-    for part in 1..=PARTS {
-        let share = part as f64 / PARTS as f64;
-        let load = PointLoad { station: TIP.to_owned(), force: force * share, moment: moment * share };
-        come_to_rest(&plant.clone().under_loads(&[load]).unwrap(), &mut state);
-    }
-    let outputs = plant.outputs_at(&state, &plant.neutral_controls(), &mut plant.workspace());
-    model.stations[0].position + outputs.deflections[0].displacement
-}
-
-/// Changes q until no force is left on it, by Newton's method.
-fn come_to_rest(plant: &Plant, state: &mut [f64]) {
-    const STEP: f64 = 1e-5;
-    let (coordinates, controls) = (plant.layout().coordinates(), plant.neutral_controls());
-    let (mut workspace, mut rates) = (plant.workspace(), vec![0.0; state.len()]);
-    let mut force = |state: &[f64]| {
-        plant.rates(state, &controls, &mut rates, &mut workspace);
-        DVector::from_row_slice(&workspace.forces()[6..])
-    };
-    for _ in 0..20 {
-        let columns: Vec<DVector<f64>> = coordinates
-            .clone()
-            .map(|place| {
-                let [ahead, behind] = [STEP, -STEP].map(|step| {
-                    let mut moved = state.to_vec();
-                    moved[place] += step;
-                    force(&moved)
-                });
-                (ahead - behind) / (2.0 * STEP)
-            })
-            .collect();
-        let change = DMatrix::from_columns(&columns).lu().solve(&force(state)).unwrap();
-        state[coordinates.clone()].iter_mut().zip(change.iter()).for_each(|(q, change)| *q -= change);
-        if change.amax() < 1e-8 {
-            return;
-        }
-    }
-    panic!("no rest found");
 }
 
 #[test]

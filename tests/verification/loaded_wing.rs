@@ -2,7 +2,7 @@
 //!
 //! [theory: gravity-and-thrust.point-loads, geometrically-exact.recursion, limits-of-validity.appendages]
 
-use flexible_aircraft::aircraft::{Aircraft, Beam, Fidelity, ModeBasis, TunnelAir};
+use flexible_aircraft::aircraft::{Aircraft, Beam, Coupling, Fidelity, ModeBasis, TunnelAir};
 use flexible_aircraft::plant::{Plant, PlantSettings, PointLoad};
 use flexible_aircraft::stability::Sweep;
 use flexible_aircraft::structure::ReducedModel;
@@ -111,6 +111,8 @@ fn with_rod(mut wing: Aircraft) -> Aircraft {
         torsional_stiffness: 1e7,
         bending_stiffness_y: 1e7,
         bending_stiffness_z: 1e7,
+        coupling: Coupling::NONE,
+        hinge: None,
     });
     wing
 }

@@ -273,6 +273,18 @@ fn components_that_meet_at_o_are_in_equilibrium_there() {
         record.rounding(&format!("{case}: force"), 1e-12, left[0] / own_weight);
         record.rounding(&format!("{case}: moment"), 1e-12, left[1] / own_weight);
     }
+    let mut propellers = (*jet.0).clone();
+    for engine in &mut propellers.engines {
+        (engine.angular_momentum, engine.torque) = (5e3, -0.3);
+    }
+    let propellers = (Arc::new(propellers), jet.1.clone());
+    for fidelity in [Fidelity::Exact, Fidelity::GeometricallyExact] {
+        let plant = calm(fidelity, 0.1).plant;
+        let left = most_left_over(&propellers, plant, [ELEVATOR, AILERON, RUDDER], [0.05, 5000.0, 10.0], 10);
+        let case = format!("{fidelity:?}, stiffness 0.1, propellers that turn the same way");
+        record.rounding(&format!("{case}: force"), 1e-13, left[0] / weight);
+        record.rounding(&format!("{case}: moment"), 1e-13, left[1] / weight);
+    }
     for stiffness in [1.0, 0.1] {
         let at_trim = |fidelity| {
             let settings = calm(fidelity, stiffness);

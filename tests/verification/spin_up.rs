@@ -45,6 +45,7 @@ fn model(elements: usize) -> ReducedModel {
         inflow_states: 0,
         airspeed: 127.0,
         altitude: 7620.0,
+        temperature_offset: 0.0,
         limits: Limits::default(),
         tunnel_air: None,
         mount: Vector3::zeros(),
@@ -65,6 +66,7 @@ fn model(elements: usize) -> ReducedModel {
         }],
         masses: Vec::new(),
         cuts: Vec::new(),
+        joints: Vec::new(),
     }
 }
 
@@ -85,6 +87,7 @@ impl<'a> Spinning<'a> {
             stiffness_scale: 1.0,
             structural_damping: 0.0,
             inflow_states: 0,
+            temperature_offset: 0.0,
             tunnel_flow: Vector3::zeros(),
         };
         let equations = EquationsOfMotion::new(model, &configuration);

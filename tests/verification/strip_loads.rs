@@ -14,8 +14,8 @@ use crate::support::{AILERON, AILERON_SYMMETRIC, ELEVATOR, RUDDER, derivative, j
 
 use super::record::Record;
 
-/// The jet with twelve modes; `altered` gives its strips camber, moments at zero lift, suction, and flaps that all
-/// controls turn.
+/// The jet with twelve modes; `altered` gives its strips camber, moments at zero lift and by incidence, suction, and flaps that
+/// drag, that all controls turn, some with a moment of their own.
 fn aircraft(altered: bool) -> ReducedModel {
     let mut model = jet().select(&(0..12).collect::<Vec<_>>());
     if altered {
@@ -23,8 +23,11 @@ fn aircraft(altered: bool) -> ReducedModel {
         for strip in &mut model.strips {
             strip.zero_lift_offset = 0.05 * next();
             strip.zero_lift_moment = 0.1 * next();
+            strip.moment_slope = 0.5 * next();
             strip.leading_edge_suction = 0.5 + 0.5 * next();
             if let Some(flap) = &mut strip.flap {
+                flap.drag = 0.5 + 0.5 * next();
+                flap.moment_slope = (next() > 0.0).then(&mut next);
                 for control in [ELEVATOR, AILERON, RUDDER] {
                     flap.gains[control] = next();
                 }

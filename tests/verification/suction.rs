@@ -140,6 +140,7 @@ fn yaw_of_ailerons(suction: f64) -> f64 {
         stiffness_scale: 1.0,
         structural_damping: 0.0,
         inflow_states: 0,
+        temperature_offset: 0.0,
         tunnel_flow: Vector3::zeros(),
     };
     // The same state for every suction.

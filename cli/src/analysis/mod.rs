@@ -1,6 +1,6 @@
 //! The roots of an aircraft over some airspeeds, and the words for it: what `flexair flutter` and `flexair converge` share.
 
-use flexible_aircraft::air::Air;
+use flexible_aircraft::air::Atmosphere;
 use flexible_aircraft::aircraft::Support;
 use flexible_aircraft::plant::{PlantSettings, SettingError};
 use flexible_aircraft::stability::Sweep;
@@ -48,10 +48,12 @@ impl Analysis {
 
     /// Level, stiffness, modes, as the caller calls them, inflow and air, in a line of a report.
     pub fn condition(&self, modes: &str) -> String {
-        let PlantSettings { fidelity, stiffness_scale, inflow_states, altitude, .. } = self.settings;
+        let PlantSettings { fidelity, stiffness_scale, inflow_states, .. } = self.settings;
         let (level, stiffness) = (fidelity.name().replace('_', " "), Plain(stiffness_scale));
-        let altitude =
-            if self.model.tunnel_air.is_some() { String::new() } else { format!("{} m, ", Plain(altitude)) };
+        let altitude = match self.model.tunnel_air {
+            Some(_) => String::new(),
+            None => format!("{}, ", self.settings.air_in_words()),
+        };
         let density = self.density();
         format!(
             "{level} model, stiffness × {stiffness}, {modes}, {inflow_states} inflow states, {altitude}{density:.4} kg/m³\n"
@@ -60,7 +62,7 @@ impl Analysis {
 
     /// kg/m³.
     pub fn density(&self) -> f64 {
-        let tunnel = self.model.tunnel_air.as_ref().map(Air::of_tunnel);
-        tunnel.unwrap_or_else(|| Air::at(self.settings.altitude)).density
+        let PlantSettings { altitude, temperature_offset, .. } = self.settings;
+        Atmosphere::new(self.model.tunnel_air.as_ref(), temperature_offset).at(altitude).density
     }
 }

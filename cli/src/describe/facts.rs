@@ -1,7 +1,7 @@
 //! What stands in an aircraft file once it is expanded: mass and how it is spread, reference lengths, how many parts there are.
 
 use flexible_aircraft::Aircraft;
-use flexible_aircraft::aircraft::ReferenceLengths;
+use flexible_aircraft::aircraft::{Joint, ReferenceLengths};
 use flexible_aircraft::structure::ReducedModel;
 use nalgebra::{Matrix3, Vector3};
 
@@ -21,8 +21,10 @@ pub struct Facts {
     pub wing: Vec<String>,
     /// Whether the file gives any of them.
     pub gives_some: bool,
-    /// What there is, and how many of it.
-    pub counts: [(&'static str, usize); 8],
+    /// What there is, and how many of it; hinges where there are any.
+    pub counts: Vec<(&'static str, usize)>,
+    /// What joints join, and which rotations they share.
+    pub joints: Vec<String>,
 }
 
 impl Facts {
@@ -43,16 +45,35 @@ impl Facts {
             reference: aircraft.reference_lengths(),
             wing: sides.map(|side| aircraft.components[side].name.clone()).collect(),
             gives_some: given.iter().any(Option::is_some),
-            counts: [
-                ("components", aircraft.components.len()),
-                ("elements", aircraft.beams.len()),
-                ("bays", aircraft.bays.len()),
-                ("strips", aircraft.strips.len()),
-                ("controls", aircraft.controls.len()),
-                ("engines", aircraft.engines.len()),
-                ("stations", aircraft.stations.len()),
-                ("cuts", aircraft.cuts.len()),
-            ],
+            counts: counts(aircraft),
+            joints: aircraft.joints.iter().map(joint).collect(),
         }
     }
+}
+
+/// A joint for people.
+fn joint(joint: &Joint) -> String {
+    let axes = ["x", "y", "z"].into_iter().zip(joint.rotations);
+    let shared: Vec<&str> = axes.filter_map(|(axis, shared)| shared.then_some(axis)).collect();
+    match shared.as_slice() {
+        [] => format!("{joint} is a pin"),
+        [_, _, _] => format!("{joint} is rigid"),
+        some => format!("{joint} shares rotations about {}", some.join(" and ")),
+    }
+}
+
+fn counts(aircraft: &Aircraft) -> Vec<(&'static str, usize)> {
+    let mut counts = vec![
+        ("components", aircraft.components.len()),
+        ("elements", aircraft.beams.len()),
+        ("bays", aircraft.bays.len()),
+        ("strips", aircraft.strips.len()),
+        ("controls", aircraft.controls.len()),
+        ("engines", aircraft.engines.len()),
+        ("stations", aircraft.stations.len()),
+        ("cuts", aircraft.cuts.len()),
+    ];
+    let hinges = aircraft.beams.iter().filter(|beam| beam.hinge.is_some()).count();
+    counts.extend((hinges > 0).then_some(("hinges", hinges)));
+    counts
 }

@@ -27,6 +27,7 @@ pub fn text(description: &Description) -> String {
         "inertia": { "about_centre_of_mass": rows(&facts.about_centre), "about_origin": rows(&facts.about_origin) },
         "reference": reference,
         "counts": counts,
+        "joints": facts.joints,
         "stability": stability(balance),
         "modes": modes.iter().map(mode).collect::<Vec<_>>(),
         "warnings": warnings,

@@ -12,8 +12,27 @@ use crate::numbers::{aligned, fixed, rounded, short};
 pub fn text(description: &Description) -> String {
     let Description { facts, balance, modes, warnings } = description;
     let mut text = format!("{}\n\n{}\n{}", facts.name, mass(facts), reference(facts));
-    let counts = facts.counts.map(|(what, count)| format!("{count} {}", counted(what, count)));
-    text += &format!("{}\n\n{}\n{}", counts.join(", "), stability(balance), natural_modes(modes));
+    let counts = facts.counts.iter().map(|&(what, count)| format!("{count} {}", counted(what, count)));
+    let counts: Vec<String> = counts.collect();
+    let joints: String = facts
+        .joints
+        .iter()
+        .map(|joint| {
+            format!(
+                "
+{joint}"
+            )
+        })
+        .collect();
+    text += &format!(
+        "{}{joints}
+
+{}
+{}",
+        counts.join(", "),
+        stability(balance),
+        natural_modes(modes)
+    );
     for warning in warnings {
         text += &format!("\nwarning: {warning}");
     }

@@ -22,8 +22,8 @@ const MARGINS: RangeInclusive<f64> = 0.0..=0.5;
 /// Lowest frequencies of airframes, Hz.
 const LOWEST_FREQUENCIES: RangeInclusive<f64> = 0.2..=50.0;
 
-/// Wing loadings, kg/m².
-const LOADINGS: RangeInclusive<f64> = 5.0..=1000.0;
+/// Wing loadings, kg/m²: those that fly by the sun in the stratosphere have 2 to 5.
+const LOADINGS: RangeInclusive<f64> = 2.0..=1000.0;
 
 /// Stiffness in the surface by that out of it.
 const LEAST_STIFFNESS_RATIO: f64 = 0.5;

@@ -102,8 +102,8 @@ fn what_is_out_of_range_is_named_by_its_option() {
         ("generic-business-jet.toml", "--from 90 --to 401", "--to: found 401, allowed is 1 to 400 m/s"),
         (
             "generic-business-jet.toml",
-            "--from 90 --to 100 --altitude 30000",
-            "--altitude: found 30000, allowed is -1000 to 20000 (m)",
+            "--from 90 --to 100 --altitude 31000",
+            "--altitude: found 31000, allowed is -1000 to 30000 (m)",
         ),
         (
             "goland-wing.toml",

@@ -21,11 +21,13 @@ const MOST_FLIGHTS: usize = 8;
 /// N and N·m are many.
 const KILO: f64 = 1e-3;
 
-/// The components that the file cuts, in its order; all where it cuts none.
+/// The components that the file cuts, in its order; all where it cuts none. Of some no node can be cut: they are within loops.
 pub fn components(aircraft: &Aircraft) -> Vec<&str> {
     let is_cut =
         |name: &str| aircraft.cuts.is_empty() || aircraft.cuts.iter().any(|cut| cut.component == name);
-    aircraft.components.iter().map(|component| component.name.as_str()).filter(|name| is_cut(name)).collect()
+    let has_cuts = |name: &str| aircraft.cuts_along(name).is_some_and(|cuts| !cuts.is_empty());
+    let names = aircraft.components.iter().map(|component| component.name.as_str());
+    names.filter(|name| is_cut(name) && has_cuts(name)).collect()
 }
 
 /// Of each of them the envelopes of each quantity over its length.

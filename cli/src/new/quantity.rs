@@ -23,7 +23,7 @@ pub const TIP_CHORD: Quantity = of("--tip-chord", "chord at the tip", "m", 0.005
 pub const SWEEP: Quantity = of("--sweep", "sweep of the quarter chord", "deg", -20.0..=40.0);
 pub const DIHEDRAL: Quantity = of("--dihedral", "dihedral", "deg", -10.0..=15.0);
 pub const MASS: Quantity = of("--mass", "mass", "kg", 0.01..=1e6);
-pub const ALTITUDE: Quantity = of("--altitude", "altitude", "m", -500.0..=20000.0);
+pub const ALTITUDE: Quantity = of("--altitude", "altitude", "m", -500.0..=30000.0);
 pub const AIRSPEED: Quantity = of("--airspeed", "true airspeed", "m/s", 2.0..=250.0);
 pub const FREQUENCY: Quantity = of("--bending-frequency", "first bending of the wing", "Hz", 0.05..=200.0);
 

@@ -68,6 +68,11 @@ fn kind(kind: &Kind, law: Option<&Allowed>) -> Value {
         Kind::Phrase => json!({ "type": "string", "pattern": PHRASE }),
         Kind::Name => json!({ "type": "string", "pattern": NAME }),
         Kind::OneOf(words) => one_of(words),
+        Kind::WordOrWords(words, others) => {
+            let mut several = list(&one_of(others), 1);
+            several["uniqueItems"] = json!(true);
+            json!({ "oneOf": [one_of(words), several] })
+        }
         Kind::NumberOrMore(allowed) => one_or_more(&number(allowed)),
         Kind::Numbers(allowed) => list(&number(allowed), 1),
         Kind::Vector(allowed) => three(&number(allowed)),
@@ -76,6 +81,7 @@ fn kind(kind: &Kind, law: Option<&Allowed>) -> Value {
             "type": "array", "items": [number(turn), number(pitch), number(turn)], "minItems": 3, "maxItems": 3,
         }),
         Kind::Corners(allowed) => list(&three(&number(allowed)), 2),
+        Kind::Matrix(allowed) => six(&six(&number(allowed))),
         Kind::Law(allowed, forms) => law_of(allowed, forms),
         Kind::Laws(allowed, forms) => three(&law_of(allowed, forms)),
         Kind::LawNumber => of_law(),
@@ -98,6 +104,10 @@ fn list(entry: &Value, least: usize) -> Value {
 
 fn three(entry: &Value) -> Value {
     json!({ "type": "array", "items": entry, "minItems": 3, "maxItems": 3 })
+}
+
+fn six(entry: &Value) -> Value {
+    json!({ "type": "array", "items": entry, "minItems": 6, "maxItems": 6 })
 }
 
 fn one_or_more(entry: &Value) -> Value {

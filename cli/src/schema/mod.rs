@@ -63,7 +63,7 @@ mod tests {
         assert_eq!(gravity["description"], expected);
         let component = &schema["properties"]["component"]["items"];
         assert_eq!(component["additionalProperties"], false);
-        assert!(component["required"].as_array().unwrap().contains(&"EA_N".into()), "{component:#}");
+        assert!(component["required"].as_array().unwrap().contains(&"axis_m".into()), "{component:#}");
         let hinge = component.pointer("/properties/surface/items/properties/flap/properties/hinge").unwrap();
         assert_eq!((&hinge["exclusiveMinimum"], &hinge["exclusiveMaximum"]), (&0.0.into(), &1.0.into()));
     }

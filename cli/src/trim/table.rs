@@ -94,7 +94,11 @@ pub fn text(model: &ReducedModel, settings: &Settings, points: &[Point]) -> Stri
         Support::Free => flown.manoeuvre().name(!model.engines.is_empty()),
         Support::Clamped => "rest in the tunnel",
     };
-    let mut text = format!("{}: {manoeuvre}, {}\n\n", model.name, level(settings));
+    let day = match settings.plant.temperature_offset {
+        0.0 => String::new(),
+        offset => format!(", ISA {offset:+} K"),
+    };
+    let mut text = format!("{}: {manoeuvre}{day}, {}\n\n", model.name, level(settings));
     let columns = columns(model);
     let is_shown = |column: &&Column| {
         let values = points.iter().filter_map(|point| column.of(point));

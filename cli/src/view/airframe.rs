@@ -1,10 +1,10 @@
-//! The aircraft with a station at every section that is drawn and a cut at every node: their outputs are poses and section loads at
+//! The aircraft with a station at every section that is drawn and a cut at every node beside loops: their outputs are poses and section loads at
 //! each level of fidelity, as the library says them.
 
 use std::ops::Range;
 
 use flexible_aircraft::Aircraft;
-use flexible_aircraft::aircraft::Attachment;
+use flexible_aircraft::aircraft::{Attachment, Cut};
 use nalgebra::Vector3;
 
 /// Parts of an element within which a place is its end.
@@ -12,13 +12,16 @@ const AT_NODE: f64 = 1e-9;
 
 /// An aircraft that is watched all over.
 pub struct Airframe {
-    /// Its stations are those of the file, then one at each section; its cuts those of the file, then all nodes of all components.
+    /// Its stations are those of the file, then one at each section; its cuts those of the file, then all nodes of all components but
+    /// within loops.
     pub aircraft: Aircraft,
     /// How many stations and cuts are those of the file.
     pub named: [usize; 2],
     pub sections: Vec<Section>,
     /// The sections of nodes, component by component, root first.
     pub nodes: Vec<Vec<usize>>,
+    /// The cuts at them, where loads have an answer.
+    cuts_at: Vec<Vec<Option<usize>>>,
     /// Of each strip.
     pub strips: Vec<usize>,
     pub engines: Vec<usize>,
@@ -53,10 +56,15 @@ impl Airframe {
             // Names of files have no blanks.
             watched.stations.push(aircraft.station_at(format!("section {number}"), attachment));
         }
-        for component in &aircraft.components {
-            watched.cuts.extend(aircraft.cuts_along(&component.name).unwrap_or_default());
+        let mut cuts_at: Vec<Vec<Option<usize>>> =
+            nodes.iter().map(|nodes| vec![None; nodes.len()]).collect();
+        for (component, cuts_at) in aircraft.components.iter().zip(&mut cuts_at) {
+            for cut in aircraft.cuts_along(&component.name).unwrap_or_default() {
+                cuts_at[node_of(&cut, component.first_beam)] = Some(watched.cuts.len());
+                watched.cuts.push(cut);
+            }
         }
-        Airframe { aircraft: watched, named, sections, nodes, strips, engines, stations, cuts }
+        Airframe { aircraft: watched, named, sections, nodes, cuts_at, strips, engines, stations, cuts }
     }
 
     /// The stations that are at the sections.
@@ -64,14 +72,20 @@ impl Airframe {
         self.named[0]..self.aircraft.stations.len()
     }
 
-    /// The cuts between which a section lies, and how far it is from the first to the second.
-    pub fn cuts_around(&self, section: usize) -> ([usize; 2], f64) {
+    /// The cuts between which a section lies, and how far it is from the first to the second; `None` within a loop, where loads
+    /// have no answer.
+    pub fn cuts_around(&self, section: usize) -> Option<([usize; 2], f64)> {
         let Section { component, along, .. } = self.sections[section];
-        let before: usize = self.nodes[..component].iter().map(Vec::len).sum();
-        let last = self.nodes[component].len() - 1;
-        let first = (along as usize).min(last);
-        let begin = self.named[1] + before + first;
-        ([begin, begin + usize::from(first < last)], along - first as f64)
+        let cuts = &self.cuts_at[component];
+        let first = (along as usize).min(cuts.len() - 1);
+        let share = along - first as f64;
+        let next = if share > 0.0 { cuts[first + 1] } else { cuts[first] };
+        Some(([cuts[first]?, next?], share))
+    }
+
+    /// Whether there are sections that have no cuts around them.
+    pub fn has_loops(&self) -> bool {
+        !self.aircraft.joints.is_empty()
     }
 
     /// From one end of the airframe to the other along the axis in which it is largest, m.
@@ -88,6 +102,11 @@ impl Airframe {
         );
         (high - low).max().max(f64::MIN_POSITIVE)
     }
+}
+
+/// The node at which a cut along a component stands, counted from the root.
+fn node_of(cut: &Cut, first_beam: usize) -> usize {
+    cut.attachment.beam - first_beam + usize::from(cut.attachment.fraction > 0.5)
 }
 
 /// Sections as they are found, each once.
@@ -158,7 +177,7 @@ pub mod tests {
     fn a_section_lies_between_the_cuts_of_its_element() {
         let airframe = Airframe::new(&jet());
         for (section, Section { component, along, .. }) in airframe.sections.iter().enumerate() {
-            let ([inner, outer], share) = airframe.cuts_around(section);
+            let ([inner, outer], share) = airframe.cuts_around(section).unwrap();
             let cuts = [inner, outer].map(|cut| &airframe.aircraft.cuts[cut]);
             let name = &airframe.aircraft.components[*component].name;
             assert!(cuts.iter().all(|cut| cut.component == *name));

@@ -349,6 +349,11 @@ impl View {
     /// What people should know of what they see.
     fn notes(&self, shows: &[Show]) -> Vec<String> {
         let mut notes = Vec::new();
+        if self.airframe.has_loops() {
+            notes.push(
+                "section loads within loops that joints close are not known, and drawn as 0".to_owned(),
+            );
+        }
         if shows.iter().any(|show| show.kind == Kind::Flight)
             && self.settings.turbulence != TurbulenceSettings::default()
         {

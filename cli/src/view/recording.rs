@@ -139,7 +139,8 @@ impl Recording {
         if let Some(loads) = outputs.loads.known() {
             for (quantity, value) in LOADS {
                 let at = |section| {
-                    let ([inner, outer], share) = airframe.cuts_around(section);
+                    // What no sum tells is shown as nothing: a note says so.
+                    let Some(([inner, outer], share)) = airframe.cuts_around(section) else { return 0.0 };
                     value(&loads[inner]) * (1.0 - share) + value(&loads[outer]) * share
                 };
                 self.colour(quantity, (0..airframe.sections.len()).map(at));

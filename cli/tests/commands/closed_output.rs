@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
+use crate::import::STICK;
 use crate::support::{flexair, library, run, text, workspace};
 
 /// A line for each command that prints something, and a file that it then has written.
@@ -41,6 +42,7 @@ fn lines() -> Vec<(&'static str, String, Option<&'static str>)> {
         ("sweep", "sweep sweep.toml --output swept".into(), Some("swept/manifest.json")),
         ("view", "view --modes 2 --trim --output page.html".into(), Some("page.html")),
         ("new", "new wing.toml --kind wing-on-wall".into(), Some("wing.toml")),
+        ("import", "import nastran stick.bdf".into(), Some("stick.toml")),
         ("schema", "schema --output aircraft.schema.json".into(), Some("aircraft.schema.json")),
         ("aircraft", "aircraft".into(), None),
         ("completions", "completions bash".into(), None),
@@ -76,6 +78,7 @@ fn every_command_does_its_work_when_nobody_reads_what_it_says() {
     std::fs::write(folder.path().join("inputs.csv"), "time\n0\n2\n").unwrap();
     let sweep = "[set]\nmodel = \"rigid\"\n[run]\nkind = \"trim\"\n[[vary]]\nname = \"airspeed\"\nvalues = [120.0, 130.0]\n[[keep]]\noutput = \"trim.pitch\"\n";
     std::fs::write(folder.path().join("sweep.toml"), sweep).unwrap();
+    std::fs::write(folder.path().join("stick.bdf"), STICK).unwrap();
     let lines = lines();
     let mut tested: Vec<&str> = lines.iter().map(|(command, ..)| *command).chain(["bench"]).collect();
     let mut known = commands_in_the_help(folder.path());

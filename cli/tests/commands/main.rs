@@ -13,11 +13,17 @@ mod describe;
 #[cfg(test)]
 mod files;
 #[cfg(test)]
+mod fleet;
+#[cfg(test)]
 mod gltf;
 #[cfg(test)]
 mod gust;
 #[cfg(test)]
+mod import;
+#[cfg(test)]
 mod installed;
+#[cfg(test)]
+mod joints;
 #[cfg(test)]
 mod linearise;
 #[cfg(test)]

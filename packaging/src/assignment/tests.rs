@@ -49,7 +49,7 @@ fn a_wrong_assignment_is_told_what_is_allowed_with_its_unit() {
         ("model=7", "model=7: found `7`, allowed is 1 (exact), "),
         ("airspeed=fast", "airspeed=fast: found `fast`, allowed is 1 to 400 m/s"),
         ("airspeed=NaN", "airspeed=NaN: found `NaN`, allowed is 1 to 400 m/s"),
-        ("altitude=25000", "altitude=25000: found `25000`, allowed is -1000 to 20000 m"),
+        ("altitude=35000", "altitude=35000: found `35000`, allowed is -1000 to 30000 m"),
         ("heading=north", "heading=north: found `north`, allowed is any finite number, in rad"),
     ];
     for (assignment, expected) in cases {

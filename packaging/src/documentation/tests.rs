@@ -94,7 +94,7 @@ fn a_row_has_unit_start_limits_and_the_numbers_and_names_of_an_enumeration() {
         let rows = page.lines().filter(|line| line.starts_with(&format!("<tr><td><code>{name}</code>")));
         rows.collect::<Vec<_>>().concat()
     };
-    for cell in ["\"unit\">m<", "\"start\">7620<", "\"min\">-1000<", "\"max\">20000<"] {
+    for cell in ["\"unit\">m<", "\"start\">7620<", "\"min\">-1000<", "\"max\">30000<"] {
         assert!(row("altitude").contains(cell), "{cell}: {}", row("altitude"));
     }
     assert!(row("model").contains("\"start\">1<"));

@@ -12,7 +12,7 @@ const PLANT: &str = r#"<fmiModelDescription fmiVersion="2.0" guid="p"><CoSimulat
     <ScalarVariable name="name" valueReference="2" causality="output"><String/></ScalarVariable>
     <ScalarVariable name="inner" valueReference="3"><Real/></ScalarVariable>
     <ScalarVariable name="count" valueReference="4" causality="parameter"><Integer start="3"/></ScalarVariable>
-    <ScalarVariable name="altitude" valueReference="5" causality="parameter"><Real unit="m" min="-1000" max="20000"/>
+    <ScalarVariable name="altitude" valueReference="5" causality="parameter"><Real unit="m" min="-1000" max="30000"/>
     </ScalarVariable>
     <ScalarVariable name="surface.surface" valueReference="7" causality="output"><Real unit="rad"/></ScalarVariable>
     <ScalarVariable name="model" valueReference="6" causality="parameter"><Enumeration declaredType="Model"/>
@@ -101,11 +101,11 @@ fn what_does_not_fit_is_refused() {
 #[test]
 fn settings_keep_to_the_limits_of_the_variable() {
     let setting = |text: &str| system(&[], &[text]).map(|system| system.settings[0].value.clone());
-    for value in ["-1000", "7620", "20000"] {
+    for value in ["-1000", "7620", "30000"] {
         assert_eq!(setting(&format!("plant.altitude={value}")).unwrap(), value);
     }
-    check_refusal(&[], &["plant.altitude=25000"], "found the value `25000`; allowed is -1000 to 20000 m");
-    check_refusal(&[], &["plant.altitude=-1001"], "allowed is -1000 to 20000 m");
+    check_refusal(&[], &["plant.altitude=35000"], "found the value `35000`; allowed is -1000 to 30000 m");
+    check_refusal(&[], &["plant.altitude=-1001"], "allowed is -1000 to 30000 m");
     check_refusal(&[], &["plant.model=2"], "found the value `2`; allowed is 1 (exact), 5 (rigid)");
     check_refusal(&[], &["plant.model=rigit"], "5 (rigid), did you mean `rigid`?");
     check_refusal(&[], &["plant.altitude=1", "plant.altitude=2"], "connected or set already");

@@ -23,6 +23,7 @@ Parameters = Mapping[str, Union[Number, bool, str]]
 ALLOWED = {
     "speed": "a number (m/s), several, or a text such as '110:180:8'",
     "altitude": "a number (m), several, or a text such as '0:9000:4'",
+    "temperature_offset": "a number (K)",
     "gradients": "a number (m), several, or a text such as '10:100:10'",
     "load_factor": "a number, several, or a text such as '1:2:3'",
     "direction": "a number (degrees) or several",

@@ -1,7 +1,7 @@
 //! The numbers that a quantity can take: wide ranges for anything that flies, narrow enough to find slips of
 //! the pen and to keep the arithmetic that follows far from overflow.
 
-use crate::aircraft::model::{AIRSPEEDS, ALTITUDES, TUNNEL_SPEEDS};
+use crate::aircraft::model::{AIRSPEEDS, ALTITUDES, TEMPERATURE_OFFSETS, TUNNEL_SPEEDS};
 
 /// The numbers that a quantity can take.
 #[derive(Debug)]
@@ -103,10 +103,20 @@ pub static FLIGHT_SPEED: Allowed =
     Allowed::new("an airspeed in m/s", Range::Closed(*AIRSPEEDS.start(), *AIRSPEEDS.end()));
 pub static ALTITUDE: Allowed =
     Allowed::new("an altitude in metres", Range::Closed(*ALTITUDES.start(), *ALTITUDES.end()));
+pub static TEMPERATURE_OFFSET: Allowed = Allowed::new(
+    "a difference of temperatures in K",
+    Range::Closed(*TEMPERATURE_OFFSETS.start(), *TEMPERATURE_OFFSETS.end()),
+);
 pub static DENSITY: Allowed = Allowed::new("a density in kg/m³", Range::Closed(1e-9, 1e5));
 pub static TEMPERATURE: Allowed = Allowed::new("a temperature in K", Range::Closed(1.0, 2000.0));
 pub static MACH: Allowed = Allowed::new("a Mach number", Range::Above(0.0, 10.0));
 pub static THRUST: Allowed = Allowed::new("a thrust in N", Range::Closed(-1e9, 1e9));
+
+pub static TORQUE_PER_THRUST: Allowed =
+    Allowed::new("a torque in N m per N of thrust", Range::Closed(-100.0, 100.0));
+pub static ANGULAR_MOMENTUM: Allowed =
+    Allowed::new("an angular momentum in kg m²/s", Range::Closed(-1e9, 1e9));
+pub static THRUST_SHARE: Allowed = Allowed::new("a share of the thrust", Range::Closed(0.0, 1e6));
 
 pub static LENGTH: Allowed = Allowed::new("a length in metres", Range::Closed(-1000.0, 1000.0));
 pub static POSITIVE_LENGTH: Allowed = Allowed::new("a length in metres", Range::Closed(1e-6, 1000.0));
@@ -117,6 +127,14 @@ pub static GYRATION: Allowed = Allowed::new("a radius of gyration", Range::Close
 pub static CHORDS: Allowed = Allowed::new("a number of chords", Range::Closed(-1000.0, 1000.0));
 
 pub static BEAM_STIFFNESS: Allowed = Allowed::new("a stiffness in N or N m²", Range::Closed(1e-6, 1e15));
+pub static STIFFNESS_PRODUCT: Allowed =
+    Allowed::new("a coupling stiffness in N m²", Range::Closed(-1e15, 1e15));
+pub static STIFFNESS_ENTRY: Allowed =
+    Allowed::new("a stiffness in N, N m or N m²", Range::Closed(-1e15, 1e15));
+pub static MASS_ENTRY: Allowed =
+    Allowed::new("a mass per length in kg/m, kg or kg m", Range::Closed(-1e9, 1e9));
+pub static MODULUS: Allowed = Allowed::new("a modulus in Pa", Range::Closed(1.0, 1e13));
+pub static SPRING: Allowed = Allowed::new("a stiffness in N m/rad", Range::Closed(1e-6, 1e15));
 pub static MASS: Allowed = Allowed::new("a mass in kg", Range::Closed(1e-9, 1e9));
 pub static SHARE: Allowed = Allowed::new("a share", Range::Closed(1e-9, 1e9));
 pub static INERTIA: Allowed = Allowed::new("a moment of inertia in kg m²", Range::Closed(0.0, 1e12));
@@ -127,6 +145,10 @@ pub static LIFT_SLOPE: Allowed = Allowed::new("a lift slope per radian", Range::
 pub static FLAP_LIFT_SLOPE: Allowed = Allowed::new("a lift slope per radian", Range::Closed(1e-6, 100.0));
 pub static DRAG_COEFFICIENT: Allowed = Allowed::new("a drag coefficient", Range::Closed(0.0, 10.0));
 pub static MOMENT_COEFFICIENT: Allowed = Allowed::new("a moment coefficient", Range::Closed(-10.0, 10.0));
+pub static MOMENT_COEFFICIENT_SLOPE: Allowed =
+    Allowed::new("a slope of a moment coefficient per radian", Range::Closed(-100.0, 100.0));
+pub static FLAP_DRAG_COEFFICIENT: Allowed =
+    Allowed::new("a drag coefficient per square radian", Range::Closed(0.0, 100.0));
 pub static GAIN: Allowed = Allowed::new("a gain", Range::Closed(-100.0, 100.0));
 pub static INSIDE_THE_CHORD: Allowed = Allowed {
     quantity: "a fraction of the chord behind the leading edge",

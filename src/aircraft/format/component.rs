@@ -3,8 +3,12 @@
 use super::allowed::{BEAM_STIFFNESS, FRACTION, LENGTH, POSITIVE_LENGTH};
 use super::law::{EA, EI_Y, EI_Z, FORMS, FORMS_OF_CHORD, GJ};
 use super::masses::{DISTRIBUTED_MASS, POINT_MASSES};
+use super::section::{
+    BEND_TWIST_Y, BEND_TWIST_Z, BENDING_PRODUCT, BOX_FIELD, HINGE_FIELD, SECTION_MASS, SECTION_STIFFNESS,
+    SHEAR_Y, SHEAR_Z, TENSION_Y, TENSION_Z,
+};
 use super::surface::SURFACE;
-use super::table::{Absent, Field, Kind, Table, Word};
+use super::table::{Absent, Field, Kind, Rule, Table, Word};
 
 /// More elements than this are a slip of the pen, and would only run out of memory.
 const MOST_ELEMENTS: usize = 1000;
@@ -23,12 +27,38 @@ pub(super) static COMPONENT: Table = Table {
         &TORSIONAL,
         &BENDING_Y,
         &BENDING_Z,
+        &BENDING_PRODUCT,
+        &BEND_TWIST_Y,
+        &BEND_TWIST_Z,
+        &TENSION_Y,
+        &TENSION_Z,
+        &SHEAR_Y,
+        &SHEAR_Z,
+        &SECTION_STIFFNESS,
+        &BOX_FIELD,
+        &HINGE_FIELD,
         &CHORD,
         &DISTRIBUTED_MASSES,
+        &SECTION_MASS,
         &POINT_MASSES_FIELD,
         &SURFACES,
     ],
-    rules: &[],
+    rules: &[
+        Rule::ExactlyOne(&SOURCES),
+        Rule::Needs(&AXIAL, &TORSIONAL),
+        Rule::Needs(&AXIAL, &BENDING_Y),
+        Rule::Needs(&AXIAL, &BENDING_Z),
+        Rule::Needs(&TORSIONAL, &AXIAL),
+        Rule::Needs(&BENDING_Y, &AXIAL),
+        Rule::Needs(&BENDING_Z, &AXIAL),
+        Rule::AtMostOne(&[&BENDING_PRODUCT, &SECTION_STIFFNESS]),
+        Rule::AtMostOne(&[&BEND_TWIST_Y, &SECTION_STIFFNESS]),
+        Rule::AtMostOne(&[&BEND_TWIST_Z, &SECTION_STIFFNESS]),
+        Rule::AtMostOne(&[&TENSION_Y, &SECTION_STIFFNESS]),
+        Rule::AtMostOne(&[&TENSION_Z, &SECTION_STIFFNESS]),
+        Rule::AtMostOne(&[&SHEAR_Y, &SECTION_STIFFNESS]),
+        Rule::AtMostOne(&[&SHEAR_Z, &SECTION_STIFFNESS]),
+    ],
     former: &[],
 };
 
@@ -75,10 +105,10 @@ pub static Y_AXIS: Field = Field {
     absent: Absent::Needed,
     sentence: "local y of the section, roughly (made perpendicular to each element); local x runs along the axis, z = x × y",
 };
-pub static AXIAL: Field = stiffness(EA, "N", "axial stiffness");
-pub static TORSIONAL: Field = stiffness(GJ, "N m²", "torsional stiffness");
-pub static BENDING_Y: Field = stiffness(EI_Y, "N m²", "bending stiffness in local z (∫E z² dA)");
-pub static BENDING_Z: Field = stiffness(EI_Z, "N m²", "bending stiffness in local y");
+pub static AXIAL: Field = stiffness(EA, "N", "axial stiffness", Absent::Nothing);
+pub static TORSIONAL: Field = stiffness(GJ, "N m²", "torsional stiffness", WITH_AXIAL);
+pub static BENDING_Y: Field = stiffness(EI_Y, "N m²", "bending stiffness in local z (∫E z² dA)", WITH_AXIAL);
+pub static BENDING_Z: Field = stiffness(EI_Z, "N m²", "bending stiffness in local y", WITH_AXIAL);
 pub static CHORD: Field = Field {
     name: "chord_m",
     kind: Kind::Law(&POSITIVE_LENGTH, &FORMS_OF_CHORD),
@@ -93,8 +123,13 @@ pub static SURFACES: Field = carried("surface", &SURFACE, "aerodynamic strips");
 /// In the order in which a component holds its stiffnesses.
 pub static STIFFNESSES: [&Field; 4] = [&AXIAL, &TORSIONAL, &BENDING_Y, &BENDING_Z];
 
-const fn stiffness(name: &'static str, unit: &'static str, sentence: &'static str) -> Field {
-    Field { name, kind: Kind::Law(&BEAM_STIFFNESS, &FORMS), unit, absent: Absent::Needed, sentence }
+/// What says how stiff a component is.
+pub static SOURCES: [&Field; 3] = [&AXIAL, &SECTION_STIFFNESS, &BOX_FIELD];
+
+const WITH_AXIAL: Absent = Absent::Found("needed with `EA_N`");
+
+const fn stiffness(name: &'static str, unit: &'static str, sentence: &'static str, absent: Absent) -> Field {
+    Field { name, kind: Kind::Law(&BEAM_STIFFNESS, &FORMS), unit, absent, sentence }
 }
 
 /// Tables of what a component carries, of which there may be any number.

@@ -2,10 +2,11 @@
 
 use super::allowed::{
     AIRSPEED, ALTITUDE, DENSITY, FLIGHT_SPEED, GRAVITY, PITCH_DEG, POSITIVE_LENGTH, REFERENCE_AREA,
-    TEMPERATURE, TURN_DEG,
+    TEMPERATURE, TEMPERATURE_OFFSET, TURN_DEG,
 };
 use super::component::COMPONENT;
 use super::control::CONTROL;
+use super::joint::JOINT;
 use super::limits::LIMITS;
 use super::places::{CUT, ENGINE, STATION};
 use super::table::{Absent, Field, Kind, Rule, Table, Word};
@@ -26,6 +27,7 @@ pub static FILE: Table = Table {
         &INFLOW_STATES,
         &AIRSPEED_FIELD,
         &ALTITUDE_FIELD,
+        &OFFSET_FIELD,
         &DENSITY_FIELD,
         &TEMPERATURE_FIELD,
         &MOUNT,
@@ -35,12 +37,14 @@ pub static FILE: Table = Table {
         &LIMITS_FIELD,
         &CONTROLS,
         &COMPONENTS,
+        &JOINTS,
         &ENGINES,
         &STATIONS,
         &CUTS,
     ],
     rules: &[
         Rule::AtMostOne(&[&ALTITUDE_FIELD, &DENSITY_FIELD]),
+        Rule::AtMostOne(&[&OFFSET_FIELD, &DENSITY_FIELD]),
         Rule::Needs(&TEMPERATURE_FIELD, &DENSITY_FIELD),
         Rule::OnlyWhere(&DENSITY_FIELD, &SUPPORT, CLAMPED.word),
         Rule::OnlyWhere(&MOUNT, &SUPPORT, CLAMPED.word),
@@ -114,12 +118,21 @@ pub static ALTITUDE_FIELD: Field = Field {
     sentence: "where it is trimmed unless the FMU's parameter `altitude` says otherwise; in a wind tunnel its air is that of the \
                standard atmosphere there",
 };
+pub static OFFSET_FIELD: Field = Field {
+    name: "temperature_offset_K",
+    kind: Kind::Number(&TEMPERATURE_OFFSET),
+    unit: "K",
+    absent: Absent::Number(0.0),
+    sentence: "by how much the air is warmer than the standard atmosphere at every altitude, at the same pressure, unless the FMU's \
+               parameter `temperature_offset` says otherwise; density and speed of sound follow",
+};
 pub static DENSITY_FIELD: Field = Field {
     name: "density_kg_m3",
     kind: Kind::Number(&DENSITY),
     unit: "kg/m³",
     absent: Absent::Nothing,
-    sentence: "clamped only: the tunnel's air, the same everywhere, in place of `altitude_m`; the FMU then has no `altitude`",
+    sentence: "clamped only: the tunnel's air, the same everywhere, in place of `altitude_m` and `temperature_offset_K`; the FMU then has no \
+               `altitude` and no `temperature_offset`",
 };
 pub static TEMPERATURE_FIELD: Field = Field {
     name: "temperature_K",
@@ -160,6 +173,7 @@ pub static COMPONENTS: Field = Field {
     absent: Absent::Needed,
     sentence: "the beams; each hangs on one above it, and elements are numbered in the order of the file",
 };
+pub static JOINTS: Field = listed("joint", &JOINT, "nodes that move together");
 pub static ENGINES: Field = listed("engine", &ENGINE, "where thrust acts");
 pub static STATIONS: Field = listed("station", &STATION, "points whose deflections are outputs");
 pub static CUTS: Field = listed("cut", &CUT, "where section loads are outputs");

@@ -9,6 +9,9 @@ pub static FORMS: [&Table; 5] = [&EACH_ELEMENT, &PIECEWISE, &POLYNOMIAL, &CHORD_
 /// Those that do without another law of the component.
 pub(super) static FORMS_OF_CHORD: [&Table; 3] = [&EACH_ELEMENT, &PIECEWISE, &POLYNOMIAL];
 
+/// Those of sizes of a section, which are no multiples of stiffnesses.
+pub(super) static FORMS_OF_BOX: [&Table; 4] = [&EACH_ELEMENT, &PIECEWISE, &POLYNOMIAL, &CHORD_POWER];
+
 /// A field of a form, which it needs.
 const fn of_form(name: &'static str, kind: Kind, sentence: &'static str) -> Field {
     Field { name, kind, unit: "", absent: Absent::Needed, sentence }

@@ -21,10 +21,12 @@ pub(super) mod allowed;
 pub(super) mod component;
 pub(super) mod control;
 pub(super) mod file;
+pub(super) mod joint;
 pub(super) mod law;
 pub(super) mod limits;
 pub(super) mod masses;
 pub(super) mod places;
+pub(super) mod section;
 pub(super) mod surface;
 mod table;
 

@@ -1,6 +1,8 @@
 //! Places along components, and what there is at them: `[[engine]]`, `[[station]]`, `[[cut]]`.
 
-use super::allowed::{DISTANCE, FRACTION, LENGTH};
+use super::allowed::{
+    ANGULAR_MOMENTUM as MOMENTA, DISTANCE, FRACTION, LENGTH, THRUST_SHARE, TORQUE_PER_THRUST,
+};
 use super::table::{Absent, Field, Kind, Rule, Table};
 
 /// Where along a component some things are.
@@ -66,7 +68,17 @@ pub static OFFSET: Field = Field {
 pub(super) static ENGINE: Table = Table {
     path: "engine",
     sentence: "Where thrust acts. Engines weigh nothing by themselves: their masses are point masses",
-    fields: &[&ENGINE_NAME, &COMPONENT, &PLACE_METRES, &PLACE_FRACTION, &THRUST_OFFSET, &DIRECTION],
+    fields: &[
+        &ENGINE_NAME,
+        &COMPONENT,
+        &PLACE_METRES,
+        &PLACE_FRACTION,
+        &THRUST_OFFSET,
+        &DIRECTION,
+        &TORQUE,
+        &ANGULAR_MOMENTUM,
+        &TRIM_SHARE,
+    ],
     rules: &[Rule::ExactlyOne(&PLACE)],
     former: &[],
 };
@@ -84,6 +96,30 @@ pub static DIRECTION: Field = Field {
     unit: "",
     absent: Absent::Needed,
     sentence: "the direction of the thrust, body axes",
+};
+
+pub static TORQUE: Field = Field {
+    name: "torque_m",
+    kind: Kind::Number(&TORQUE_PER_THRUST),
+    unit: "m",
+    absent: Absent::Number(0.0),
+    sentence: "torque on the aircraft in N m per N of thrust, right-handed about `direction`: negative for a propeller that turns \
+               clockwise as seen from behind. With `symmetric = true` a mirror image has the opposite, an engine in the plane none",
+};
+pub static ANGULAR_MOMENTUM: Field = Field {
+    name: "angular_momentum_kg_m2_s",
+    kind: Kind::Number(&MOMENTA),
+    unit: "kg m²/s",
+    absent: Absent::Number(0.0),
+    sentence: "angular momentum of what turns in it, along `direction`, constant: positive for a propeller that turns clockwise as \
+               seen from behind. With `symmetric = true` a mirror image has the opposite, an engine in the plane none",
+};
+pub static TRIM_SHARE: Field = Field {
+    name: "trim_share",
+    kind: Kind::Number(&THRUST_SHARE),
+    unit: "",
+    absent: Absent::Number(1.0),
+    sentence: "in what proportion to the others it has the thrust of trims; some engine needs more than 0",
 };
 
 pub(super) static STATION: Table = Table {

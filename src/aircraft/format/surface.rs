@@ -1,8 +1,8 @@
 //! `[[component.surface]]`: aerodynamic strips, their flaps and what turns these.
 
 use super::allowed::{
-    ANGLE_DEG, DRAG_COEFFICIENT, FLAP_LIFT_SLOPE, FRACTION, GAIN, INSIDE_THE_CHORD, LIFT_SLOPE,
-    MOMENT_COEFFICIENT, NEAR_THE_CHORD, POSITIVE_LENGTH,
+    ANGLE_DEG, DRAG_COEFFICIENT, FLAP_DRAG_COEFFICIENT, FLAP_LIFT_SLOPE, FRACTION, GAIN, INSIDE_THE_CHORD,
+    LIFT_SLOPE, MOMENT_COEFFICIENT, MOMENT_COEFFICIENT_SLOPE, NEAR_THE_CHORD, POSITIVE_LENGTH,
 };
 use super::law::FORMS;
 use super::places::{FROM, TO};
@@ -24,6 +24,7 @@ pub(super) static SURFACE: Table = Table {
         &LIFT,
         &ZERO_LIFT_OFFSET,
         &ZERO_LIFT_MOMENT,
+        &MOMENT_SLOPE,
         &PROFILE_DRAG,
         &SUCTION,
         &FLAP,
@@ -93,6 +94,14 @@ pub static ZERO_LIFT_MOMENT: Field = law(
     "c_m0, moment coefficient about the aerodynamic centre, nose-up positive (camber: about −0.05 to −0.1); a moment of \
      ½ρU²·chord² · c_m0 per span",
 );
+pub static MOMENT_SLOPE: Field = law(
+    "moment_slope",
+    Kind::Law(&MOMENT_COEFFICIENT_SLOPE, &FORMS),
+    "",
+    Absent::Number(0.0),
+    "c_mα per rad, slope of the moment coefficient about the quarter chord, nose-up positive: c_mα/CLα is how far the aerodynamic centre is \
+     ahead of it, in chords",
+);
 pub static PROFILE_DRAG: Field =
     law("profile_drag", Kind::Law(&DRAG_COEFFICIENT, &FORMS), "", Absent::Needed, "CD0");
 pub static SUCTION: Field = law(
@@ -130,7 +139,7 @@ const fn law(
 static FLAP_TABLE: Table = Table {
     path: "component.surface.flap",
     sentence: "A flap at the trailing edge",
-    fields: &[&FLAP_LIFT, &HINGE],
+    fields: &[&FLAP_LIFT, &HINGE, &FLAP_MOMENT, &FLAP_DRAG],
     rules: &[],
     former: &[],
 };
@@ -147,6 +156,21 @@ pub static HINGE: Field = Field {
     unit: "",
     absent: Absent::Needed,
     sentence: "the hinge as a fraction of the chord behind the leading edge",
+};
+
+pub static FLAP_MOMENT: Field = Field {
+    name: "moment_slope",
+    kind: Kind::Number(&MOMENT_COEFFICIENT_SLOPE),
+    unit: "",
+    absent: Absent::Found("that of thin-aerofoil theory by `lift_slope_per_rad` and `hinge`"),
+    sentence: "c_mδ per rad, of the angle of the flap: moment coefficient about the quarter chord, nose-up positive (usual ones are negative)",
+};
+pub static FLAP_DRAG: Field = Field {
+    name: "drag",
+    kind: Kind::Number(&FLAP_DRAG_COEFFICIENT),
+    unit: "",
+    absent: Absent::Number(0.0),
+    sentence: "k per rad²: the flap turned by δ adds kδ² to CD0",
 };
 
 static MOVE: Table = Table {

@@ -56,6 +56,8 @@ pub enum Kind {
     Name,
     /// One of some words.
     OneOf(&'static [Word]),
+    /// One of some words, or a list of at least one of others, each once.
+    WordOrWords(&'static [Word], &'static [Word]),
     /// A number or a list of at least one.
     NumberOrMore(&'static Allowed),
     /// A list of at least one number.
@@ -68,6 +70,8 @@ pub enum Kind {
     Attitude(&'static Allowed, &'static Allowed),
     /// At least two points of three numbers.
     Corners(&'static Allowed),
+    /// Six rows of six numbers.
+    Matrix(&'static Allowed),
     /// A number, or a table of one of some forms.
     Law(&'static Allowed, &'static [&'static Table]),
     /// Three laws, one for each axis.
@@ -159,11 +163,17 @@ impl Field {
             Kind::Text | Kind::Phrase => "a text".to_owned(),
             Kind::Name => "a name".to_owned(),
             Kind::OneOf(words) => words.iter().map(Word::in_quotes).collect::<Vec<_>>().join(", "),
+            Kind::WordOrWords(words, others) => {
+                let quoted =
+                    |words: &[Word]| words.iter().map(Word::in_quotes).collect::<Vec<_>>().join(", ");
+                format!("{}, or list of {}", quoted(words), quoted(others))
+            }
             Kind::NumberOrMore(_) => with("number or list"),
             Kind::Numbers(_) | Kind::LawNumbers => with("list of numbers"),
             Kind::Vector(_) | Kind::Attitude(..) => with("three numbers"),
             Kind::Direction => "three numbers, not all 0".to_owned(),
             Kind::Corners(_) => with("list of points"),
+            Kind::Matrix(_) => with("six rows of six numbers"),
             Kind::Law(..) => with("law"),
             Kind::Laws(..) => with("three laws"),
             Kind::Table(_) => "a table".to_owned(),
@@ -219,6 +229,7 @@ impl Kind {
             | Kind::Vector(allowed)
             | Kind::Attitude(allowed, _)
             | Kind::Corners(allowed)
+            | Kind::Matrix(allowed)
             | Kind::Law(allowed, _)
             | Kind::Laws(allowed, _) => allowed,
             _ => &ANY,
@@ -244,7 +255,7 @@ impl Kind {
     /// The words that it may hold.
     pub fn words(&self) -> &'static [Word] {
         match self {
-            Kind::OneOf(words) => words,
+            Kind::OneOf(words) | Kind::WordOrWords(words, _) => words,
             Kind::WordOrTable(word, _) => std::slice::from_ref(word),
             _ => &[],
         }

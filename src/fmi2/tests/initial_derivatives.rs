@@ -71,6 +71,7 @@ impl Initialisation {
             let at = fmu.get_references(&[parameter]).unwrap()[0];
             let step = match slot {
                 ParameterSlot::Altitude => 20.0,
+                ParameterSlot::TemperatureOffset => 1.0,
                 ParameterSlot::Heading => 0.02,
                 // Switched off.
                 ParameterSlot::Actuator { .. }
@@ -127,7 +128,8 @@ fn derivatives_at_the_initialisation_by_every_parameter_are_differences_of_trims
     Initialisation::new(jet(), &[("input_reference", 2), ("model", 4)], &soft).check();
     Initialisation::new(jet(), &[("model", 5)], &one_sided).check();
     const BY_CRITERION: [(&str, c_int); 3] = [("model", 5), ("gust.shape", 2), ("gust.criterion", 2)];
-    Initialisation::new(jet(), &BY_CRITERION, &[("gust.alleviation", 0.8)]).check();
+    let cold = [("gust.alleviation", 0.8), ("temperature_offset", -30.0)];
+    Initialisation::new(jet(), &BY_CRITERION, &cold).check();
     Initialisation::new(jet(), &[("model", 5), ("gust.shape", 2)], &[("gust.alleviation", 0.8)]).check();
     // In a turn to the right, in a pull-up, with the left engine out.
     Initialisation::new(jet(), &[("condition.manoeuvre", 2)], &[("condition.bank_angle", 0.3)]).check();
@@ -170,6 +172,11 @@ fn heading_airspeed_and_altitude_are_passed_on_one_to_one_also_where_the_yaw_ang
     let expected = (0.0065 - 9.80665 / 287.05287) / (288.15 - 0.0065 * 7620.0) * fmu.get("air.density");
     let derivative = fmu.by("altitude", &["air.density"])[0];
     assert!((derivative / expected - 1.0).abs() < 1e-9, "{derivative} {expected}");
+    // At one pressure ρT does not change.
+    let found = fmu.by("temperature_offset", &["air.density", "air.temperature", "air.pressure"]);
+    let expected = -fmu.get("air.density") / fmu.get("air.temperature");
+    assert!((found[0] / expected - 1.0).abs() < 1e-9 && (found[1] - 1.0).abs() < 1e-9, "{found:?}");
+    assert_eq!(found[2], 0.0);
 }
 
 #[test]

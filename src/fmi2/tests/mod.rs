@@ -10,6 +10,7 @@ mod importers;
 mod initial_derivatives;
 mod input_rates;
 mod instantiation;
+mod joints;
 mod life_cycle;
 mod linear_model;
 mod load_modes;

@@ -1,5 +1,6 @@
 //! Volumes of tails: area by lever, against area and chord (tailplanes, foreplanes) or span (fins) of the wing. A strip that is neither
-//! level nor upright counts for both, by the squares of its normal's components, as in a V-tail.
+//! level nor upright counts for both, by the squares of its normal's components, as in a V-tail. A surface that is within a chord of the centre
+//! of mass on the whole is no tail.
 
 use std::ops::RangeInclusive;
 
@@ -48,9 +49,17 @@ pub fn volumes(aircraft: &Aircraft, facts: &Facts) -> Vec<String> {
         if !is_lifting(aircraft, component) || continues(aircraft, component, wing) {
             continue;
         }
-        for strip in strips(aircraft, component) {
-            let area = 2.0 * strip.semichord * strip.width;
-            let lever = facts.centre_of_mass.x - aerodynamic_centre(aircraft, strip);
+        let strips = strips(aircraft, component);
+        let area = |strip: &Strip| 2.0 * strip.semichord * strip.width;
+        let lever = |strip: &Strip| facts.centre_of_mass.x - aerodynamic_centre(aircraft, strip);
+        let mut all = Volume::default();
+        strips.iter().for_each(|strip| all.add(area(strip), lever(strip)));
+        // A strut or another wing, not a tail.
+        if all.moment.abs() < all.area * lengths.chord {
+            continue;
+        }
+        for strip in strips {
+            let (area, lever) = (area(strip), lever(strip));
             let [across, down] = [normal(strip).y, normal(strip).z].map(|part| part * part);
             upright.add(area * across, lever);
             if lever > 0.0 { &mut behind } else { &mut ahead }.add(area * down, lever.abs());

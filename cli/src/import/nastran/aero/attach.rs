@@ -1,0 +1,217 @@
+//! From panels to surfaces of components: which stretch of which beam carries which part of a panel.
+//!
+//! Along the span of a panel its fraction runs from 0 to 1; so it does along the elements that carry it. What of the panel lies beyond the last
+//! of them widens the strip there, if it is less than half of the element.
+
+use nalgebra::Vector3;
+
+use super::super::mistakes::Remarks;
+use super::super::structure::{Component, NodeRef, Structure};
+use super::controls::{Control, ControlPart};
+use super::panel::{CarriedBy, Panel};
+use super::strip::{Run, SAME, Surface, of_stretch};
+
+/// Elements whose direction has at least this cosine with the span of a panel can carry it.
+const SPANWISE: f64 = 0.3;
+
+/// All surfaces, panel by panel.
+pub fn surfaces(
+    structure: &Structure,
+    panels: &[Panel],
+    controls: &[Control],
+    remarks: &mut Remarks,
+) -> Vec<Surface> {
+    let mut surfaces = Vec::new();
+    for (place, panel) in panels.iter().enumerate() {
+        let parts: Vec<(usize, &ControlPart)> = controls
+            .iter()
+            .enumerate()
+            .flat_map(|(control, found)| found.parts.iter().map(move |part| (control, part)))
+            .filter(|(_, part)| part.panel == place)
+            .collect();
+        surfaces.extend(of_panel(structure, panel, &parts, remarks));
+    }
+    surfaces.sort_by(|one, other| one.component.cmp(&other.component).then(one.from.total_cmp(&other.from)));
+    surfaces
+}
+
+fn of_panel(
+    structure: &Structure,
+    panel: &Panel,
+    parts: &[(usize, &ControlPart)],
+    remarks: &mut Remarks,
+) -> Vec<Surface> {
+    let mut runs: Vec<Run> = candidates(structure, panel)
+        .into_iter()
+        .flat_map(|component| runs(&structure.components[component], component, panel))
+        .collect();
+    // The longest first: what others cover too is theirs alone.
+    let covered = |run: &Run| run.to().min(1.0) - run.from().max(0.0);
+    runs.sort_by(|one, other| covered(other).total_cmp(&covered(one)));
+    let mut taken: Vec<[f64; 2]> = Vec::new();
+    let mut surfaces = Vec::new();
+    let mut carried = Vec::new();
+    for run in &runs {
+        let Some([from, to]) = free([run.from().max(0.0), run.to().min(1.0)], &taken) else { continue };
+        taken.push([from, to]);
+        carried.push((run, [from, to]));
+    }
+    if carried.is_empty() {
+        let said = format!("no beam runs along it: its {:.4} m² are left out", panel.area(0.0, 1.0));
+        remarks.card(&panel.origin, said);
+        return surfaces;
+    }
+    carried.sort_by(|one, other| one.1[0].total_cmp(&other.1[0]));
+    let last = carried.len() - 1;
+    for (place, (run, ends)) in carried.iter().enumerate() {
+        let gap = |from: f64, to: f64| if to - from > SAME { Some([from, to]) } else { None };
+        let before = if place == 0 { gap(0.0, ends[0]) } else { gap(carried[place - 1].1[1], ends[0]) };
+        let after = if place == last { gap(ends[1], 1.0) } else { None };
+        let component = &structure.components[run.component];
+        let beyond = [before, after].map(|gap| gap.filter(|gap| run.is_near(gap, ends)));
+        for left_out in
+            [before, after].into_iter().zip(beyond).filter(|(gap, kept)| kept.is_none() && gap.is_some())
+        {
+            let [from, to] = left_out.0.unwrap_or_default();
+            let said = format!(
+                "{:.4} m² of it, from {from:.4} to {to:.4} of its span, are beside no beam and are left out",
+                panel.area(from, to)
+            );
+            remarks.card(&panel.origin, said);
+        }
+        for [from, to] in beyond.into_iter().flatten() {
+            let said = format!(
+                "{}: {:.4} m² beyond the end of the beam widen the last strip",
+                panel.origin,
+                panel.area(from, to)
+            );
+            remarks.note(said);
+        }
+        let stretches = stretches(*ends, parts);
+        for (place, stretch) in stretches.iter().enumerate() {
+            let widened = [
+                beyond[0].filter(|_| place == 0).map(|gap| gap[1] - gap[0]),
+                beyond[1].filter(|_| place + 1 == stretches.len()).map(|gap| gap[1] - gap[0]),
+            ];
+            surfaces.extend(of_stretch((component, run, panel), (*stretch, widened), parts, remarks));
+        }
+    }
+    surfaces
+}
+
+/// Components that may carry a panel.
+fn candidates(structure: &Structure, panel: &Panel) -> Vec<usize> {
+    let component = |node: NodeRef| match node {
+        NodeRef::Origin => None,
+        NodeRef::Node { component, .. } => Some(component),
+    };
+    let mut found: Vec<usize> = match &panel.carried_by {
+        CarriedBy::Grids(grids) => {
+            let nodes = grids.iter().flat_map(|&grid| structure.nodes_of(grid));
+            // A beam that begins at a node of another one has it too.
+            let nodes: Vec<NodeRef> = nodes.collect();
+            let begins = |component: &Component| nodes.contains(&component.parent);
+            let beginning =
+                (0..structure.components.len()).filter(|&place| begins(&structure.components[place]));
+            nodes.iter().copied().filter_map(component).chain(beginning).collect()
+        }
+        CarriedBy::Between(grids) => {
+            let nodes = grids.iter().flat_map(|&grid| structure.nodes_of(grid)).filter_map(component);
+            nodes.flat_map(|component| structure.with_parents(component)).collect()
+        }
+        CarriedBy::Nearest => nearest(structure, panel),
+    };
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+/// The components beside the middles of the panel's boxes.
+fn nearest(structure: &Structure, panel: &Panel) -> Vec<usize> {
+    let span = panel.span().normalize();
+    let middles = panel.spanwise.windows(2).map(|edges| 0.5 * (edges[0] + edges[1]));
+    middles
+        .filter_map(|fraction| {
+            let place = panel.leading_edge(fraction) - Vector3::x() * (0.4 * panel.chord(fraction));
+            let distance = |component: &Component| {
+                let elements =
+                    component.points.windows(2).filter(|ends| is_spanwise(&(ends[1] - ends[0]), &span));
+                elements.map(|ends| distance(&place, [&ends[0], &ends[1]])).fold(f64::INFINITY, f64::min)
+            };
+            let distances = structure.components.iter().map(distance).enumerate();
+            distances
+                .filter(|(_, distance)| distance.is_finite())
+                .min_by(|one, other| one.1.total_cmp(&other.1))
+        })
+        .map(|(component, _)| component)
+        .collect()
+}
+
+fn distance(place: &Vector3<f64>, [from, to]: [&Vector3<f64>; 2]) -> f64 {
+    let along = to - from;
+    let share = ((place - from).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
+    (place - from - along * share).norm()
+}
+
+fn is_spanwise(along: &Vector3<f64>, span: &Vector3<f64>) -> bool {
+    along.dot(span).abs() > SPANWISE * along.norm()
+}
+
+/// The runs of elements of a component along which a panel's fraction goes one way.
+fn runs(component: &Component, place: usize, panel: &Panel) -> Vec<Run> {
+    let span = panel.span().normalize();
+    let ways: Vec<i8> = component
+        .points
+        .windows(2)
+        .map(|ends| {
+            let along = ends[1] - ends[0];
+            if is_spanwise(&along, &span) { if along.dot(&span) > 0.0 { 1 } else { -1 } } else { 0 }
+        })
+        .collect();
+    let mut runs = Vec::new();
+    let mut first = 0;
+    while first < ways.len() {
+        let length = ways[first..].iter().take_while(|way| **way == ways[first]).count();
+        if ways[first] != 0 {
+            let nodes = &component.points[first..=first + length];
+            let run = Run {
+                component: place,
+                first,
+                fractions: nodes.iter().map(|node| panel.fraction(node)).collect(),
+            };
+            if run.from() < 1.0 - SAME && run.to() > SAME {
+                runs.push(run);
+            }
+        }
+        first += length;
+    }
+    runs
+}
+
+/// The part of an interval that is not taken; of two the longer one.
+fn free([from, to]: [f64; 2], taken: &[[f64; 2]]) -> Option<[f64; 2]> {
+    let mut parts = vec![[from, to]];
+    for other in taken {
+        parts = parts
+            .iter()
+            .flat_map(|part| [[part[0], part[1].min(other[0])], [part[0].max(other[1]), part[1]]])
+            .collect();
+        parts.retain(|part| part[1] - part[0] > SAME);
+    }
+    parts
+        .into_iter()
+        .filter(|part| part[1] - part[0] > SAME)
+        .max_by(|one, other| (one[1] - one[0]).total_cmp(&(other[1] - other[0])))
+}
+
+/// An interval cut where flaps begin and end.
+fn stretches([from, to]: [f64; 2], parts: &[(usize, &ControlPart)]) -> Vec<[f64; 2]> {
+    let inside = parts
+        .iter()
+        .flat_map(|(_, part)| [part.from, part.to])
+        .filter(|cut| (from + SAME..to - SAME).contains(cut));
+    let mut cuts: Vec<f64> = inside.chain([from, to]).collect();
+    cuts.sort_by(f64::total_cmp);
+    cuts.dedup_by(|one, other| (*one - *other).abs() <= SAME);
+    cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+}

@@ -1,0 +1,194 @@
+//! AERO, AEROS, CAERO1, AEFACT, SPLINE1, SPLINE2, SET1, AESURF, AELIST.
+
+use super::super::mistakes::{Origin, Remarks};
+use super::reader::{Ids, Reader};
+
+/// Boxes of a panel along its span, and along its chord.
+const MOST_BOXES: i64 = 300;
+
+/// What AEROS says, and AERO of the airspeed.
+#[derive(Clone, Debug, Default)]
+pub struct Reference {
+    /// The frame whose x points along the flow; none where neither card is there.
+    pub frame: Option<i64>,
+    pub chord: Option<f64>,
+    pub span: Option<f64>,
+    pub area: Option<f64>,
+    pub airspeed: Option<f64>,
+    /// The card that says that half of the aircraft is meant.
+    pub half: Option<Origin>,
+}
+
+/// A panel as its card has it.
+#[derive(Clone, Debug)]
+pub struct PanelCard {
+    pub origin: Origin,
+    pub frame: i64,
+    pub spanwise: Division,
+    pub chordwise: Division,
+    /// Its leading edge, inboard and outboard.
+    pub corners: [[f64; 3]; 2],
+    pub chords: [f64; 2],
+}
+
+/// How a panel is cut into boxes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Division {
+    Equal(usize),
+    /// By an AEFACT.
+    List(i64),
+}
+
+/// Which grids carry which boxes.
+#[derive(Clone, Debug)]
+pub struct Spline {
+    pub origin: Origin,
+    pub panel: i64,
+    pub set: i64,
+}
+
+/// A control surface.
+#[derive(Clone, Debug)]
+pub struct SurfaceCard {
+    pub origin: Origin,
+    pub label: String,
+    /// Hinge frame and list of boxes.
+    pub parts: Vec<(i64, i64)>,
+    pub effectiveness: f64,
+    /// rad.
+    pub limits: [Option<f64>; 2],
+}
+
+/// All of the air.
+#[derive(Debug, Default)]
+pub struct AeroCards {
+    pub reference: Reference,
+    pub panels: Vec<PanelCard>,
+    pub fractions: std::collections::BTreeMap<i64, Vec<f64>>,
+    pub splines: Vec<Spline>,
+    pub sets: std::collections::BTreeMap<i64, Ids>,
+    pub surfaces: Vec<SurfaceCard>,
+    pub boxes: std::collections::BTreeMap<i64, Ids>,
+}
+
+pub fn aero(card: &Reader, reference: &mut Reference) -> Option<()> {
+    let frame = card.integer_or(0, "ACSID", 0)?;
+    reference.frame.get_or_insert(frame);
+    reference.airspeed = card.optional(1, "VELOCITY")?.filter(|airspeed| *airspeed > 0.0);
+    Some(())
+}
+
+pub fn aeros(card: &Reader, reference: &mut Reference) -> Option<()> {
+    reference.frame = Some(card.integer_or(0, "ACSID", 0)?);
+    reference.chord = Some(card.positive(2, "REFC")?);
+    reference.span = Some(card.positive(3, "REFB")?);
+    reference.area = Some(card.positive(4, "REFS")?);
+    if card.integer_or(5, "SYMXZ", 0)? != 0 {
+        reference.half = Some(card.origin("AEROS", 0));
+    }
+    Some(())
+}
+
+pub fn panel(card: &Reader) -> Option<PanelCard> {
+    let id = card.id()?;
+    let frame = card.integer_or(2, "CP", 0);
+    let spanwise = division(card, [(3, "NSPAN"), (5, "LSPAN")])?;
+    let chordwise = division(card, [(4, "NCHORD"), (6, "LCHORD")])?;
+    let inboard = card.vector(8, ["X1", "Y1", "Z1"])?;
+    let root = card.not_negative(11, "X12", 0.0)?;
+    let outboard = card.vector(12, ["X4", "Y4", "Z4"])?;
+    let tip = card.not_negative(15, "X43", 0.0)?;
+    if root + tip <= 0.0 {
+        return card.wrong(
+            11,
+            "X12",
+            "found chords of 0 at both ends",
+            "a chord above 0 is needed at one of them",
+        );
+    }
+    let chords = [root, tip];
+    Some(PanelCard {
+        origin: card.origin("CAERO1", id),
+        frame: frame?,
+        spanwise,
+        chordwise,
+        corners: [inboard, outboard],
+        chords,
+    })
+}
+
+/// Says of bodies beside panels that they are not held.
+pub fn bodies(card: &Reader, remarks: &mut Remarks) {
+    if let Some(index) = (1..card.card.len()).find(|index| !matches!(card.text(*index), "" | "0")) {
+        let id = card.integer(0, "PID").unwrap_or(0);
+        remarks.field((card.card, id), (index, "B1"), "bodies beside panels are not read");
+    }
+}
+
+fn division(card: &Reader, [(number, name), (list, list_name)]: [(usize, &str); 2]) -> Option<Division> {
+    let count = card.integer_or(number, name, 0)?;
+    if count == 0 {
+        let id = card.integer_or(list, list_name, 0)?;
+        if id <= 0 {
+            return card.wrong(
+                number,
+                name,
+                "found no number of boxes and no list",
+                format!("{name} or {list_name} is needed"),
+            );
+        }
+        return Some(Division::List(id));
+    }
+    if (1..=MOST_BOXES).contains(&count) {
+        return Some(Division::Equal(count as usize));
+    }
+    card.wrong(number, name, format!("found {count}"), format!("1 to {MOST_BOXES} is allowed"))
+}
+
+pub fn fractions(card: &Reader) -> Option<(i64, Vec<f64>)> {
+    let id = card.id()?;
+    let given = (1..card.card.len()).filter(|&index| !card.is_blank(index));
+    let fractions: Vec<f64> = given.map(|index| card.real(index, "D")).collect::<Option<_>>()?;
+    if fractions.len() as i64 > MOST_BOXES + 1 {
+        return card.wrong(
+            1,
+            "D1",
+            format!("found {} fractions", fractions.len()),
+            format!("{} are allowed", MOST_BOXES + 1),
+        );
+    }
+    Some((id, fractions))
+}
+
+pub fn spline(card: &Reader, name: &'static str) -> Option<Spline> {
+    let id = card.id()?;
+    let [panel, set] = [card.integer(1, "CAERO"), card.integer(4, "SETG")];
+    Some(Spline { origin: card.origin(name, id), panel: panel?, set: set? })
+}
+
+pub fn set(card: &Reader, name: &str) -> Option<(i64, Ids)> {
+    Some((card.id()?, card.ids(1, name)?))
+}
+
+pub fn surface(card: &Reader, remarks: &mut Remarks) -> Option<SurfaceCard> {
+    let id = card.id()?;
+    let label = card.text(1).to_owned();
+    if label.is_empty() {
+        return card.wrong(1, "LABEL", "found nothing", "a name is needed");
+    }
+    let mut parts = vec![(card.integer(2, "CID1")?, card.integer(3, "ALID1")?)];
+    if !card.is_blank(4) || !card.is_blank(5) {
+        parts.push((card.integer(4, "CID2")?, card.integer(5, "ALID2")?));
+    }
+    let effectiveness = card.real_or(6, "EFF", 1.0)?;
+    if effectiveness <= 0.0 {
+        return card.wrong(6, "EFF", format!("found {effectiveness}"), "a number above 0 is allowed");
+    }
+    let limits = [card.optional(10, "PLLIM")?, card.optional(11, "PULIM")?];
+    for (index, name) in [(12, "HMLLIM"), (13, "HMULIM"), (14, "TQLLIM"), (15, "TQULIM")] {
+        if !card.is_blank(index) {
+            remarks.field((card.card, id), (index, name), "hinge moments are not limited here");
+        }
+    }
+    Some(SurfaceCard { origin: card.origin("AESURF", id), label, parts, effectiveness, limits })
+}

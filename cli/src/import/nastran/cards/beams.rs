@@ -1,0 +1,139 @@
+//! CBAR, CBEAM, CROD.
+
+use super::super::mistakes::{Origin, Remarks};
+use super::reader::Reader;
+
+/// An element between two grids.
+#[derive(Clone, Debug)]
+pub struct Element {
+    pub origin: Origin,
+    pub kind: ElementKind,
+    pub property: i64,
+    pub grids: [i64; 2],
+    /// None of rods.
+    pub orientation: Option<Orientation>,
+    pub offsets: [Offset; 2],
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ElementKind {
+    Bar,
+    Beam,
+    Rod,
+}
+
+/// Where plane 1 of an element lies.
+#[derive(Clone, Debug)]
+pub enum Orientation {
+    /// A vector, in the displacement frame of the first grid or in the basic one.
+    Vector { numbers: [f64; 3], is_basic: bool },
+    /// Towards a grid from the first one.
+    Grid(i64),
+}
+
+/// From a grid to the end of the element.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Offset {
+    pub numbers: [f64; 3],
+    /// In the element's own frame, not in the grid's.
+    pub is_of_element: bool,
+}
+
+pub fn bar_or_beam(
+    card: &Reader,
+    (name, kind): (&'static str, ElementKind),
+    remarks: &mut Remarks,
+) -> Option<Element> {
+    let id = card.id()?;
+    let [property, one, other] =
+        [card.integer_or(1, "PID", id), card.integer(2, "GA"), card.integer(3, "GB")];
+    let frames = frames(card)?;
+    let offsets = [card.vector(10, ["W1A", "W2A", "W3A"])?, card.vector(13, ["W1B", "W2B", "W3B"])?];
+    let grids = [one?, other?];
+    if grids[0] == grids[1] {
+        return card.wrong(3, "GB", format!("found {} at both ends", grids[0]), "two grids are allowed");
+    }
+    let orientation = orientation(card, frames[0] == 'B')?;
+    for (index, name) in [(8, "PA"), (9, "PB")] {
+        if !card.text(index).chars().all(|digit| digit == '0') {
+            let found = card.text(index);
+            remarks.field(
+                (card.card, id),
+                (index, name),
+                format!("found {found}: pin flags are not held, the end is fixed in all six"),
+            );
+        }
+    }
+    if kind == ElementKind::Beam {
+        for (index, name) in
+            [(16, "SA"), (17, "SB")].into_iter().filter(|(index, _)| !matches!(card.text(*index), "" | "0"))
+        {
+            remarks.field((card.card, id), (index, name), "warping is not held");
+        }
+    }
+    let offset = |end: usize| Offset { numbers: offsets[end], is_of_element: frames[end + 1] == 'O' };
+    Some(Element {
+        origin: card.origin(name, id),
+        kind,
+        property: property?,
+        grids,
+        orientation: Some(orientation),
+        offsets: [offset(0), offset(1)],
+    })
+}
+
+/// The letters of OFFT: of the orientation, of the offsets.
+fn frames(card: &Reader) -> Option<[char; 3]> {
+    let text = card.text(7).to_uppercase();
+    // BIT of a CBEAM is a number and has to do with p-elements.
+    if text.is_empty() || text.contains('.') {
+        return Some(['G'; 3]);
+    }
+    let letters: Vec<char> = text.chars().collect();
+    match letters.as_slice() {
+        &[v @ ('G' | 'B'), a @ ('G' | 'O'), b @ ('G' | 'O')] => Some([v, a, b]),
+        _ => card.wrong(
+            7,
+            "OFFT",
+            format!("found {text}"),
+            "GGG, GGO, GOG, GOO or the same with B in front is allowed",
+        ),
+    }
+}
+
+fn orientation(card: &Reader, is_basic: bool) -> Option<Orientation> {
+    let first = card.text(4);
+    let is_grid = card.is_blank(5) && card.is_blank(6) && !first.is_empty() && !first.contains('.');
+    if is_grid {
+        return Some(Orientation::Grid(card.integer(4, "G0")?));
+    }
+    let numbers = card.vector(4, ["X1", "X2", "X3"])?;
+    if numbers == [0.0; 3] {
+        return card.wrong(
+            4,
+            "X1",
+            "found no direction",
+            "a vector or a grid is needed that shows where plane 1 lies",
+        );
+    }
+    Some(Orientation::Vector { numbers, is_basic })
+}
+
+pub fn rod(card: &Reader) -> Option<Element> {
+    let id = card.id()?;
+    let [property, one, other] =
+        [card.integer_or(1, "PID", id), card.integer(2, "G1"), card.integer(3, "G2")];
+    let grids = [one?, other?];
+    if grids[0] == grids[1] {
+        return card.wrong(3, "G2", format!("found {} at both ends", grids[0]), "two grids are allowed");
+    }
+    let none = Offset { numbers: [0.0; 3], is_of_element: false };
+    Some(Element {
+        origin: card.origin("CROD", id),
+        kind: ElementKind::Rod,
+        property: property?,
+        grids,
+        orientation: None,
+        offsets: [none.clone(), none],
+    })
+}

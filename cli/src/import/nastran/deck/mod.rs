@@ -1,0 +1,239 @@
+//! A Nastran deck as cards: its files, their lines, the fields in them. Nothing here knows what a card means.
+
+mod fields;
+mod files;
+mod number;
+
+use std::ops::Range;
+use std::path::Path;
+
+pub use fields::DATA;
+use fields::{Span, Unreadable};
+use files::{DeckLine, Files, Refused};
+pub use files::{OnDisk, Source};
+pub use number::{integer, real};
+
+use super::mistakes::Mistakes;
+
+/// A line of a file of the deck, from 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    pub file: usize,
+    pub line: usize,
+}
+
+/// A file with its text.
+#[derive(Debug)]
+pub struct DeckFile {
+    pub name: String,
+    pub text: String,
+}
+
+/// A field of a card: where it is.
+#[derive(Clone, Debug)]
+pub struct Field {
+    pub line: u32,
+    pub span: Span,
+}
+
+/// A card with its continuations.
+#[derive(Debug)]
+pub struct Card {
+    /// In capitals.
+    pub name: String,
+    pub place: Place,
+    /// The line after its last one.
+    pub end: usize,
+    /// The name itself.
+    head: Span,
+    /// Data fields, eight for each line of the small format.
+    fields: Vec<Field>,
+}
+
+/// All of it.
+#[derive(Debug, Default)]
+pub struct Deck {
+    pub files: Vec<DeckFile>,
+    pub cards: Vec<Card>,
+    /// The sets of constraints that the case control asks for.
+    pub constraint_sets: Vec<i64>,
+    /// Lines before BEGIN BULK that say something.
+    pub control_lines: Vec<Place>,
+}
+
+impl Deck {
+    /// Reads a deck; lines that are no cards are mistakes.
+    pub fn read(path: &Path, source: &dyn Source, mistakes: &mut Mistakes) -> Deck {
+        let (files, refused) = Files::read(path, source);
+        match refused {
+            Some(Refused { place: Some((place, bytes)), found, allowed }) => {
+                mistakes.add(place.file, bytes, "INCLUDE".to_owned(), found, allowed);
+            }
+            Some(Refused { place: None, found, allowed }) => mistakes.of_whole(format!("{found}; {allowed}")),
+            None => {}
+        }
+        let Files { files, lines, .. } = files;
+        let mut deck = Deck { files, ..Deck::default() };
+        let bulk = deck.control(&lines);
+        deck.bulk(&lines[bulk..], mistakes);
+        deck
+    }
+
+    /// The number of lines before the bulk data; of a deck that is nothing else, 0.
+    fn control(&mut self, lines: &[DeckLine]) -> usize {
+        let words = |line: &DeckLine| -> Vec<String> {
+            let text = self.line(line).split('$').next().unwrap_or_default().to_uppercase();
+            text.split([' ', '\t', '=', ',']).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+        };
+        let is_begin = |line: &DeckLine| words(line).starts_with(&["BEGIN".to_owned(), "BULK".to_owned()]);
+        let Some(begin) = lines.iter().position(is_begin) else { return 0 };
+        let sets = lines[..=begin].iter().filter_map(|line| {
+            let words = words(line);
+            let is_spc = words.first().is_some_and(|word| word == "SPC");
+            words.get(1).filter(|_| is_spc).and_then(|set| integer(set))
+        });
+        let sets: Vec<i64> = sets.collect();
+        let said = lines[..=begin].iter().filter(|line| !words(line).is_empty());
+        let said = said.map(|line| line.place).collect();
+        self.control_lines = said;
+        self.constraint_sets = sets;
+        begin + 1
+    }
+
+    fn bulk(&mut self, lines: &[DeckLine], mistakes: &mut Mistakes) {
+        let mut tail = String::new();
+        let mut cards = Vec::new();
+        for line in lines {
+            let text = self.line(line);
+            if text.trim().is_empty() || text.trim_start().starts_with('$') {
+                continue;
+            }
+            if text.trim().eq_ignore_ascii_case("ENDDATA") {
+                break;
+            }
+            let cut = match fields::cut(text, line.bytes.start as u32) {
+                Ok(cut) => cut,
+                Err(Unreadable::TooMany { found, allowed }) => {
+                    let found = format!("found {found} fields between commas");
+                    let allowed =
+                        format!("up to {allowed} are allowed on a line, the last for the continuation");
+                    mistakes.add(line.place.file, line.bytes.clone(), "line".to_owned(), found, allowed);
+                    continue;
+                }
+            };
+            let of = |span: &Span| &self.files[line.place.file].text[span.start as usize..span.end as usize];
+            let head = of(&cut.head);
+            let is_continuation = head.is_empty() || head.starts_with('+');
+            let fields =
+                cut.data.iter().map(|span| Field { line: line.place.line as u32, span: span.clone() });
+            if !is_continuation {
+                let name = head.to_uppercase();
+                let mut card = Card {
+                    name,
+                    place: line.place,
+                    end: line.place.line + 1,
+                    head: cut.head.clone(),
+                    fields: fields.collect(),
+                };
+                card.pad(cut.is_large);
+                cards.push(card);
+            } else if let Some(card) = continued(cards.last_mut(), line.place, (&tail, head)) {
+                card.extend(fields, cut.is_large, line.place);
+            } else {
+                let found = format!("found the continuation {head:?} after {tail:?}");
+                let allowed = "a continuation is allowed right below the line that it continues".to_owned();
+                mistakes.add(line.place.file, line.bytes.clone(), "continuation".to_owned(), found, allowed);
+            }
+            tail = of(&cut.tail).to_owned();
+        }
+        self.cards = cards;
+    }
+
+    fn line(&self, line: &DeckLine) -> &str {
+        &self.files[line.place.file].text[line.bytes.clone()]
+    }
+
+    /// A field of a card, counted from 0 for the one behind the name; blank beyond the last.
+    pub fn text(&self, card: &Card, index: usize) -> &str {
+        card.fields.get(index).map_or("", |field| &self.files[card.place.file].text[bytes(&field.span)])
+    }
+
+    /// The bytes of a line, without the blanks around it.
+    pub fn bytes_of(&self, place: Place) -> Range<usize> {
+        let text = self.files.get(place.file).map_or("", |file| file.text.as_str());
+        let begin: usize = text.split_inclusive('\n').take(place.line.saturating_sub(1)).map(str::len).sum();
+        let line = text[begin..].lines().next().unwrap_or_default();
+        begin..begin + line.trim_end().len()
+    }
+
+    /// `deck.bdf:12`.
+    pub fn shown(&self, place: Place) -> String {
+        let name = self.files.get(place.file).map_or("", |file| file.name.as_str());
+        format!("{name}:{}", place.line)
+    }
+
+    /// The same without folders.
+    pub fn shown_briefly(&self, place: Place) -> String {
+        let name = self.files.get(place.file).map_or("", |file| file.name.as_str());
+        let name = Path::new(name).file_name().unwrap_or_default();
+        format!("{}:{}", name.to_string_lossy(), place.line)
+    }
+}
+
+/// The card that a line continues, if it does: marks at both ends are alike where both are there.
+fn continued<'c>(
+    card: Option<&'c mut Card>,
+    place: Place,
+    (tail, head): (&str, &str),
+) -> Option<&'c mut Card> {
+    let bare = |mark: &str| mark.trim_start_matches(['+', '*']).to_uppercase();
+    let (tail, head) = (bare(tail), bare(head));
+    let fits = tail.is_empty() || head.is_empty() || tail == head;
+    card.filter(|card| fits && card.place.file == place.file)
+}
+
+fn bytes(span: &Span) -> Range<usize> {
+    span.start as usize..span.end as usize
+}
+
+impl Card {
+    /// Lines have eight fields: after a large one alone the rest is blank.
+    fn pad(&mut self, is_large: bool) {
+        if !is_large {
+            let blank = self.fields.last().map_or(Field { line: 0, span: 0..0 }, blank_after);
+            let whole = self.fields.len().next_multiple_of(DATA);
+            self.fields.resize(whole, blank);
+        }
+    }
+
+    fn extend(&mut self, fields: impl Iterator<Item = Field>, is_large: bool, place: Place) {
+        self.pad(is_large);
+        self.fields.extend(fields);
+        self.end = place.line + 1;
+    }
+
+    /// How many data fields there are, blank ones at the end left out.
+    pub fn len(&self) -> usize {
+        self.fields.iter().rposition(|field| !field.span.is_empty()).map_or(0, |last| last + 1)
+    }
+
+    /// The line of a field, and the bytes that stand for it; the name where it is beyond the end.
+    pub fn field_place(&self, index: usize) -> (Place, Range<usize>) {
+        let field = self.fields.get(index).filter(|field| !field.span.is_empty());
+        field.map_or((self.place, bytes(&self.head)), |field| {
+            (Place { line: field.line as usize, ..self.place }, bytes(&field.span))
+        })
+    }
+}
+
+fn blank_after(field: &Field) -> Field {
+    Field { line: field.line, span: field.span.end..field.span.end }
+}
+
+/// A field as the manuals count it: the name is field 1, each line has ten.
+pub fn field_number(index: usize) -> usize {
+    index % DATA + 2
+}
+
+#[cfg(test)]
+mod tests;

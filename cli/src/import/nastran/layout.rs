@@ -1,0 +1,107 @@
+//! Names for people: what a component is by where it lies and which way it runs.
+
+use nalgebra::Vector3;
+
+use super::names;
+use super::structure::{Component, Structure};
+
+/// Places that are nearer to the plane of symmetry than this share of the aircraft are in it.
+pub const IN_PLANE: f64 = 1e-6;
+
+/// Surfaces that are apart along x by more than this share of the aircraft are not one wing.
+const APART: f64 = 0.1;
+
+/// Which way a component runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Way {
+    Aside,
+    Upright,
+    Along,
+}
+
+/// The distance of the farthest node from O, m.
+pub fn size(structure: &Structure) -> f64 {
+    structure.components.iter().flat_map(|component| &component.points).map(Vector3::norm).fold(0.0, f64::max)
+}
+
+/// The mean of a component's nodes.
+pub fn middle(component: &Component) -> Vector3<f64> {
+    component.points.iter().sum::<Vector3<f64>>() / component.points.len() as f64
+}
+
+fn reach(component: &Component) -> Vector3<f64> {
+    component.points[component.points.len() - 1] - component.points[0]
+}
+
+fn way(component: &Component) -> Way {
+    let reach = reach(component).abs();
+    if reach.y >= 0.5 * reach.norm() && reach.y >= reach.z {
+        Way::Aside
+    } else if reach.z >= reach.x {
+        Way::Upright
+    } else {
+        Way::Along
+    }
+}
+
+/// The name of each component.
+pub fn names(structure: &Structure) -> Vec<String> {
+    let size = size(structure);
+    let aside =
+        structure.components.iter().filter(|component| way(component) == Way::Aside && !is_link(component));
+    let wing = aside.max_by(|one, other| reach(one).y.abs().total_cmp(&reach(other).y.abs()));
+    let mut taken = Vec::new();
+    for component in &structure.components {
+        let base = base(component, wing, size);
+        let y = middle(component).y;
+        let name = if y.abs() <= IN_PLANE * size || base == "root" {
+            base.to_owned()
+        } else {
+            let side = if y > 0.0 { "right" } else { "left" };
+            side_free(base, side, &taken)
+        };
+        taken.push(names::free(&name, "beam", &taken));
+    }
+    taken
+}
+
+/// `wing_right`, `wing_2_right`.
+fn side_free(base: &str, side: &str, taken: &[String]) -> String {
+    let mut number = 1;
+    loop {
+        let name = if number == 1 { format!("{base}_{side}") } else { format!("{base}_{number}_{side}") };
+        if !taken.contains(&name) {
+            return name;
+        }
+        number += 1;
+    }
+}
+
+fn is_link(component: &Component) -> bool {
+    component.elements.iter().all(|element| element.member.is_none())
+}
+
+fn base(component: &Component, wing: Option<&Component>, size: f64) -> &'static str {
+    let is_in_plane = middle(component).y.abs() <= IN_PLANE * size;
+    if is_link(component) {
+        return if component.points.len() == 2 && reach(component).norm() < 2e-3 { "root" } else { "link" };
+    }
+    match (way(component), wing) {
+        (Way::Aside, Some(wing)) => {
+            let behind = middle(wing).x - middle(component).x;
+            if behind > APART * size && reach(component).y.abs() < 0.7 * reach(wing).y.abs() {
+                "tail"
+            } else if behind < -APART * size {
+                "canard"
+            } else {
+                "wing"
+            }
+        }
+        (Way::Aside, None) => "wing",
+        (Way::Upright, _) if reach(component).z < 0.0 => "fin",
+        (Way::Upright, _) => "pylon",
+        (Way::Along, _) if !is_in_plane => "boom",
+        (Way::Along, _) if reach(component).x > 0.0 => "fuselage_front",
+        (Way::Along, _) => "fuselage_aft",
+    }
+}

@@ -1,0 +1,352 @@
+//! Elements in body axes and SI: where they begin and end, their axes, stiffness and mass per length.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::cards::{Cards, Element, ElementKind, Material, Offset, Orientation, Property};
+use super::frames::World;
+use super::mistakes::{Mistakes, Origin, Remarks};
+use super::sections::Section;
+use super::units::Units;
+
+/// Shorter elements have no direction, m.
+const SHORTEST: f64 = 1e-6;
+
+/// Of one element, kg.
+const HEAVIEST: f64 = 1e9;
+
+/// How much stiffer than what it has an element is held where its card gives no stiffness.
+const HELD: f64 = 1e3;
+
+/// Second moments whose product is less than this share of their difference are along the axes.
+const PRINCIPAL: f64 = 1e-9;
+
+/// Stiffness of a section in its principal axes; names as in aircraft files.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stiffness {
+    /// N.
+    pub ea: f64,
+    /// N m².
+    pub gj: f64,
+    /// Bending in z.
+    pub ei_y: f64,
+    /// Bending in y.
+    pub ei_z: f64,
+}
+
+impl Stiffness {
+    /// Whether it bends alike in all directions.
+    pub fn is_round(&self) -> bool {
+        (self.ei_y - self.ei_z).abs() <= 1e-9 * self.ei_y.max(self.ei_z)
+    }
+
+    /// As it is in axes that are a quarter turned.
+    pub fn quarter_turned(self) -> Self {
+        Stiffness { ei_y: self.ei_z, ei_z: self.ei_y, ..self }
+    }
+}
+
+/// An element.
+#[derive(Clone, Debug)]
+pub struct Member {
+    pub origin: Origin,
+    pub is_rod: bool,
+    pub grids: [i64; 2],
+    /// m.
+    pub ends: [Vector3<f64>; 2],
+    /// Principal, across the element.
+    pub y_axis: Vector3<f64>,
+    /// The direction that it comes from: that of the card, where the section is not turned.
+    pub y_written: Vector3<f64>,
+    pub stiffness: Stiffness,
+    /// kg/m.
+    pub mass_by_length: f64,
+    /// About its axis, kg m.
+    pub inertia_by_length: f64,
+}
+
+impl Member {
+    pub fn span(&self) -> Vector3<f64> {
+        self.ends[1] - self.ends[0]
+    }
+
+    pub fn length(&self) -> f64 {
+        self.span().norm()
+    }
+
+    pub fn mass(&self) -> f64 {
+        self.mass_by_length * self.length()
+    }
+}
+
+/// All elements of the deck.
+pub fn members(
+    (cards, world, units): (&Cards, &World, &Units),
+    (mistakes, remarks): (&mut Mistakes, &mut Remarks),
+) -> Vec<Member> {
+    let mut making = Making { cards, world, units, mistakes, remarks };
+    cards.elements.iter().filter_map(|element| making.member(element)).collect()
+}
+
+struct Making<'a> {
+    cards: &'a Cards,
+    world: &'a World,
+    units: &'a Units,
+    mistakes: &'a mut Mistakes,
+    remarks: &'a mut Remarks,
+}
+
+impl Making<'_> {
+    fn member(&mut self, element: &Element) -> Option<Member> {
+        let [one, other] = element.grids.map(|grid| self.grid(element, grid));
+        let grids = [one?, other?];
+        let (property, material) = self.property(element)?;
+        let ends = self.ends(element, grids)?;
+        let span = ends[1] - ends[0];
+        if span.norm() < SHORTEST {
+            let found = format!("found a length of {} m", span.norm());
+            self.mistakes.of_origin(
+                &element.origin,
+                "GA, GB",
+                found,
+                format!("{SHORTEST} m or more is allowed"),
+            );
+            return None;
+        }
+        let x = span.normalize();
+        let y = match &element.orientation {
+            Some(orientation) => self.plane_1(element, orientation, &x)?,
+            None => any_across(&x),
+        };
+        let section = of_kind(element.kind, property.section);
+        let written =
+            element.orientation.as_ref().and_then(|orientation| self.direction(element, orientation));
+        let (section, turned) = self.principal(&property.origin, section, (&x, y));
+        let y_written = written.filter(|_| turned == y).map_or(turned, |written| written.normalize());
+        let stiffness = self.stiffness(element, (&property, &section, &material), span.norm())?;
+        let density = material.density;
+        let own = if element.kind == ElementKind::Beam { density * (section.i1 + section.i2) } else { 0.0 };
+        let mass_by_length = (density * section.area + property.other_mass) * self.units.mass_by_length();
+        let inertia_by_length = (own + property.other_inertia) * self.units.mass * self.units.length;
+        let mass = mass_by_length * span.norm();
+        if !(0.0..=HEAVIEST).contains(&mass) || !inertia_by_length.is_finite() {
+            let found = format!("found a mass of {mass:.4e} kg");
+            let allowed = format!("up to {HEAVIEST:e} kg is allowed; --units says what the deck's units are");
+            self.mistakes.of_origin(&element.origin, "PID", found, allowed);
+            return None;
+        }
+        Some(Member {
+            origin: element.origin.clone(),
+            is_rod: element.kind == ElementKind::Rod,
+            grids: element.grids,
+            ends,
+            y_axis: turned,
+            y_written,
+            stiffness,
+            mass_by_length,
+            inertia_by_length,
+        })
+    }
+
+    fn grid(&mut self, element: &Element, grid: i64) -> Option<Vector3<f64>> {
+        let place = self.world.grid(grid);
+        if place.is_none() && !self.cards.grids.contains_key(&grid) {
+            self.mistakes.of_origin(
+                &element.origin,
+                "GA, GB",
+                format!("found {grid}"),
+                "a GRID of the deck is needed",
+            );
+        }
+        place
+    }
+
+    fn property(&mut self, element: &Element) -> Option<(Property, Material)> {
+        let kinds: &[&str] = match element.kind {
+            ElementKind::Bar => &["PBAR", "PBARL"],
+            ElementKind::Beam => &["PBEAM", "PBEAML"],
+            ElementKind::Rod => &["PROD"],
+        };
+        let found = self
+            .cards
+            .properties
+            .get(&element.property)
+            .filter(|property| kinds.contains(&property.origin.card));
+        let Some(property) = found else {
+            let allowed = format!("a {} of the deck is needed", kinds.join(" or "));
+            self.mistakes.of_origin(&element.origin, "PID", format!("found {}", element.property), allowed);
+            return None;
+        };
+        let Some(material) = self.cards.materials.get(&property.material) else {
+            let found = format!("found {}", property.material);
+            self.mistakes.of_origin(&property.origin, "MID", found, "a MAT1 of the deck is needed");
+            return None;
+        };
+        Some((property.clone(), *material))
+    }
+
+    fn ends(&self, element: &Element, grids: [Vector3<f64>; 2]) -> Option<[Vector3<f64>; 2]> {
+        let mut ends = grids;
+        for (end, Offset { numbers, is_of_element }) in element.offsets.iter().enumerate() {
+            if *numbers == [0.0; 3] {
+                continue;
+            }
+            let axes = if *is_of_element {
+                self.element_axes(element, grids)?
+            } else {
+                self.world.displacement_axes(element.grids[end])?
+            };
+            ends[end] += axes * Vector3::from(*numbers) * self.world.length();
+        }
+        Some(ends)
+    }
+
+    /// From grid to grid, without offsets.
+    fn element_axes(&self, element: &Element, grids: [Vector3<f64>; 2]) -> Option<Matrix3<f64>> {
+        let x = (grids[1] - grids[0]).try_normalize(0.0)?;
+        let y = across(&x, &self.direction(element, element.orientation.as_ref()?)?)?;
+        Some(Matrix3::from_columns(&[x, y, x.cross(&y)]))
+    }
+
+    fn direction(&self, element: &Element, orientation: &Orientation) -> Option<Vector3<f64>> {
+        match orientation {
+            Orientation::Vector { numbers, is_basic: true } => {
+                Some(self.world.basic_axes() * Vector3::from(*numbers))
+            }
+            Orientation::Vector { numbers, .. } => {
+                Some(self.world.displacement_axes(element.grids[0])? * Vector3::from(*numbers))
+            }
+            Orientation::Grid(grid) => Some(self.world.grid(*grid)? - self.world.grid(element.grids[0])?),
+        }
+    }
+
+    /// The y axis of the element: across it in plane 1.
+    fn plane_1(
+        &mut self,
+        element: &Element,
+        orientation: &Orientation,
+        x: &Vector3<f64>,
+    ) -> Option<Vector3<f64>> {
+        let direction = self.direction(element, orientation);
+        let y = direction.as_ref().and_then(|direction| across(x, direction));
+        if y.is_none() {
+            let (found, allowed) = match orientation {
+                Orientation::Grid(grid) if direction.is_none() => {
+                    (format!("found {grid}"), "a GRID of the deck is needed")
+                }
+                _ => ("found a direction along the element".to_owned(), "a direction across it is needed"),
+            };
+            self.mistakes.of_origin(&element.origin, "X1, X2, X3", found, allowed);
+        }
+        y
+    }
+
+    /// A section in its principal axes, and the y axis of these: the format has no EI_yz.
+    fn principal(
+        &mut self,
+        property: &Origin,
+        section: Section,
+        (x, y): (&Vector3<f64>, Vector3<f64>),
+    ) -> (Section, Vector3<f64>) {
+        if section.i12.abs() <= PRINCIPAL * (section.i1 - section.i2).abs() {
+            return (section, y);
+        }
+        let z = x.cross(&y);
+        let angle = 0.5 * libm::atan2(2.0 * section.i12, section.i1 - section.i2);
+        let (sin, cos) = libm::sincos(angle);
+        let turned = Section {
+            i1: cos * cos * section.i1 + sin * sin * section.i2 + 2.0 * sin * cos * section.i12,
+            i2: sin * sin * section.i1 + cos * cos * section.i2 - 2.0 * sin * cos * section.i12,
+            i12: 0.0,
+            ..section
+        };
+        self.remarks.note(format!(
+            "{} has I12 = {}: it is held in its principal axes, turned by {:.3} deg about the element",
+            property,
+            section.i12,
+            angle.to_degrees()
+        ));
+        (turned, y * cos + z * sin)
+    }
+
+    fn stiffness(
+        &mut self,
+        element: &Element,
+        (property, section, material): (&Property, &Section, &Material),
+        length: f64,
+    ) -> Option<Stiffness> {
+        let bending = self.units.bending();
+        let given = Stiffness {
+            ea: material.young * section.area * self.units.axial(),
+            gj: material.shear * section.torsion * bending,
+            ei_y: material.young * section.i2 * bending,
+            ei_z: material.young * section.i1 * bending,
+        };
+        let most = [given.gj, given.ei_y, given.ei_z, given.ea * length * length * 1e-6]
+            .into_iter()
+            .fold(0.0, f64::max);
+        if most <= 0.0 {
+            let allowed = "a property is needed that resists something";
+            self.mistakes.of_origin(&element.origin, "PID", "found no stiffness at all", allowed);
+            return None;
+        }
+        let mut lacking = Vec::new();
+        let mut held = |number: f64, otherwise: f64, name: &'static str| {
+            if number > 0.0 {
+                return number;
+            }
+            lacking.push(name);
+            otherwise
+        };
+        let stiffness = Stiffness {
+            ea: held(given.ea, HELD * most / (length * length) * 1e3, "A"),
+            gj: held(given.gj, HELD * most, "J"),
+            ei_y: held(given.ei_y, HELD * most, "I2"),
+            ei_z: held(given.ei_z, HELD * most, "I1"),
+        };
+        if !lacking.is_empty() {
+            let said = format!(
+                "found no {}: held as if rigid there, for a beam here resists everything",
+                lacking.join(", ")
+            );
+            if !self.remarks.has_told(&property.origin) {
+                self.remarks.card(&property.origin, said);
+            }
+        }
+        let all = [stiffness.ea, stiffness.gj, stiffness.ei_y, stiffness.ei_z];
+        if let Some(bad) = all.into_iter().find(|number| !(1e-6..=1e15).contains(number)) {
+            let found = format!("found a stiffness of {bad:.4e} in SI (N, N m²)");
+            self.mistakes.of_origin(
+                &property.origin,
+                "stiffness",
+                found,
+                "1e-6 to 1e15 is allowed; --units says what the deck's units are",
+            );
+            return None;
+        }
+        Some(stiffness)
+    }
+}
+
+/// A rod bends here: like a solid round one of its area.
+fn of_kind(kind: ElementKind, section: Section) -> Section {
+    if kind != ElementKind::Rod {
+        return section;
+    }
+    let second = section.area * section.area / (4.0 * std::f64::consts::PI);
+    let torsion = if section.torsion > 0.0 { section.torsion } else { 2.0 * second };
+    Section { i1: second, i2: second, torsion, ..section }
+}
+
+/// The part of a direction across another one.
+pub fn across(x: &Vector3<f64>, direction: &Vector3<f64>) -> Option<Vector3<f64>> {
+    let part = direction - x * x.dot(direction);
+    (part.norm() > 1e-6 * direction.norm()).then(|| part.normalize())
+}
+
+/// Some direction across a unit vector.
+pub fn any_across(x: &Vector3<f64>) -> Vector3<f64> {
+    let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+    let least = axes.into_iter().min_by(|one, other| x.dot(one).abs().total_cmp(&x.dot(other).abs()));
+    let least = least.unwrap_or_else(Vector3::x);
+    (least - x * x.dot(&least)).normalize()
+}

@@ -1,0 +1,359 @@
+//! From elements, rigid links and masses to the components of an aircraft file: a tree of beams with masses on its nodes.
+
+mod bodies;
+mod growth;
+mod tree;
+
+use std::collections::BTreeSet;
+
+use nalgebra::Vector3;
+
+use super::cards::Cards;
+use super::frames::World;
+use super::lumps::Lump;
+use super::members::{Member, Stiffness};
+use super::mistakes::{Mistakes, Origin, Remarks};
+use super::units::Units;
+use bodies::Bodies;
+use growth::Growth;
+use tree::Tree;
+
+/// Places that are nearer are one, m.
+const SAME_PLACE: f64 = 1e-6;
+
+/// Larger decks are no sticks: their elements, and their masses.
+const MOST_ELEMENTS: usize = 5000;
+const MOST_LUMPS: usize = 20_000;
+
+/// A node of the aircraft.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NodeRef {
+    Origin,
+    Node { component: usize, node: usize },
+}
+
+/// A chain of elements.
+#[derive(Clone, Debug)]
+pub struct Component {
+    pub parent: NodeRef,
+    /// Its nodes, m from O; the first is the parent's.
+    pub points: Vec<Vector3<f64>>,
+    pub elements: Vec<ComponentElement>,
+    pub y_axis: Vector3<f64>,
+}
+
+/// Between two nodes.
+#[derive(Clone, Copy, Debug)]
+pub struct ComponentElement {
+    /// A place among the members; none of rigid links.
+    pub member: Option<usize>,
+    pub stiffness: Stiffness,
+}
+
+impl Component {
+    /// Distance of each node from the first along the axis, m.
+    pub fn distances(&self) -> Vec<f64> {
+        let mut at = 0.0;
+        let lengths = self.points.windows(2).map(|ends| {
+            at += (ends[1] - ends[0]).norm();
+            at
+        });
+        std::iter::once(0.0).chain(lengths).collect()
+    }
+}
+
+/// A body on a component.
+#[derive(Clone, Debug)]
+pub struct PlacedLump {
+    pub component: usize,
+    pub node: usize,
+    /// Its centre from the node.
+    pub offset: Vector3<f64>,
+    pub lump: Lump,
+}
+
+/// Why the aircraft is held where it is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Held {
+    Clamped(Origin),
+    Hinged(Origin),
+    Asked,
+    Supported,
+    NearestToMass,
+}
+
+/// The tree, with all that it carries.
+#[derive(Debug)]
+pub struct Structure {
+    pub members: Vec<Member>,
+    pub components: Vec<Component>,
+    pub lumps: Vec<PlacedLump>,
+    pub held: Held,
+    /// The grid at O.
+    pub root_grid: i64,
+    /// O, m from the zero of the deck.
+    pub origin: Vector3<f64>,
+    bodies: Bodies,
+    ports: Vec<Vec<(Vector3<f64>, NodeRef)>>,
+}
+
+/// What a structure is made of.
+pub struct Parts<'a> {
+    pub cards: &'a Cards,
+    pub world: &'a World,
+    pub units: &'a Units,
+    pub members: Vec<Member>,
+    pub lumps: Vec<Lump>,
+    /// The sets of constraints that hold.
+    pub sets: &'a [i64],
+    /// The grid that is to be O.
+    pub root: Option<i64>,
+}
+
+impl Structure {
+    /// Finds the tree and hangs masses on it; none where there is no element, or no grid as asked.
+    pub fn new(parts: Parts, (mistakes, remarks): (&mut Mistakes, &mut Remarks)) -> Option<Structure> {
+        let Parts { cards, world, units, members, lumps, sets, root } = parts;
+        if members.is_empty() {
+            if mistakes.is_empty() {
+                mistakes.of_whole("found no CBAR, CBEAM or CROD; one of them at least is needed".to_owned());
+            }
+            return None;
+        }
+        if members.len() > MOST_ELEMENTS || lumps.len() > MOST_LUMPS {
+            mistakes.of_whole(format!(
+                "found {} elements and {} masses; up to {MOST_ELEMENTS} and {MOST_LUMPS} are allowed of a stick model",
+                members.len(),
+                lumps.len()
+            ));
+            return None;
+        }
+        let of_members = members.iter().flat_map(|member| member.grids);
+        let used: BTreeSet<i64> = of_members.chain(lumps.iter().map(|lump| lump.grid)).collect();
+        let bodies = Bodies::new((cards, world, units), &used, sets, (mistakes, remarks));
+        let (root_grid, held) = root_of((cards, &bodies), (&members, &lumps), root, mistakes)?;
+        let (root, origin) = (bodies.of(root_grid)?, world.grid(root_grid)?);
+        let tree = Tree::new(&members, &bodies, root);
+        if tree.outward[root].is_empty() {
+            mistakes.of_whole(format!("GRID {root_grid}, where the aircraft is held: found no element on it; a grid with elements is needed"));
+            return None;
+        }
+        tree::close_loops(&tree, &members, remarks);
+        tree::leave_out_lost(&tree, &members, remarks);
+        other_clamps(&bodies, root, remarks);
+        let hinge = bodies.hinge.as_ref().filter(|hinge| hinge.body == root);
+        let growth = Growth::new((&members, &tree), origin, hinge);
+        for &(element, gap) in &growth.moved {
+            let said = format!("its end is moved by {:.3} mm onto the node beside it", gap * 1e3);
+            remarks.note(format!("{}: {said}", members[element].origin));
+        }
+        let Growth { components, ports, .. } = growth;
+        let zero = components[0].points[0];
+        let mut structure = Structure {
+            members,
+            components,
+            lumps: Vec::new(),
+            held,
+            root_grid,
+            origin: zero,
+            bodies,
+            ports,
+        };
+        structure.hang_masses(cards, &tree, lumps, remarks);
+        structure.move_to_origin();
+        Some(structure)
+    }
+
+    /// Masses of CONM1 and CONM2, and of elements that are in no component.
+    fn hang_masses(&mut self, cards: &Cards, tree: &Tree, lumps: Vec<Lump>, remarks: &mut Remarks) {
+        let of_cut = tree.cut.iter().flat_map(|&element| halves(&self.members[element]));
+        for lump in lumps.into_iter().chain(of_cut.collect::<Vec<_>>()) {
+            let spread =
+                cards.spreads.iter().find(|spread| spread.grid == lump.grid && spread.carriers.len() > 1);
+            let is_carried = self.bodies.of(lump.grid).is_some_and(|body| tree.is_reached[body]);
+            match spread.filter(|_| !is_carried) {
+                None => self.hang(lump, remarks),
+                Some(spread) => {
+                    let whole: f64 = spread.carriers.iter().map(|(_, weight)| weight).sum();
+                    let said = format!(
+                        "{} on GRID {}: its mass is divided by the weights of {} among {} grids, each part rigid on its own; mass, centre and inertia of the whole are kept",
+                        lump.origin,
+                        lump.grid,
+                        spread.origin,
+                        spread.carriers.len()
+                    );
+                    remarks.card(&spread.origin, said);
+                    for &(grid, weight) in &spread.carriers {
+                        let share = weight / whole;
+                        let part = Lump {
+                            grid,
+                            mass: share * lump.mass,
+                            inertia: lump.inertia * share,
+                            ..lump.clone()
+                        };
+                        self.hang(part, remarks);
+                    }
+                }
+            }
+        }
+    }
+
+    fn hang(&mut self, lump: Lump, remarks: &mut Remarks) {
+        let Some((at, node)) = self.bodies.of(lump.grid).and_then(|body| self.port(body, &lump.at)) else {
+            let said = format!(
+                "no chain of elements and rigid links joins GRID {} to the root: {:.6} kg are left out",
+                lump.grid, lump.mass
+            );
+            remarks.card(&lump.origin, said);
+            return;
+        };
+        let (component, node) = self.carrier(node);
+        self.lumps.push(PlacedLump { component, node, offset: lump.centre - at, lump });
+    }
+
+    /// The component and its node that carry what is on a node: of O the first component that begins there.
+    pub fn carrier(&self, node: NodeRef) -> (usize, usize) {
+        match node {
+            NodeRef::Node { component, node } => (component, node),
+            NodeRef::Origin => (0, 0),
+        }
+    }
+
+    /// The node of a body at a place, else the one by which the tree leads to the body.
+    fn port(&self, body: usize, place: &Vector3<f64>) -> Option<(Vector3<f64>, NodeRef)> {
+        let ports = self.ports.get(body)?;
+        ports.iter().find(|port| (port.0 - place).norm() <= SAME_PLACE).or(ports.first()).copied()
+    }
+
+    /// The nodes on which a grid is.
+    pub fn nodes_of(&self, grid: i64) -> impl Iterator<Item = NodeRef> + '_ {
+        let ports = self.bodies.of(grid).and_then(|body| self.ports.get(body));
+        ports.into_iter().flatten().map(|(_, node)| *node)
+    }
+
+    /// The node that moves with a grid, at its place (m from O) if there is one, and where that is.
+    pub fn node_at(&self, grid: i64, place: &Vector3<f64>) -> Option<(Vector3<f64>, NodeRef)> {
+        self.port(self.bodies.of(grid)?, place)
+    }
+
+    /// A component, and those that it hangs on.
+    pub fn with_parents(&self, component: usize) -> Vec<usize> {
+        let mut chain = vec![component];
+        let mut at = component;
+        // Components hang on earlier ones alone.
+        while let NodeRef::Node { component, .. } = self.components[at].parent {
+            chain.push(component);
+            at = component;
+        }
+        chain
+    }
+
+    /// The centre of mass, m from O; O where nothing weighs.
+    pub fn centre(&self) -> Vector3<f64> {
+        let of_elements = self.components.iter().flat_map(|component| {
+            let middles = component.points.windows(2).map(|ends| 0.5 * (ends[0] + ends[1]));
+            let masses = component
+                .elements
+                .iter()
+                .map(|element| element.member.map_or(0.0, |member| self.members[member].mass()));
+            masses.zip(middles)
+        });
+        let place = |lump: &PlacedLump| self.components[lump.component].points[lump.node] + lump.offset;
+        let of_lumps = self.lumps.iter().map(|lump| (lump.lump.mass, place(lump)));
+        let (mass, moment) = of_elements
+            .chain(of_lumps)
+            .fold((0.0, Vector3::zeros()), |(mass, moment), (part, at)| (mass + part, moment + at * part));
+        if mass > 0.0 { moment / mass } else { Vector3::zeros() }
+    }
+
+    fn move_to_origin(&mut self) {
+        let origin = self.origin;
+        let points = self.components.iter_mut().flat_map(|component| &mut component.points);
+        points.for_each(|point| *point -= origin);
+        self.ports.iter_mut().flatten().for_each(|(point, _)| *point -= origin);
+    }
+}
+
+/// Clamps beside the one that holds.
+fn other_clamps(bodies: &Bodies, root: usize, remarks: &mut Remarks) {
+    for (body, grid, origin) in &bodies.clamped {
+        if *body != root {
+            remarks.card(
+                origin,
+                format!("GRID {grid} is held too: one place is clamped here, this one is free"),
+            );
+        }
+    }
+}
+
+fn root_of(
+    (cards, bodies): (&Cards, &Bodies),
+    (members, lumps): (&[Member], &[Lump]),
+    asked: Option<i64>,
+    mistakes: &mut Mistakes,
+) -> Option<(i64, Held)> {
+    if let Some(grid) = asked {
+        if !cards.grids.contains_key(&grid) {
+            mistakes.of_whole(format!("--origin: found {grid}, a GRID of the deck is needed"));
+            return None;
+        }
+        let clamp = bodies.clamped.iter().find(|(body, _, _)| bodies.of(grid) == Some(*body));
+        return Some((grid, clamp.map_or(Held::Asked, |(_, _, origin)| Held::Clamped(origin.clone()))));
+    }
+    let on_body: BTreeSet<usize> =
+        members.iter().flat_map(|member| member.grids).filter_map(|grid| bodies.of(grid)).collect();
+    if let Some((_, grid, origin)) = bodies.clamped.iter().find(|(body, _, _)| on_body.contains(body)) {
+        return Some((*grid, Held::Clamped(origin.clone())));
+    }
+    if let Some(hinge) = bodies.hinge.as_ref().filter(|hinge| on_body.contains(&hinge.body)) {
+        return Some((hinge.grid, Held::Hinged(hinge.origin.clone())));
+    }
+    if let Some(grid) =
+        cards.reference_grid.filter(|grid| bodies.of(*grid).is_some_and(|body| on_body.contains(&body)))
+    {
+        return Some((grid, Held::Supported));
+    }
+    let mut mass = 0.0;
+    let mut moment = Vector3::zeros();
+    for (part, at) in lumps
+        .iter()
+        .map(|lump| (lump.mass, lump.centre))
+        .chain(members.iter().map(|member| (member.mass(), 0.5 * (member.ends[0] + member.ends[1]))))
+    {
+        mass += part;
+        moment += at * part;
+    }
+    let centre = if mass > 0.0 { moment / mass } else { Vector3::zeros() };
+    Some((tree::root_of_free(members, &centre)?, Held::NearestToMass))
+}
+
+/// The mass of an element at two places of it, which have its mass, centre and inertia, each on the grid beside it.
+fn halves(member: &Member) -> Vec<Lump> {
+    if member.mass() <= 0.0 {
+        return Vec::new();
+    }
+    let half = |end: usize| {
+        let centre = member.ends[0] + member.span() * HALVES[end];
+        let inertia = turned_inertia(member) * 0.5;
+        Lump {
+            origin: member.origin.clone(),
+            grid: member.grids[end],
+            at: member.ends[end],
+            mass: 0.5 * member.mass(),
+            centre,
+            inertia,
+        }
+    };
+    vec![half(0), half(1)]
+}
+
+/// Two places of a uniform rod, as shares of its length: half of its mass at each has its centre and its inertia.
+pub const HALVES: [f64; 2] = [0.211_324_865_405_187_13, 0.788_675_134_594_812_9];
+
+/// Of a member about its own axis, as a body at its middle has it beside that of its length.
+pub fn turned_inertia(member: &Member) -> nalgebra::Matrix3<f64> {
+    let axis = member.span().normalize();
+    // A disc: half of its polar moment about each diameter.
+    let polar = member.inertia_by_length * member.length();
+    0.5 * polar * (nalgebra::Matrix3::identity() + axis * axis.transpose())
+}
