@@ -294,10 +294,10 @@ fn read_surface(table: &Table) -> Option<SurfaceSpec> {
 
 fn read_flap(value: &Value) -> Option<FlapSpec> {
     let table = value.table()?;
-    let lift_slope = table.required(&surface::FLAP_LIFT).and_then(|v| v.number());
-    let hinge = table.required(&surface::HINGE).and_then(|v| v.number());
-    let moment_slope = table.optional(&surface::FLAP_MOMENT).and_then(|v| v.number());
-    let drag = table.number(&surface::FLAP_DRAG);
+    let law = |field: &Field| table.optional(field).and_then(|v| Law::read(&v));
+    let needed = |field: &Field| table.required(field).and_then(|v| Law::read(&v));
+    let (lift_slope, hinge) = (needed(&surface::FLAP_LIFT), needed(&surface::HINGE));
+    let (moment_slope, drag) = (law(&surface::FLAP_MOMENT), law(&surface::FLAP_DRAG));
     Some(FlapSpec { lift_slope: lift_slope?, hinge: hinge?, moment_slope, drag })
 }
 

@@ -171,12 +171,11 @@ pub(super) struct SurfaceSpec {
     pub(super) moves: Vec<MoveSpec>,
 }
 
-#[derive(Clone, Copy)]
 pub(super) struct FlapSpec {
-    pub(super) lift_slope: f64,
-    pub(super) hinge: f64,
-    pub(super) moment_slope: Option<f64>,
-    pub(super) drag: f64,
+    pub(super) lift_slope: Law,
+    pub(super) hinge: Law,
+    pub(super) moment_slope: Option<Law>,
+    pub(super) drag: Option<Law>,
 }
 
 pub(super) struct ControlSpec {

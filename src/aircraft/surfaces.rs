@@ -43,11 +43,15 @@ pub(super) fn strips<'s>(spec: &'s SurfaceSpec, line: &Line, laws: &Laws) -> Opt
     let moments = optional(&spec.zero_lift_moment, &fields::ZERO_LIFT_MOMENT);
     let slopes = optional(&spec.moment_slope, &fields::MOMENT_SLOPE);
     let suctions = optional(&spec.leading_edge_suction, &fields::SUCTION);
+    let flaps = match &spec.flap {
+        Some(flap) => flaps(flap, &points, laws).map(|flaps| flaps.into_iter().map(Some).collect()),
+        None => Some(vec![None; points.len()]),
+    };
     let axes = incidences.and_then(|incidences| axes(spec, line, &pieces, &incidences, laws.report));
     let moves = moves(&spec.moves, &pieces, laws.report);
     let (chords, elastic_axes, lift_slopes, drags) = (chords?, elastic_axes?, lift_slopes?, drags?);
     let (offsets, moments, slopes, suctions) = (offsets?, moments?, slopes?, suctions?);
-    let (axes, moves) = (axes?, moves?);
+    let (flaps, axes, moves): (Vec<_>, _, _) = (flaps?, axes?, moves?);
     let mut strips = Vec::with_capacity(pieces.len());
     for (i, (piece, moves)) in pieces.iter().zip(moves).enumerate() {
         let (forward, span) = axes[i];
@@ -68,16 +72,32 @@ pub(super) fn strips<'s>(spec: &'s SurfaceSpec, line: &Line, laws: &Laws) -> Opt
             moment_slope: slopes[i],
             profile_drag: drags[i],
             leading_edge_suction: suctions[i],
-            flap: spec.flap.map(without_gains),
+            flap: flaps[i].clone(),
         };
         strips.push(PartStrip { strip, moves });
     }
     Some(strips)
 }
 
-/// The flap of a surface before it is known on which side of the aircraft it is.
-fn without_gains(FlapSpec { lift_slope, hinge, moment_slope, drag }: FlapSpec) -> Flap {
-    Flap { lift_slope, hinge, moment_slope, drag, gains: Vec::new() }
+/// The flaps of strips, before it is known on which side of the aircraft they are.
+fn flaps(spec: &FlapSpec, points: &[AxisPoint], laws: &Laws) -> Option<Vec<Flap>> {
+    let lift_slopes = laws.values(&spec.lift_slope, points);
+    let hinges = laws.values(&spec.hinge, points);
+    let moments = spec.moment_slope.as_ref().map(|law| laws.values(law, points));
+    let drags = laws.values_or_usual(spec.drag.as_ref(), &fields::FLAP_DRAG, points);
+    let (lift_slopes, hinges, drags) = (lift_slopes?, hinges?, drags?);
+    let moments = match moments {
+        Some(moments) => moments?.into_iter().map(Some).collect(),
+        None => vec![None; points.len()],
+    };
+    let flap = |i: usize| Flap {
+        lift_slope: lift_slopes[i],
+        hinge: hinges[i],
+        moment_slope: moments[i],
+        drag: drags[i],
+        gains: Vec::new(),
+    };
+    Some((0..points.len()).map(flap).collect())
 }
 
 /// Surfaces that share a stretch of a component count it twice, unless their spans cross, as those of a body do that

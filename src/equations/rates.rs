@@ -90,18 +90,28 @@ impl EquationsOfMotion {
         controls: &Controls,
         workspace: &mut Workspace,
     ) -> Option<DMatrix<f64>> {
+        let rigid = self.freedom.components().len();
+        let inverse = self.mass_matrix(state, controls, workspace).try_inverse()?;
+        let elastic = inverse.view_range(rigid.., rigid..);
+        Some((elastic + elastic.transpose()) * 0.5)
+    }
+
+    /// The mass matrix of the components of ν that move, as the fidelity level has it, with apparent mass. Allocates.
+    pub(crate) fn mass_matrix(
+        &self,
+        state: &[f64],
+        controls: &Controls,
+        workspace: &mut Workspace,
+    ) -> DMatrix<f64> {
         let attitude = Attitude::from_quaternion(&state[self.layout.attitude()]);
         let situation = Situation { state, attitude: &attitude, controls };
         self.assemble(self.arch, situation, &mut vec![0.0; state.len()], workspace);
-        let (rigid, size) = (self.freedom.components().len(), self.moving().len());
-        let matrix = &workspace.system.matrix;
+        let (size, matrix) = (self.moving().len(), &workspace.system.matrix);
         let mut mass = DMatrix::from_fn(size, size, |row, column| matrix[(row, column)]);
         if self.self_adjoint {
             mass.fill_lower_triangle_with_upper_triangle();
         }
-        let inverse = mass.try_inverse()?;
-        let elastic = inverse.view_range(rigid.., rigid..);
-        Some((elastic + elastic.transpose()) * 0.5)
+        mass
     }
 
     /// Writes the mass matrix and the generalised forces into the workspace, the inflow rates into `rates`.

@@ -1,9 +1,10 @@
 //! Static stability in pitch: how lift and moment answer a change of the angle of attack when everything elastic has come to
-//! rest; from them the static margin and the neutral point [theory: linearisation.static-margin, linearisation.residualised].
+//! rest; from them the static margin and the neutral point [theory: linearisation.static-margin].
 
-use nalgebra::{DVector, Matrix3, Vector3};
+use nalgebra::{DMatrix, DVector, Vector3, Vector6};
 
 use crate::aircraft::Support;
+use crate::equations::Workspace;
 use crate::kinematics::RigidFreedom;
 
 use super::linearisation::{StateMatrix, Unknown};
@@ -90,12 +91,12 @@ impl Plant {
         }
         let (sin, cos) = libm::sincos(trim.point.angle_of_attack());
         let departure = Vector3::new(-sin, 0.0, cos) * (self.speed_at(trim) * libm::cos(trim.point.sideslip));
-        let [linear, angular] =
+        let accelerations =
             accelerations(&self.linearise(trim), departure).ok_or(NoStaticStability::Restless)?;
+        let mut workspace = Workspace::new(&self.equations);
+        let moving = self.equations.mass_matrix(&trim.state, &trim.controls, &mut workspace);
+        let [force, about_origin] = forces(&moving, self.equations.freedom, &accelerations);
         let mass = self.equations.exact_mass_matrix(&trim.state);
-        let block = |row, column| -> Matrix3<f64> { mass.fixed_view::<3, 3>(row, column).into_owned() };
-        let force = block(0, 0) * linear + block(0, 3) * angular;
-        let about_origin = block(3, 0) * linear + block(3, 3) * angular;
         // m c× is the lower left block. Half an aircraft may know its sections on the right alone: what is across the plane cancels.
         let across = if self.equations.freedom == RigidFreedom::InPlane { 0.0 } else { mass[(3, 2)] };
         let centre_of_mass = Vector3::new(mass[(5, 1)], across, mass[(4, 0)]) / mass[(0, 0)];
@@ -109,9 +110,23 @@ impl Plant {
     }
 }
 
-/// v̇ and ω̇ after a departure of v, with q̇ = q̈ = 0 and an inflow that follows at once [theory: linearisation.residualised].
-fn accelerations(state_matrix: &StateMatrix, departure: Vector3<f64>) -> Option<[Vector3<f64>; 2]> {
-    let StateMatrix { unknowns, matrix } = state_matrix.with_instant_inflow()?;
+/// Force and moment about O that give the rigid motion these accelerations, q̈ being 0, by the mass matrix of what moves.
+fn forces(moving: &DMatrix<f64>, freedom: RigidFreedom, accelerations: &Vector6<f64>) -> [Vector3<f64>; 2] {
+    let components = freedom.components();
+    let mut forces = Vector6::zeros();
+    for (row, &component) in components.iter().enumerate() {
+        let along = components
+            .iter()
+            .enumerate()
+            .map(|(column, &other)| moving[(row, column)] * accelerations[other]);
+        forces[component] = along.sum();
+    }
+    [forces.fixed_rows::<3>(0).into_owned(), forces.fixed_rows::<3>(3).into_owned()]
+}
+
+/// [v̇; ω̇] after a departure of v, with q̇ = q̈ = 0 and without inflow.
+fn accelerations(state_matrix: &StateMatrix, departure: Vector3<f64>) -> Option<Vector6<f64>> {
+    let StateMatrix { unknowns, matrix } = state_matrix.without_inflow()?;
     let places = |is_one: fn(&Unknown) -> bool| -> Vec<usize> {
         (0..unknowns.len()).filter(|&place| is_one(&unknowns[place])).collect()
     };
@@ -133,15 +148,15 @@ fn accelerations(state_matrix: &StateMatrix, departure: Vector3<f64>) -> Option<
         let deflected = part(&accelerated, &coordinates).lu().solve(&-forced)?;
         found += part(&rigid, &coordinates) * deflected;
     }
-    let mut rates = [Vector3::zeros(); 2];
+    let mut rates = Vector6::zeros();
     for (place, rate) in rigid.iter().zip(&found) {
         match unknowns[*place] {
-            Unknown::Velocity(axis) => rates[0][axis] = *rate,
-            Unknown::Rate(axis) => rates[1][axis] = *rate,
+            Unknown::Velocity(axis) => rates[axis] = *rate,
+            Unknown::Rate(axis) => rates[3 + axis] = *rate,
             _ => {}
         }
     }
-    rates.iter().all(|rate| rate.iter().all(|number| number.is_finite())).then_some(rates)
+    rates.iter().all(|rate| rate.is_finite()).then_some(rates)
 }
 
 #[cfg(test)]
@@ -181,10 +196,9 @@ mod tests {
     #[test]
     fn structure_and_wake_rest_in_the_accelerations_that_are_found() {
         let found = accelerations(&small(), Vector3::z() * 2.0).unwrap();
-        assert_eq!((found[0].x, found[0].y, found[1]), (0.0, 0.0, Vector3::zeros()));
-        // Anew, with all equations side by side: unknown are v̇, q, η, λ̇ = η̇ + G ẋ = 0.
+        assert_eq!(found, Vector6::z() * found.z);
+        // Anew, with all equations side by side: unknown are v̇, q, η; q̈ = 0, η̇ = 0.
         let StateMatrix { matrix: a, .. } = small();
-        let g = [0.5, -0.25];
         let all = DMatrix::from_row_slice(
             4,
             4,
@@ -197,11 +211,11 @@ mod tests {
                 -a[(2, 1)],
                 -a[(2, 3)],
                 -a[(2, 4)], //
-                g[0],
+                0.0,
                 a[(3, 1)],
                 a[(3, 3)],
                 a[(3, 4)], //
-                g[1],
+                0.0,
                 a[(4, 1)],
                 a[(4, 3)],
                 a[(4, 4)],
@@ -209,7 +223,7 @@ mod tests {
         );
         let right = DVector::from_column_slice(&[a[(0, 0)], a[(2, 0)], -a[(3, 0)], -a[(4, 0)]]) * 2.0;
         let expected = all.lu().solve(&right).unwrap()[0];
-        assert!((found[0].z / expected - 1.0).abs() < 1e-13, "{} {expected}", found[0].z);
+        assert!((found.z / expected - 1.0).abs() < 1e-13, "{} {expected}", found.z);
     }
 
     #[test]

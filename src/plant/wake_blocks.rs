@@ -18,19 +18,46 @@ enum Block {
 impl WakeBlocks {
     /// Of D as a square matrix.
     pub fn of(inner: &DMatrix<f64>) -> Self {
+        WakeBlocks::of_entries(inner.nrows(), |row, column| inner[(row, column)])
+    }
+
+    /// Of the entries of D.
+    fn of_entries(rows: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
         let mut blocks = Vec::new();
         let mut row = 0;
-        while row < inner.nrows() {
-            let is_pair = row + 1 < inner.nrows() && inner[(row, row + 1)] != 0.0;
+        while row < rows {
+            let is_pair = row + 1 < rows && entry(row, row + 1) != 0.0;
             let block = if is_pair {
-                Block::Pair([0, 1].map(|i| [0, 1].map(|j| inner[(row + i, row + j)])))
+                Block::Pair([0, 1].map(|i| [0, 1].map(|j| entry(row + i, row + j))))
             } else {
-                Block::Lag(inner[(row, row)])
+                Block::Lag(entry(row, row))
             };
             blocks.push((row, block));
             row += if is_pair { 2 } else { 1 };
         }
         WakeBlocks(blocks)
+    }
+
+    /// A share of the way from here to another D of as many rows, in each entry. What is a pair in one of them is one here.
+    pub fn towards(&self, other: &Self, share: f64) -> Self {
+        let [one, other] = [self, other].map(WakeBlocks::bands);
+        let entry = |row: usize, column: usize| {
+            let band = column + 1 - row;
+            (1.0 - share) * one[row][band] + share * other[row][band]
+        };
+        WakeBlocks::of_entries(one.len(), entry)
+    }
+
+    /// Of each row of D the entries before the diagonal, on it and behind it.
+    fn bands(&self) -> Vec<[f64; 3]> {
+        let mut bands = Vec::new();
+        for &(_, block) in &self.0 {
+            match block {
+                Block::Lag(rate) => bands.push([0.0, rate, 0.0]),
+                Block::Pair([[a, b], [c, d]]) => bands.extend([[0.0, a, b], [c, d, 0.0]]),
+            }
+        }
+        bands
     }
 
     /// Dᵀ.
@@ -125,6 +152,17 @@ mod tests {
                 0.0, 0.0, 0.0, -5.0,
             ],
         )
+    }
+
+    #[test]
+    fn between_two_of_them_each_entry_is_between_also_where_a_pair_is_two_lags_in_one() {
+        let right = DMatrix::from_fn(4, 1, |i, _| 1.0 + i as f64);
+        let lags = DMatrix::from_diagonal(&DVector::from_vec(vec![-1.0, -2.0, -3.0, -4.0]));
+        for (one, other) in [(inner(), inner() * 2.0), (inner(), lags.clone()), (lags, inner())] {
+            let whole = &one * 0.75 + &other * 0.25;
+            let blocks = WakeBlocks::of(&one).towards(&WakeBlocks::of(&other), 0.25);
+            assert!((whole * blocks.divide(&right) - &right).amax() < 1e-14);
+        }
     }
 
     #[test]

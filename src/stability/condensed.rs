@@ -101,6 +101,18 @@ impl Condensed {
         Condensed { coupling, ..self.clone() }
     }
 
+    /// A share of the way from here to another motion of the same unknowns, in each entry [theory: stability.between].
+    pub fn towards(&self, other: &Condensed, share: f64) -> Self {
+        let between = |one: &DMatrix<f64>, other: &DMatrix<f64>| one * (1.0 - share) + other * share;
+        Condensed {
+            motion: between(&self.motion, &other.motion),
+            wake_on_motion: between(&self.wake_on_motion, &other.wake_on_motion),
+            motion_on_wake: between(&self.motion_on_wake, &other.motion_on_wake),
+            wake: self.wake.towards(&other.wake, share),
+            coupling: self.coupling,
+        }
+    }
+
     /// The same with an inflow that follows the motion ε > 0 times as slowly [theory: stability.modes].
     pub fn with_lag(&self, lag: f64) -> Self {
         let faster = 1.0 / lag;

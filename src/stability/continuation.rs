@@ -10,14 +10,24 @@ const SAME_SHAPE: f64 = 0.95;
 /// Steps smaller than this part of the path are not tried.
 const SMALLEST_STEP: f64 = 1.0 / 1024.0;
 
+/// How far a root could be followed that ends on the way.
+pub(super) struct Ended {
+    /// From 0 to 1.
+    pub place: f64,
+    /// There.
+    pub root: Root,
+}
+
 /// Follows a root from the beginning (0) of a path to its end (1), in steps of at most `largest_step`; smaller
-/// ones where the shape changes fast. None when the path or the root ends on the way: two roots that meet,
-/// such as a pair that becomes real, have no continuation.
+/// ones where the shape changes fast.
+///
+/// # Errors
+/// When the path or the root ends on the way: two roots that meet, such as a pair that becomes real, have no continuation.
 pub(super) fn follow(
     start: &Root,
     largest_step: f64,
     mut path: impl FnMut(f64) -> Option<Arc<Condensed>>,
-) -> Option<Root> {
+) -> Result<Root, Ended> {
     let mut root = start.clone();
     let (mut place, mut step) = (0.0_f64, largest_step);
     while place < 1.0 {
@@ -29,8 +39,8 @@ pub(super) fn follow(
         } else if step > SMALLEST_STEP {
             step *= 0.5;
         } else {
-            return None;
+            return Err(Ended { place, root });
         }
     }
-    Some(root)
+    Ok(root)
 }

@@ -191,7 +191,8 @@ fn arrived(problem: &Condensed, start: &Root, path: Path, others: &[Found]) -> O
     let root = match path {
         Path::Lag => follow(start, LARGEST_STEP, |place| Some(Arc::new(problem.with_lag(place * place)))),
         Path::Coupling => follow(start, 1.0, |coupling| Some(Arc::new(problem.with_coupling(coupling)))),
-    }?;
+    }
+    .ok()?;
     let root = root.upper();
     if others.iter().any(|other| other.seen.root.is_at(root.eigenvalue)) {
         return None;

@@ -10,6 +10,7 @@
 //! one trim, or from one trim to the next.
 //! A tool for the desk: everything here allocates.
 
+mod between;
 mod condensed;
 mod continuation;
 mod equilibrium;

@@ -7,13 +7,14 @@
 //! whole state matrix are computed at each speed too: an unstable one that no branch has reached (divergence
 //! often comes out of the wake's roots) begins a branch of its own, followed both ways.
 
-use std::collections::{HashMap, VecDeque};
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 use nalgebra::Complex;
 
+use super::between::Between;
 use super::condensed::{Condensed, Root};
-use super::continuation::follow;
+use super::continuation::{Ended, follow};
 use super::losses::{EquilibriumLoss, LossKind};
 use super::points::{AnalysedSpeed, Motions, UNSTABLE};
 
@@ -83,14 +84,31 @@ pub(super) struct Tracks<'a> {
     pub analysed: Vec<Analysed>,
     /// The latest motions.
     problems: VecDeque<Arc<Condensed>>,
-    /// Problems at speeds between the points of the present interval, by the bits of the airspeed.
-    between: HashMap<u64, Option<Arc<Condensed>>>,
+    /// The motions after the lower point of the interval in which a branch was followed last.
+    between: Option<(usize, Between)>,
+    /// Where branches begin or end within an interval.
+    ends: Vec<BranchEnd>,
+}
+
+/// The last root of a branch that could be followed no further, because it meets another one.
+struct BranchEnd {
+    branch: usize,
+    /// The lower one of the points between which it is.
+    interval: usize,
+    last: Place,
+}
+
+/// A root at an airspeed, m/s.
+#[derive(Clone)]
+struct Place {
+    airspeed: f64,
+    root: Root,
 }
 
 impl<'a> Tracks<'a> {
     pub fn new(aircraft: Motions<'a>) -> Self {
         let (branches, analysed) = (Vec::new(), Vec::new());
-        Tracks { aircraft, branches, analysed, problems: VecDeque::new(), between: HashMap::new() }
+        Tracks { aircraft, branches, analysed, problems: VecDeque::new(), between: None, ends: Vec::new() }
     }
 
     /// Follows the branches to the next point; `after_gap` when the speed before it was skipped, or is none.
@@ -104,7 +122,6 @@ impl<'a> Tracks<'a> {
         for branch in &mut self.branches {
             branch.roots.push(None);
         }
-        self.between.clear();
         if after_gap {
             self.begin(index);
         } else {
@@ -115,13 +132,10 @@ impl<'a> Tracks<'a> {
         self.analysed[index].unreached = unreached.copied().collect();
     }
 
-    /// The motion at a point; computed anew where it is no longer at hand.
+    /// The motion at a point, where it is still at hand.
     fn problem(&self, index: usize) -> Option<Arc<Condensed>> {
         let first = self.analysed.len() - self.problems.len();
-        match index.checked_sub(first) {
-            Some(place) => self.problems.get(place).cloned(),
-            None => self.aircraft.problem(self.analysed[index].airspeed),
-        }
+        self.problems.get(index.checked_sub(first)?).cloned()
     }
 
     /// Begins a branch for each root of rigid motion and structure: from the frozen to the moving wake.
@@ -131,7 +145,7 @@ impl<'a> Tracks<'a> {
         for frozen in problem.frozen_roots() {
             let path = |coupling| Some(Arc::new(problem.with_coupling(coupling)));
             let root = follow(&frozen, 1.0, path);
-            reached.extend(root.filter(|root| !reached.iter().any(|other| same(root, other))));
+            reached.extend(root.ok().filter(|root| !reached.iter().any(|other| same(root, other))));
         }
         for root in reached {
             match self.alike(index, &root) {
@@ -158,17 +172,22 @@ impl<'a> Tracks<'a> {
         let present: Vec<Option<Root>> =
             self.branches.iter().map(|branch| branch.roots[index - 1].clone()).collect();
         let step = |tracks: &mut Self, root: &Option<Root>, largest| {
-            root.as_ref().and_then(|root| tracks.step(root, (index - 1, index), largest))
+            root.as_ref().map(|root| tracks.step(root, (index - 1, index), largest))
         };
-        let next: Vec<Option<Root>> = present.iter().map(|root| step(self, root, 1.0)).collect();
-        for (branch, root) in next.iter().enumerate() {
-            let meets = |other: usize| match (root, &next[other]) {
-                (Some(root), Some(other)) => same(root, other),
+        let next: Vec<_> = present.iter().map(|root| step(self, root, 1.0)).collect();
+        for (branch, followed) in next.iter().enumerate() {
+            let meets = |other: usize| match (followed, &next[other]) {
+                (Some(Ok(root)), Some(Ok(other))) => same(root, other),
                 _ => false,
             };
             let is_shared = (0..next.len()).any(|other| other != branch && meets(other));
-            let root = if is_shared { step(self, &present[branch], CAREFUL_STEP) } else { root.clone() };
-            self.branches[branch].roots[index] = root;
+            let followed =
+                if is_shared { step(self, &present[branch], CAREFUL_STEP) } else { followed.clone() };
+            match followed {
+                Some(Ok(root)) => self.branches[branch].roots[index] = Some(root),
+                Some(Err(last)) => self.ends.push(BranchEnd { branch, interval: index - 1, last }),
+                None => {}
+            }
         }
     }
 
@@ -197,7 +216,10 @@ impl<'a> Tracks<'a> {
                 return;
             }
             let Some(root) = self.branches[branch].roots[index + 1].clone() else { return };
-            let Some(root) = self.step(&root, (index + 1, index), 1.0) else { return };
+            let root = match self.step(&root, (index + 1, index), 1.0) {
+                Ok(root) => root,
+                Err(last) => return self.ends.push(BranchEnd { branch, interval: index, last }),
+            };
             let others = self.branches.iter().filter_map(|other| other.roots[index].as_ref());
             if others.into_iter().any(|other| same(&root, other)) {
                 return;
@@ -220,18 +242,20 @@ impl<'a> Tracks<'a> {
         self.branches.iter().filter_map(|branch| branch.roots[index].as_ref()).any(is_it)
     }
 
-    /// Follows a root from one point to another.
-    fn step(&mut self, root: &Root, (from, to): (usize, usize), largest_step: f64) -> Option<Root> {
-        let [from, end] = [from, to].map(|index| self.analysed[index].airspeed);
-        let problem = self.problem(to);
-        let (aircraft, between) = (self.aircraft, &mut self.between);
-        follow(root, largest_step, |place| {
-            if place == 1.0 {
-                return problem.clone();
-            }
-            let airspeed = from + place * (end - from);
-            between.entry(airspeed.to_bits()).or_insert_with(|| aircraft.problem(airspeed)).clone()
-        })
+    /// Follows a root from one point to the next or the one before; where it ends on the way, to there.
+    fn step(&mut self, root: &Root, (from, to): (usize, usize), largest_step: f64) -> Result<Root, Place> {
+        let interval = from.min(to);
+        let last = self.between.take().filter(|(other, _)| *other == interval);
+        let (_, mut between) = last.unwrap_or_else(|| {
+            let points = [interval, interval + 1];
+            let ends = points.map(|index| self.problem(index));
+            (interval, Between::new(points.map(|index| self.analysed[index].airspeed), ends))
+        });
+        let path = |place: f64| between.at(if from < to { place } else { 1.0 - place }, self.aircraft);
+        let followed = follow(root, largest_step, path);
+        self.between = Some((interval, between));
+        let [begin, end] = [from, to].map(|index| self.analysed[index].airspeed);
+        followed.map_err(|Ended { place, root }| Place { airspeed: begin + place * (end - begin), root })
     }
 
     /// Where branches change their stability, by airspeed. Where the equilibrium jumps, roots cross nothing.
@@ -239,52 +263,64 @@ impl<'a> Tracks<'a> {
         let jumps = losses.iter().filter(|loss| matches!(loss.kind, LossKind::Jump { .. }));
         let jumps: Vec<[f64; 2]> = jumps.map(|loss| loss.between).collect();
         let mut crossings = Vec::new();
-        for (branch, Branch { roots }) in self.branches.iter().enumerate() {
-            for (points, pair) in self.analysed.windows(2).zip(roots.windows(2)) {
-                if let [Some(below), Some(above)] = pair
-                    && !points[1].after_gap
-                    && is_unstable(below) != is_unstable(above)
-                {
-                    let speeds = [points[0].airspeed, points[1].airspeed];
-                    let Some((airspeed, root)) = self.bisect(speeds, [below.clone(), above.clone()]) else {
-                        continue;
-                    };
-                    let slack = CROSSING_ACCURACY * airspeed;
-                    if jumps.iter().any(|[low, high]| low - slack <= airspeed && airspeed <= high + slack) {
-                        continue;
-                    }
-                    let is_static = root.eigenvalue.im.abs() < STATIC;
-                    let kind = if is_static { CrossingKind::Divergence } else { CrossingKind::Flutter };
-                    crossings.push(Crossing { airspeed, root, kind, is_onset: is_unstable(above), branch });
-                }
+        for (branch, interval) in
+            (0..self.branches.len()).flat_map(|b| (1..self.analysed.len()).map(move |i| (b, i - 1)))
+        {
+            let Some([below, above]) = self.both_sides(branch, interval) else { continue };
+            let is_onset = is_unstable(&above.root);
+            if is_unstable(&below.root) == is_onset {
+                continue;
             }
+            let Some(Place { airspeed, root }) = self.bisect(below, above) else { continue };
+            let slack = CROSSING_ACCURACY * airspeed;
+            if jumps.iter().any(|[low, high]| low - slack <= airspeed && airspeed <= high + slack) {
+                continue;
+            }
+            let is_static = root.eigenvalue.im.abs() < STATIC;
+            let kind = if is_static { CrossingKind::Divergence } else { CrossingKind::Flutter };
+            crossings.push(Crossing { airspeed, root, kind, is_onset, branch });
         }
         crossings.sort_by(|a, b| a.airspeed.total_cmp(&b.airspeed));
         crossings
     }
 
+    /// The lowest and the highest place of a branch in an interval; none where it is not in it, or where what is between was not analysed.
+    fn both_sides(&self, branch: usize, interval: usize) -> Option<[Place; 2]> {
+        let points = &self.analysed[interval..interval + 2];
+        if points[1].after_gap {
+            return None;
+        }
+        let roots = &self.branches[branch].roots[interval..interval + 2];
+        let place = |side: usize| {
+            let airspeed = points[side].airspeed;
+            roots[side].clone().map(|root| Place { airspeed, root })
+        };
+        let is_here = |end: &&BranchEnd| end.branch == branch && end.interval == interval;
+        let end = || self.ends.iter().find(is_here).map(|end| end.last.clone());
+        match [place(0), place(1)] {
+            [Some(below), Some(above)] => Some([below, above]),
+            [Some(below), None] => Some([below, end()?]),
+            [None, Some(above)] => Some([end()?, above]),
+            [None, None] => None,
+        }
+    }
+
     /// Halves an interval around a crossing, of which the roots at both ends are known. Near its lower end another root
     /// may be too close to follow this one, where it can still be followed from the upper end. None where it cannot be
     /// followed through.
-    fn bisect(
-        &self,
-        [mut low, mut high]: [f64; 2],
-        [mut below, mut above]: [Root; 2],
-    ) -> Option<(f64, Root)> {
-        let ends_unstable = is_unstable(&above);
-        while high - low > CROSSING_ACCURACY * high {
-            let middle = 0.5 * (low + high);
-            let from = |end: f64, root: &Root| {
-                follow(root, 1.0, |place| self.aircraft.problem(end + place * (middle - end)))
+    fn bisect(&self, mut below: Place, mut above: Place) -> Option<Place> {
+        let ends_unstable = is_unstable(&above.root);
+        while above.airspeed - below.airspeed > CROSSING_ACCURACY * above.airspeed {
+            let middle = 0.5 * (below.airspeed + above.airspeed);
+            let from = |Place { airspeed, root }: &Place| {
+                let path = |place| self.aircraft.problem(airspeed + place * (middle - airspeed));
+                follow(root, 1.0, path).ok()
             };
-            let root = from(low, &below).or_else(|| from(high, &above))?;
-            if is_unstable(&root) == ends_unstable {
-                (high, above) = (middle, root);
-            } else {
-                (low, below) = (middle, root);
-            }
+            let root = from(&below).or_else(|| from(&above))?;
+            let half = if is_unstable(&root) == ends_unstable { &mut above } else { &mut below };
+            *half = Place { airspeed: middle, root };
         }
-        Some((low, below))
+        Some(below)
     }
 }
 

@@ -107,6 +107,31 @@ fn control_moves_only_the_strips_of_its_stretch() {
 }
 
 #[test]
+fn flaps_of_one_surface_differ_along_it_by_laws_on_both_sides() {
+    let flap = "{ lift_slope_per_rad = { at = [0, 1], values = [4, 2] }, hinge = { polynomial = [0.7, 0.2] }, \
+                moment_slope = { per_element = [-0.1, -0.2, -0.3, -0.4] }, drag = { per_element = [0, 1.6, 0.2, 0.2] } }";
+    let aircraft = aircraft(&[("{ lift_slope_per_rad = 3, hinge = 0.75 }", flap)]);
+    for wing in ["wing_right", "wing_left"] {
+        let strips = strips(&aircraft, wing);
+        let flaps = || strips.iter().map(|strip| strip.flap.as_ref().unwrap());
+        assert_eq!(
+            flaps().map(|flap| flap.lift_slope).collect::<Vec<_>>(),
+            [3.75, 3.25, 2.75, 2.25],
+            "{wing}"
+        );
+        for (flap, expected) in flaps().zip([0.725, 0.775, 0.825, 0.875]) {
+            assert!((flap.hinge - expected).abs() < 1e-15, "{wing}: {} instead of {expected}", flap.hinge);
+        }
+        assert_eq!(
+            flaps().map(|flap| flap.moment_slope.unwrap()).collect::<Vec<_>>(),
+            [-0.1, -0.2, -0.3, -0.4],
+            "{wing}"
+        );
+        assert_eq!(flaps().map(|flap| flap.drag).collect::<Vec<_>>(), [0.0, 1.6, 0.2, 0.2], "{wing}");
+    }
+}
+
+#[test]
 fn laws_are_evaluated_at_the_middle_of_each_element() {
     let aircraft = aircraft(&[]);
     let root = &aircraft.beams[0];

@@ -70,7 +70,11 @@ const CLAIMS: &[Claim] = &[
         "harmonic_gusts",
         &["harmonic-gusts", "harmonic-gusts-single", "continuous-turbulence"],
     ),
-    ("Static margin", "static_margin", &["static-margin", "static-margin-half", "neutral-point"]),
+    (
+        "Static margin",
+        "static_margin",
+        &["static-margin", "static-margin-inflow", "static-margin-half", "neutral-point"],
+    ),
     ("Conservation in vacuum", "conservation", &["conservation-kept", "conservation-lost"]),
     ("What turns in engines", "rotors", &["gyrostat", "whirl", "rotors-conservation"]),
     ("Energy balance in air", "energy_balance", &["energy-balance"]),

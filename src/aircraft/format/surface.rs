@@ -143,35 +143,35 @@ static FLAP_TABLE: Table = Table {
     rules: &[],
     former: &[],
 };
-pub static FLAP_LIFT: Field = Field {
-    name: "lift_slope_per_rad",
-    kind: Kind::Number(&FLAP_LIFT_SLOPE),
-    unit: "per rad",
-    absent: Absent::Needed,
-    sentence: "CLδ, of the angle of the flap",
-};
-pub static HINGE: Field = Field {
-    name: "hinge",
-    kind: Kind::Number(&INSIDE_THE_CHORD),
-    unit: "",
-    absent: Absent::Needed,
-    sentence: "the hinge as a fraction of the chord behind the leading edge",
-};
+pub static FLAP_LIFT: Field = law(
+    "lift_slope_per_rad",
+    Kind::Law(&FLAP_LIFT_SLOPE, &FORMS),
+    "per rad",
+    Absent::Needed,
+    "CLδ, of the angle of the flap",
+);
+pub static HINGE: Field = law(
+    "hinge",
+    Kind::Law(&INSIDE_THE_CHORD, &FORMS),
+    "",
+    Absent::Needed,
+    "the hinge as a fraction of the chord behind the leading edge",
+);
 
-pub static FLAP_MOMENT: Field = Field {
-    name: "moment_slope",
-    kind: Kind::Number(&MOMENT_COEFFICIENT_SLOPE),
-    unit: "",
-    absent: Absent::Found("that of thin-aerofoil theory by `lift_slope_per_rad` and `hinge`"),
-    sentence: "c_mδ per rad, of the angle of the flap: moment coefficient about the quarter chord, nose-up positive (usual ones are negative)",
-};
-pub static FLAP_DRAG: Field = Field {
-    name: "drag",
-    kind: Kind::Number(&FLAP_DRAG_COEFFICIENT),
-    unit: "",
-    absent: Absent::Number(0.0),
-    sentence: "k per rad²: the flap turned by δ adds kδ² to CD0",
-};
+pub static FLAP_MOMENT: Field = law(
+    "moment_slope",
+    Kind::Law(&MOMENT_COEFFICIENT_SLOPE, &FORMS),
+    "",
+    Absent::Found("that of thin-aerofoil theory by `lift_slope_per_rad` and `hinge`"),
+    "c_mδ per rad, of the angle of the flap: moment coefficient about the quarter chord, nose-up positive (usual ones are negative)",
+);
+pub static FLAP_DRAG: Field = law(
+    "drag",
+    Kind::Law(&FLAP_DRAG_COEFFICIENT, &FORMS),
+    "",
+    Absent::Number(0.0),
+    "k per rad²: the flap turned by δ adds kδ² to CD0; a law where airbrakes and ailerons share a surface",
+);
 
 static MOVE: Table = Table {
     path: "component.surface.control",
