@@ -15,7 +15,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
-use crate::plant::{StateMatrix, WakeBlocks, product};
+use crate::plant::{StateMatrix, Unknown, WakeBlocks, product};
 
 /// Iterations in which a near root is found, or none.
 const MAX_ITERATIONS: usize = 12;
@@ -32,6 +32,10 @@ const DEFLATION: f64 = 1e-13;
 /// Relative distance within which eigenvalues count as equal.
 const EQUAL: f64 = 1e-6;
 
+/// What a metre of height counts where shapes are compared, as metres a second: about g/V, by which height and speed exchange their energy. In
+/// slow motions height would else be so much more than all the rest, in its own unit, that they seemed to be alike.
+const HEIGHT: f64 = 0.1;
+
 /// A root of the linearised motion: e^(λt) times a shape.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Root {
@@ -42,11 +46,6 @@ pub struct Root {
 }
 
 impl Root {
-    /// How much the shapes agree, 0 to 1 (the modal assurance criterion).
-    pub fn agreement(&self, other: &Root) -> f64 {
-        self.shape.dotc(&other.shape).norm_sqr()
-    }
-
     /// The same root, or the upper one of its pair; real where it is that but for rounding.
     pub(super) fn upper(self) -> Self {
         let Root { mut eigenvalue, shape } = self;
@@ -73,6 +72,8 @@ pub(super) struct Condensed {
     motion_on_wake: DMatrix<f64>,
     wake: WakeBlocks,
     coupling: f64,
+    /// Place of the height among the unknowns, if it is one of them.
+    height: Option<usize>,
 }
 
 impl Condensed {
@@ -88,6 +89,7 @@ impl Condensed {
             motion_on_wake: part((motion, 0), (wake, motion)),
             wake: WakeBlocks::of(&part((motion, motion), (wake, wake))),
             coupling: 1.0,
+            height: unknowns.iter().position(|unknown| *unknown == Unknown::Down),
         }
     }
 
@@ -110,6 +112,7 @@ impl Condensed {
             motion_on_wake: between(&self.motion_on_wake, &other.motion_on_wake),
             wake: self.wake.towards(&other.wake, share),
             coupling: self.coupling,
+            height: self.height,
         }
     }
 
@@ -162,6 +165,16 @@ impl Condensed {
         let mut shape = shapes.max_by(|a, b| a.norm().total_cmp(&b.norm()))?;
         shape /= Complex::from(shape.norm());
         self.refine(&Root { eigenvalue: beside, shape }).filter(|root| root.is_at(eigenvalue))
+    }
+
+    /// How much the shapes of two roots agree, 0 to 1 (the modal assurance criterion) [theory: stability.agreement].
+    pub fn agreement(&self, one: &Root, other: &Root) -> f64 {
+        // The whole product, and what is too much of it.
+        let product = |one: &Root, other: &Root| {
+            let of_height = |at: usize| one.shape[at].conj() * other.shape[at] * (1.0 - HEIGHT * HEIGHT);
+            one.shape.dotc(&other.shape) - self.height.map_or(Complex::from(0.0), of_height)
+        };
+        product(one, other).norm_sqr() / (product(one, one).re * product(other, other).re)
     }
 
     /// The root near a guess [theory: stability.inverse-iteration].

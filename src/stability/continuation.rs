@@ -32,8 +32,11 @@ pub(super) fn follow(
     let (mut place, mut step) = (0.0_f64, largest_step);
     while place < 1.0 {
         let target = (place + step).min(1.0);
-        let next = path(target).and_then(|problem| problem.refine(&root));
-        if let Some(next) = next.filter(|next| next.agreement(&root) > SAME_SHAPE) {
+        let next = path(target).and_then(|problem| {
+            let next = problem.refine(&root)?;
+            (problem.agreement(&root, &next) > SAME_SHAPE).then_some(next)
+        });
+        if let Some(next) = next {
             (root, place) = (next, target);
             step = (2.0 * step).min(largest_step);
         } else if step > SMALLEST_STEP {

@@ -130,10 +130,15 @@ impl Sweep {
         }
         let Gathered { losses, skipped, unknowns, limits_exceeded, .. } = gathered;
         let crossings = tracks.crossings(&losses);
-        let Tracks { branches, analysed, .. } = tracks;
+        let Tracks { branches, analysed, ends, .. } = tracks;
         let unreached = analysed.iter().flat_map(|at| at.unreached.iter().map(|&value| (at.airspeed, value)));
-        let findings =
-            Findings { analysed: &analysed, branches: &branches, crossings: &crossings, losses: &losses };
+        let findings = Findings {
+            analysed: &analysed,
+            branches: &branches,
+            ends: &ends,
+            crossings: &crossings,
+            losses: &losses,
+        };
         Ok(Sweep {
             airspeeds: analysed.iter().map(|at| at.airspeed).collect(),
             skipped,

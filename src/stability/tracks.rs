@@ -87,22 +87,22 @@ pub(super) struct Tracks<'a> {
     /// The motions after the lower point of the interval in which a branch was followed last.
     between: Option<(usize, Between)>,
     /// Where branches begin or end within an interval.
-    ends: Vec<BranchEnd>,
+    pub ends: Vec<BranchEnd>,
 }
 
-/// The last root of a branch that could be followed no further, because it meets another one.
-struct BranchEnd {
-    branch: usize,
+/// The last root of a branch that could be followed no further, because it meets or joins another one.
+pub(super) struct BranchEnd {
+    pub branch: usize,
     /// The lower one of the points between which it is.
-    interval: usize,
-    last: Place,
+    pub interval: usize,
+    pub last: Place,
 }
 
 /// A root at an airspeed, m/s.
 #[derive(Clone)]
-struct Place {
-    airspeed: f64,
-    root: Root,
+pub(super) struct Place {
+    pub airspeed: f64,
+    pub root: Root,
 }
 
 impl<'a> Tracks<'a> {
@@ -161,8 +161,10 @@ impl<'a> Tracks<'a> {
     fn alike(&self, index: usize, root: &Root) -> Option<usize> {
         let before = index.checked_sub(1)?;
         let free = self.branches.iter().enumerate().filter(|(_, branch)| branch.roots[index].is_none());
-        let agreements =
-            free.filter_map(|(place, branch)| Some((place, branch.roots[before].as_ref()?.agreement(root))));
+        let problem = self.problem(index)?;
+        let agreements = free.filter_map(|(place, branch)| {
+            Some((place, problem.agreement(branch.roots[before].as_ref()?, root)))
+        });
         let (place, agreement) = agreements.max_by(|a, b| a.1.total_cmp(&b.1))?;
         (agreement > ALIKE).then_some(place)
     }
@@ -216,16 +218,25 @@ impl<'a> Tracks<'a> {
                 return;
             }
             let Some(root) = self.branches[branch].roots[index + 1].clone() else { return };
-            let root = match self.step(&root, (index + 1, index), 1.0) {
-                Ok(root) => root,
-                Err(last) => return self.ends.push(BranchEnd { branch, interval: index, last }),
-            };
-            let others = self.branches.iter().filter_map(|other| other.roots[index].as_ref());
-            if others.into_iter().any(|other| same(&root, other)) {
-                return;
+            let mut followed = self.step(&root, (index + 1, index), 1.0);
+            if followed.as_ref().is_ok_and(|root| self.has(index, root)) {
+                followed = self.step(&root, (index + 1, index), CAREFUL_STEP);
             }
-            self.branches[branch].roots[index] = Some(root);
+            let last = match followed {
+                Ok(root) if self.has(index, &root) => Place { airspeed: self.analysed[index].airspeed, root },
+                Ok(root) => {
+                    self.branches[branch].roots[index] = Some(root);
+                    continue;
+                }
+                Err(last) => last,
+            };
+            return self.ends.push(BranchEnd { branch, interval: index, last });
         }
+    }
+
+    /// Whether some branch has this root at a point.
+    fn has(&self, index: usize, root: &Root) -> bool {
+        self.branches.iter().filter_map(|branch| branch.roots[index].as_ref()).any(|other| same(root, other))
     }
 
     fn begin_branch(&mut self, index: usize, root: Root) -> usize {
@@ -281,6 +292,12 @@ impl<'a> Tracks<'a> {
             crossings.push(Crossing { airspeed, root, kind, is_onset, branch });
         }
         crossings.sort_by(|a, b| a.airspeed.total_cmp(&b.airspeed));
+        // A branch that joins another one may have a crossing of that.
+        crossings.dedup_by(|later, earlier| {
+            later.airspeed - earlier.airspeed <= CROSSING_ACCURACY * later.airspeed
+                && later.is_onset == earlier.is_onset
+                && near(later.root.eigenvalue, earlier.root.eigenvalue)
+        });
         crossings
     }
 
@@ -305,22 +322,39 @@ impl<'a> Tracks<'a> {
         }
     }
 
-    /// Halves an interval around a crossing, of which the roots at both ends are known. Near its lower end another root
-    /// may be too close to follow this one, where it can still be followed from the upper end. None where it cannot be
-    /// followed through.
+    /// Halves an interval around a crossing, of which the roots at both ends are known. Near an end another root may be so close that
+    /// this one is lost to it from there: of what is reached from both ends, that counts whose growth is nearest to their mean. Where nothing is
+    /// reached, as between two real roots and the pair that they become, the crossing is looked for on the unstable side. None where it is not
+    /// there, or a trim is missing.
     fn bisect(&self, mut below: Place, mut above: Place) -> Option<Place> {
         let ends_unstable = is_unstable(&above.root);
+        let mut is_enclosed = true;
         while above.airspeed - below.airspeed > CROSSING_ACCURACY * above.airspeed {
-            let middle = 0.5 * (below.airspeed + above.airspeed);
-            let from = |Place { airspeed, root }: &Place| {
-                let path = |place| self.aircraft.problem(airspeed + place * (middle - airspeed));
-                follow(root, 1.0, path).ok()
-            };
-            let root = from(&below).or_else(|| from(&above))?;
-            let half = if is_unstable(&root) == ends_unstable { &mut above } else { &mut below };
-            *half = Place { airspeed: middle, root };
+            let airspeed = 0.5 * (below.airspeed + above.airspeed);
+            let problem = self.aircraft.problem(airspeed)?;
+            let reached = self.reached_between([&below, &above], airspeed, &problem);
+            let becomes_above = reached.as_ref().is_some_and(is_unstable) == ends_unstable;
+            let half = if becomes_above { &mut above } else { &mut below };
+            if !reached.as_ref().is_some_and(is_unstable) {
+                is_enclosed = reached.is_some();
+            }
+            *half = Place { airspeed, root: reached.unwrap_or_else(|| half.root.clone()) };
         }
-        Some(below)
+        is_enclosed.then_some(below)
+    }
+
+    /// The root of the motion at an airspeed between two others, followed from both.
+    fn reached_between(&self, ends: [&Place; 2], at: f64, problem: &Arc<Condensed>) -> Option<Root> {
+        let from = |Place { airspeed, root }: &Place| {
+            let path = |place| match place {
+                1.0 => Some(Arc::clone(problem)),
+                _ => self.aircraft.problem(airspeed + place * (at - airspeed)),
+            };
+            follow(root, 1.0, path).ok()
+        };
+        let mean = ends.iter().map(|end| end.root.eigenvalue.re).sum::<f64>() / 2.0;
+        let off = |root: &Root| (root.eigenvalue.re - mean).abs();
+        ends.into_iter().filter_map(from).min_by(|one, other| off(one).total_cmp(&off(other)))
     }
 }
 
@@ -330,7 +364,7 @@ fn is_unstable(root: &Root) -> bool {
 
 /// Whether two roots are one: eigenvalue and shape.
 fn same(one: &Root, other: &Root) -> bool {
-    one.is_at(other.eigenvalue) && one.agreement(other) > 0.5
+    one.is_at(other.eigenvalue) && one.shape.dotc(&other.shape).norm_sqr() > 0.5
 }
 
 fn near(one: Complex<f64>, other: Complex<f64>) -> bool {

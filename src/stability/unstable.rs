@@ -5,7 +5,7 @@ use nalgebra::Complex;
 use super::condensed::Root;
 use super::losses::EquilibriumLoss;
 use super::points::UNSTABLE;
-use super::tracks::{Analysed, Branch, Crossing};
+use super::tracks::{Analysed, Branch, BranchEnd, Crossing};
 
 /// Neighbouring analysed airspeeds at which a root is unstable.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +35,8 @@ pub enum Onset {
     Crossing(f64),
     /// The equilibrium was lost at this airspeed, m/s.
     Loss(f64),
+    /// It begins to grow at this airspeed, m/s, where it leaves another root.
+    Begins(f64),
     /// It appears after this analysed airspeed, m/s, without a crossing that was found.
     Unseen(f64),
 }
@@ -43,6 +45,7 @@ pub enum Onset {
 pub(super) struct Findings<'a> {
     pub analysed: &'a [Analysed],
     pub branches: &'a [Branch],
+    pub ends: &'a [BranchEnd],
     pub crossings: &'a [Crossing],
     pub losses: &'a [EquilibriumLoss],
 }
@@ -106,6 +109,10 @@ impl Findings<'_> {
             Onset::Crossing(crossing.airspeed)
         } else if let Some(loss) = self.losses.iter().find(|loss| is_here(loss.between[0])) {
             Onset::Loss(loss.between[0])
+        } else if let Some(end) =
+            self.ends.iter().find(|end| Some(end.branch) == branch && end.interval + 1 == index)
+        {
+            Onset::Begins(end.last.airspeed)
         } else {
             Onset::Unseen(before)
         }

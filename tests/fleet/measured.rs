@@ -3,13 +3,14 @@
 use std::f64::consts::{LN_2, TAU};
 use std::sync::Arc;
 
+use flexible_aircraft::air::Air;
 use flexible_aircraft::equations::Fidelity;
 use flexible_aircraft::plant::{LimitExceeded, Plant, PlantSettings};
 use flexible_aircraft::structure::{ModeFamily, ReducedModel};
 use flexible_aircraft::symmetry::Plants;
 use flexible_aircraft::{Aircraft, Flight};
 
-use super::{CLEARANCE, Entry, MODES, SPIRAL_DOUBLES};
+use super::{CLEARANCE, Entry, MACH, MODES, SPIRAL_DOUBLES};
 
 /// Airspeeds at which all roots of the linearised motion are looked at.
 const AIRSPEEDS: u32 = 12;
@@ -107,6 +108,8 @@ impl Measured {
 /// double, s.
 fn flutter_free(entry: &Entry, model: &ReducedModel, settings: &PlantSettings) -> Option<f64> {
     let (from, to) = (settings.airspeed, CLEARANCE * entry.maximum_speed);
+    let mach = to / Air::at(settings.altitude).speed_of_sound;
+    assert!(mach < MACH, "{}: {to} m/s is Mach {mach}", entry.name);
     let mut fastest = 0.0_f64;
     for point in 0..AIRSPEEDS {
         let airspeed = from + (to - from) * f64::from(point) / f64::from(AIRSPEEDS - 1);

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::equations::Fidelity;
-use flexible_aircraft::plant::{Plant, PlantSettings, StateMatrix};
-use flexible_aircraft::stability::{CrossingKind, LossKind, Onset, Sweep};
-use flexible_aircraft::structure::ReducedModel;
+use flexible_aircraft::plant::{ModeSelection, Plant, PlantSettings, StateMatrix};
+use flexible_aircraft::stability::{Crossing, CrossingKind, LossKind, Onset, Sweep};
+use flexible_aircraft::structure::{ModeFamily, ReducedModel};
 use nalgebra::{Complex, Matrix2, Vector2};
 
 use crate::support::{eight_symmetric, jet};
@@ -330,4 +330,34 @@ fn a_continuous_equilibrium_is_not_lost() {
         let sweep = Sweep::new(&forward_swept(incidence), &settings(0.0, 6, 5), &airspeeds).unwrap();
         assert!(sweep.losses.is_empty() && sweep.unstable.is_empty(), "{:?}", sweep.losses);
     }
+}
+
+/// The phugoid of a sailplane whose wing is soft in torsion becomes two real roots, of which one grows, between two airspeeds: the branch of that
+/// one begins and crosses between them, and eigenvalues of whole state matrices beside the crossing say the same.
+#[test]
+fn one_of_two_real_roots_that_a_pair_leaves_is_seen_to_cross() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("aircraft/sailplane.toml");
+    let text = std::fs::read_to_string(path).unwrap();
+    let soft = text.replacen("factor = 0.7 }", "factor = 0.3 }", 1);
+    assert_ne!(soft, text);
+    let model = ReducedModel::new(&Aircraft::parse(&soft, "soft.toml").unwrap(), 20).unwrap();
+    let symmetric = model.modes.iter().filter(|mode| mode.family == ModeFamily::Symmetric).count();
+    let settings = PlantSettings {
+        mode_count: symmetric,
+        mode_selection: ModeSelection::Symmetric,
+        ..PlantSettings::of(&model)
+    };
+    let sweep = Sweep::new(&model, &settings, &[76.0, 84.0]).unwrap();
+    let is_onset = |crossing: &&Crossing| crossing.is_onset;
+    let crossing = sweep.crossings.iter().find(is_onset).unwrap_or_else(|| panic!("{:?}", sweep.unstable));
+    assert_eq!(crossing.kind, CrossingKind::Divergence);
+    assert_eq!(sweep.unstable[0].onset, Onset::Crossing(crossing.airspeed));
+    let growth = |airspeed: f64| {
+        let settings = PlantSettings { airspeed, ..settings };
+        let plant = Plant::under(&model, &settings).unwrap();
+        let trim = plant.trim(&settings.trim_condition()).unwrap();
+        plant.linearise(&trim).eigenvalues().unwrap().iter().map(|root| root.re).fold(f64::MIN, f64::max)
+    };
+    let [below, above] = [-0.01, 0.01].map(|beside| growth(crossing.airspeed + beside));
+    assert!(below < 1e-6 && above > 1e-5, "{} m/s: {below} {above}", crossing.airspeed);
 }

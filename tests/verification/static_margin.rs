@@ -23,10 +23,6 @@ fn of_plant(plant: &Plant, settings: &PlantSettings) -> StaticStability {
     plant.static_stability(&trim).unwrap()
 }
 
-fn of_whole(settings: &PlantSettings) -> StaticStability {
-    of_plant(&Plant::under(&jet(), settings).unwrap(), settings)
-}
-
 /// A model of a file beside the tests or of a shipped one, with its first modes.
 fn model(file: &str, modes: usize) -> ReducedModel {
     ReducedModel::new(&aircraft(file), modes).unwrap()

@@ -122,7 +122,8 @@ fn marks(analysis: &Analysis) -> Vec<Mark> {
         LossKind::NoneAbove(_) => (loss.between[0], "no trim above"),
         LossKind::NoneBelow(_) => (loss.between[1], "no trim below"),
     });
-    let unseen = sweep.unstable.iter().filter(|range| matches!(range.onset, Onset::Unseen(_)));
+    let unseen =
+        sweep.unstable.iter().filter(|range| matches!(range.onset, Onset::Begins(_) | Onset::Unseen(_)));
     let unseen = unseen.map(|range| (range.first, "unstable"));
     let mut lines: Vec<(f64, &str)> = onsets.chain(losses).chain(unseen).collect();
     lines.sort_by(|a, b| a.0.total_cmp(&b.0));

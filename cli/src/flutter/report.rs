@@ -68,6 +68,7 @@ fn unstable(analysis: &Analysis) -> String {
             Onset::AfterGap(airspeed) => format!("not analysed from {airspeed:.2} m/s to there"),
             Onset::Crossing(airspeed) => format!("since it crossed at {airspeed:.2} m/s"),
             Onset::Loss(airspeed) => format!("since the equilibrium was lost at {airspeed:.2} m/s"),
+            Onset::Begins(airspeed) => format!("since it left another root at {airspeed:.2} m/s"),
             Onset::Unseen(airspeed) => format!("appears after {airspeed:.2} m/s, no crossing was found"),
         };
         let at = analysis.sweep.airspeeds.iter().position(|airspeed| airspeed == first);
@@ -92,7 +93,10 @@ fn absent(kind: CrossingKind, word: &str, analysis: &Analysis) -> String {
     }
     let is_of_kind = |range: &&UnstableRange| {
         oscillates_at(range.at_first) == (kind == CrossingKind::Flutter)
-            && matches!(range.onset, Onset::AfterGap(_) | Onset::Loss(_) | Onset::Unseen(_))
+            && matches!(
+                range.onset,
+                Onset::AfterGap(_) | Onset::Loss(_) | Onset::Begins(_) | Onset::Unseen(_)
+            )
     };
     if sweep.unstable.iter().any(|range| is_of_kind(&range)) {
         format!("  no crossing into {word} from {from} to {to} m/s, but see what is unstable above\n")
