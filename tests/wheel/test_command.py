@@ -60,11 +60,16 @@ def test_bench_says_what_it_needs_and_reproduce_finds_everything(run, tmp_path):
 def test_ctrl_c_ends_the_command_and_leaves_nothing(tmp_path):
     program = Path(sys.executable).with_name("flexair")
     command = [program, "simulate", "--duration", "90000", "--output", "flight.csv"]
-    with subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE) as running:
+    # A shell that starts tests in the background has them ignore it.
+    heeded = lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)  # noqa: E731
+    with subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE, preexec_fn=heeded) as running:
         deadline = time.monotonic() + 60
         while not list(tmp_path.iterdir()) and time.monotonic() < deadline:
             time.sleep(0.05)
         assert list(tmp_path.iterdir()), "nothing was begun"
         running.send_signal(signal.SIGINT)
-        assert running.wait(timeout=60) == 130
+        try:
+            assert running.wait(timeout=60) == 130
+        finally:
+            running.kill()
     assert list(tmp_path.iterdir()) == []
