@@ -133,3 +133,28 @@ fn the_example_trims_with_propellers_and_without_a_warning() {
     );
     assert!(code == Some(0) && flight.lines().count() == 42, "{errors}");
 }
+
+/// Beams that form loops are read, checked and flown.
+#[test]
+fn a_braced_wing_is_written_with_joints_and_swings_in_a_tunnel() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let deck = workspace("examples/nastran/braced.bdf").canonicalize().unwrap();
+    let (code, output, errors) = ended(folder, &format!("import nastran {}", deck.display()));
+    assert_eq!((code, errors.as_str()), (Some(0), ""), "{output}");
+    assert!(output.contains("note: CBAR 134 closes a loop at GRID 107: a [[joint]] there"), "{output}");
+    let written = std::fs::read_to_string(folder.join("braced.toml")).unwrap();
+    assert!(
+        written.contains("\nmodel = \"exact\"\n")
+            && written.contains("\n[[joint]]")
+            && !written.contains("\n[[cut]]"),
+        "{written}"
+    );
+    let (code, output, errors) = ended(folder, "check braced.toml");
+    assert_ne!(code, Some(1), "{output}{errors}");
+    let (code, flight, errors) = ended(
+        folder,
+        "simulate --aircraft braced.toml --modes 6 --step 0.02 --input aileron=doublet:0.05@0.1:0.2 --duration 1",
+    );
+    assert!(code == Some(0) && flight.lines().count() == 52, "{errors}");
+}

@@ -22,6 +22,9 @@ pub enum Support {
 /// Lift coefficient of a trim whose airspeed nobody gives.
 const LIFT_COEFFICIENT: f64 = 0.5;
 
+/// No wing has this lift coefficient in level flight.
+const MOST_LIFT: f64 = 4.0;
+
 /// Airspeed, m/s, of what is clamped, where nobody gives one.
 const TUNNEL_SPEED: f64 = 50.0;
 
@@ -30,9 +33,12 @@ pub fn held(structure: &Structure) -> String {
     let grid = structure.root_grid;
     match &structure.held {
         Held::Clamped(origin) => format!("O: GRID {grid}, which {origin} clamps"),
-        Held::Hinged(origin) => format!(
-            "O: 1 mm beside GRID {grid}, which the springs of {origin} hold, as an element of that length"
-        ),
+        Held::Hinged { by, needs_links: false } => format!("O: GRID {grid}, which the springs of {by} hold"),
+        Held::Hinged { by, needs_links: true } => {
+            format!(
+                "O: GRID {grid}, which the springs of {by} hold, with two rigid elements of 1 mm there and back"
+            )
+        }
         Held::Asked => format!("O: GRID {grid} (--origin)"),
         Held::Supported => format!("O: GRID {grid} (SUPORT)"),
         Held::NearestToMass => {
@@ -82,7 +88,7 @@ pub fn support(
     roles: &[Option<Role>],
     remarks: &mut Remarks,
 ) -> Support {
-    let is_held = matches!(structure.held, Held::Clamped(_) | Held::Hinged(_));
+    let is_held = matches!(structure.held, Held::Clamped(_) | Held::Hinged { .. });
     let usual = if is_held { Support::Clamped } else { Support::Free };
     let support = asked.unwrap_or(usual);
     if support == Support::Free && !roles.contains(&Some(Role::Pitch)) {
@@ -106,10 +112,15 @@ pub fn airspeed(
         return (airspeed, String::new());
     }
     let flies = |airspeed: &f64| (1.0..=400.0).contains(airspeed);
-    if let Some(airspeed) = cards.aero.reference.airspeed.map(|airspeed| airspeed * length).filter(flies) {
-        return (airspeed, "VELOCITY of AERO".to_owned());
-    }
     let density = Air::at(altitude).density;
+    let needed = |airspeed: f64| 2.0 * mass * STANDARD_GRAVITY / (density * area * airspeed * airspeed);
+    if let Some(airspeed) = cards.aero.reference.airspeed.map(|airspeed| airspeed * length).filter(flies) {
+        // Often it is 1 and no airspeed: flutter analyses measure by it.
+        let is_real = airspeed > length && (support == Support::Clamped || needed(airspeed) <= MOST_LIFT);
+        if is_real {
+            return (airspeed, "VELOCITY of AERO".to_owned());
+        }
+    }
     let airspeed = libm::sqrt(2.0 * mass * STANDARD_GRAVITY / (density * area * LIFT_COEFFICIENT)).round();
     match support {
         Support::Free if flies(&airspeed) => {
@@ -136,7 +147,7 @@ pub fn engines(
         if engines.iter().any(|engine| engine.name == *name) {
             mistakes.of_whole(format!("--engine: found {name} twice, each has a name of its own"));
         }
-        let (component, node) = structure.carrier(node);
+        let (component, node) = structure.carriers(node)[0];
         engines.push(Engine { name: name.clone(), component, node, offset: place - at });
     }
     engines

@@ -16,7 +16,7 @@ use super::pairs::{self, Side};
 use super::structure::{Parts, Structure};
 use super::units::UnitSystem;
 use super::write::{self, Engine, Written};
-use super::{layout, lumps, members};
+use super::{joints, layout, lumps, members};
 use crate::marked::RejectedFiles;
 
 /// Nothing that is read is farther from O, m.
@@ -148,7 +148,11 @@ fn found(request: &Request, (deck, cards): (&Deck, &Cards), remarks: &mut Remark
     };
     let members = members::members((cards, &world, &units), (&mut mistakes, remarks));
     let lumps = lumps::lumps((cards, &world, &units), (&mut mistakes, remarks));
-    let masses = [lumps.iter().map(|lump| lump.mass).sum(), members.iter().map(members::Member::mass).sum()];
+    // A sum of nothing is -0.
+    let masses: [f64; 2] = [
+        0.0 + lumps.iter().map(|lump| lump.mass).sum::<f64>(),
+        0.0 + members.iter().map(members::Member::mass).sum::<f64>(),
+    ];
     conclude(mistakes, deck)?;
     let mut mistakes = Mistakes::default();
     let parts = Parts {
@@ -157,7 +161,7 @@ fn found(request: &Request, (deck, cards): (&Deck, &Cards), remarks: &mut Remark
         units: &units,
         members,
         lumps,
-        sets: &deck.constraint_sets,
+        sets: deck.constraint_sets.as_deref(),
         root: request.root,
     };
     let structure = Structure::new(parts, (&mut mistakes, remarks));
@@ -181,13 +185,17 @@ fn found(request: &Request, (deck, cards): (&Deck, &Cards), remarks: &mut Remark
         remarks.note(said);
         roles = aero::roles(&aero::moments(&structure, &surfaces, controls.len()));
     }
-    let sides = pairs::sides(&structure, &surfaces);
+    let sides = joints::agreed(&structure, pairs::sides(&structure, &surfaces));
     let support = choices::support(request.support, &structure, &roles, remarks);
     if let Some(half) = &cards.aero.reference.half {
-        remarks.card(half, "SYMXZ says that half of an aircraft is meant: it is not mirrored");
+        remarks.card(half, "SYMXZ or SYMXY says that half of an aircraft is meant: it is not mirrored");
     }
     let names = layout::names(&structure);
-    let area = panels.iter().map(|panel| panel.area(0.0, 1.0) * panel.span().normalize().y.powi(2)).sum();
+    let area = panels
+        .iter()
+        .filter(|panel| panel.behind.is_none())
+        .map(|panel| panel.area(0.0, 1.0) * panel.span().normalize().y.powi(2))
+        .sum();
     let airspeed = choices::airspeed(
         (request.airspeed, request.altitude),
         cards,

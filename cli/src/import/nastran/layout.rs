@@ -1,15 +1,20 @@
 //! Names for people: what a component is by where it lies and which way it runs.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Vector3;
 
 use super::names;
-use super::structure::{Component, Structure};
+use super::structure::{Component, NodeRef, Structure};
 
 /// Places that are nearer to the plane of symmetry than this share of the aircraft are in it.
 pub const IN_PLANE: f64 = 1e-6;
 
 /// Surfaces that are apart along x by more than this share of the aircraft are not one wing.
 const APART: f64 = 0.1;
+
+/// How many components have a name on a side.
+type Counts = BTreeMap<(&'static str, &'static str), usize>;
 
 /// Which way a component runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,34 +52,51 @@ fn way(component: &Component) -> Way {
 /// The name of each component.
 pub fn names(structure: &Structure) -> Vec<String> {
     let size = size(structure);
-    let aside =
-        structure.components.iter().filter(|component| way(component) == Way::Aside && !is_link(component));
+    let aside = structure
+        .components
+        .iter()
+        .filter(|component| way(component) == Way::Aside && !is_link(component) && !component.is_strut);
     let wing = aside.max_by(|one, other| reach(one).y.abs().total_cmp(&reach(other).y.abs()));
     let mut taken = Vec::new();
+    let mut counts = Counts::new();
+    let mut bases: Vec<&'static str> = Vec::new();
     for component in &structure.components {
         let base = base(component, wing, size);
+        let goes_on = of_parent(structure, component).map(|parent| bases[parent]);
+        // What goes on from a wing is the same wing.
+        let base = goes_on
+            .filter(|&parent| {
+                ["wing", "tail", "canard"].contains(&parent) && ["wing", "tail", "canard"].contains(&base)
+            })
+            .unwrap_or(base);
+        bases.push(base);
         let y = middle(component).y;
         let name = if y.abs() <= IN_PLANE * size || base == "root" {
             base.to_owned()
         } else {
             let side = if y > 0.0 { "right" } else { "left" };
-            side_free(base, side, &taken)
+            numbered(base, side, &mut counts)
         };
         taken.push(names::free(&name, "beam", &taken));
     }
     taken
 }
 
-/// `wing_right`, `wing_2_right`.
-fn side_free(base: &str, side: &str, taken: &[String]) -> String {
-    let mut number = 1;
-    loop {
-        let name = if number == 1 { format!("{base}_{side}") } else { format!("{base}_{number}_{side}") };
-        if !taken.contains(&name) {
-            return name;
-        }
-        number += 1;
+/// The component that one hangs on at its last node, beyond rigid links.
+fn of_parent(structure: &Structure, component: &Component) -> Option<usize> {
+    let NodeRef::Node { component: place, node } = component.parent else { return None };
+    let parent = &structure.components[place];
+    match () {
+        () if is_link(parent) => of_parent(structure, parent),
+        () => (node + 1 == parent.points.len()).then_some(place),
     }
+}
+
+/// `wing_right`, `wing_2_right`.
+fn numbered(base: &'static str, side: &'static str, counts: &mut Counts) -> String {
+    let number = counts.entry((base, side)).or_insert(0);
+    *number += 1;
+    if *number == 1 { format!("{base}_{side}") } else { format!("{base}_{number}_{side}") }
 }
 
 fn is_link(component: &Component) -> bool {
@@ -84,7 +106,10 @@ fn is_link(component: &Component) -> bool {
 fn base(component: &Component, wing: Option<&Component>, size: f64) -> &'static str {
     let is_in_plane = middle(component).y.abs() <= IN_PLANE * size;
     if is_link(component) {
-        return if component.points.len() == 2 && reach(component).norm() < 2e-3 { "root" } else { "link" };
+        return if reach(component).norm() < 1e-6 { "root" } else { "link" };
+    }
+    if component.is_strut {
+        return "strut";
     }
     match (way(component), wing) {
         (Way::Aside, Some(wing)) => {

@@ -2,10 +2,11 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::cards::{Cards, Element, ElementKind, Material, Offset, Orientation, Property};
+use super::cards::{Cards, Element, ElementKind, Material, Offset, Orientation, Pin, Property};
 use super::frames::World;
 use super::mistakes::{Mistakes, Origin, Remarks};
 use super::sections::Section;
+use super::stiffness::Stiffness;
 use super::units::Units;
 
 /// Shorter elements have no direction, m.
@@ -14,54 +15,36 @@ const SHORTEST: f64 = 1e-6;
 /// Of one element, kg.
 const HEAVIEST: f64 = 1e9;
 
+/// From the shear centre, m.
+const FARTHEST: f64 = 100.0;
+
 /// How much stiffer than what it has an element is held where its card gives no stiffness.
 const HELD: f64 = 1e3;
-
-/// Second moments whose product is less than this share of their difference are along the axes.
-const PRINCIPAL: f64 = 1e-9;
-
-/// Stiffness of a section in its principal axes; names as in aircraft files.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stiffness {
-    /// N.
-    pub ea: f64,
-    /// N m².
-    pub gj: f64,
-    /// Bending in z.
-    pub ei_y: f64,
-    /// Bending in y.
-    pub ei_z: f64,
-}
-
-impl Stiffness {
-    /// Whether it bends alike in all directions.
-    pub fn is_round(&self) -> bool {
-        (self.ei_y - self.ei_z).abs() <= 1e-9 * self.ei_y.max(self.ei_z)
-    }
-
-    /// As it is in axes that are a quarter turned.
-    pub fn quarter_turned(self) -> Self {
-        Stiffness { ei_y: self.ei_z, ei_z: self.ei_y, ..self }
-    }
-}
 
 /// An element.
 #[derive(Clone, Debug)]
 pub struct Member {
     pub origin: Origin,
-    pub is_rod: bool,
     pub grids: [i64; 2],
     /// m.
     pub ends: [Vector3<f64>; 2],
-    /// Principal, across the element.
+    /// Across the element, in plane 1.
     pub y_axis: Vector3<f64>,
-    /// The direction that it comes from: that of the card, where the section is not turned.
+    /// The direction that it comes from: that of the card.
     pub y_written: Vector3<f64>,
     pub stiffness: Stiffness,
     /// kg/m.
     pub mass_by_length: f64,
-    /// About its axis, kg m.
+    /// Where its mass is, from the line between its ends, m.
+    pub mass_centre: Vector3<f64>,
+    /// About the axis through the centre of its mass, kg m, as a disc has it.
     pub inertia_by_length: f64,
+    /// Of masses that are apart from their common centre, kg m.
+    pub apart_by_length: Matrix3<f64>,
+    /// Components in which its ends are free, and the field that says so.
+    pub pins: [Option<Pin>; 2],
+    /// Whether its property gives a torsional stiffness.
+    pub resists_twist: bool,
 }
 
 impl Member {
@@ -120,14 +103,26 @@ impl Making<'_> {
         let section = of_kind(element.kind, property.section);
         let written =
             element.orientation.as_ref().and_then(|orientation| self.direction(element, orientation));
-        let (section, turned) = self.principal(&property.origin, section, (&x, y));
-        let y_written = written.filter(|_| turned == y).map_or(turned, |written| written.normalize());
+        let y_written = written.map_or(y, |written| written.normalize());
         let stiffness = self.stiffness(element, (&property, &section, &material), span.norm())?;
         let density = material.density;
         let own = if element.kind == ElementKind::Beam { density * (section.i1 + section.i2) } else { 0.0 };
-        let mass_by_length = (density * section.area + property.other_mass) * self.units.mass_by_length();
+        let masses =
+            [density * section.area, property.other_mass].map(|mass| mass * self.units.mass_by_length());
+        let places = [property.neutral_axis, property.other_mass_centre]
+            .map(|[along_y, along_z]| (y * along_y + x.cross(&y) * along_z) * self.units.length);
+        let mass_by_length = masses[0] + masses[1];
+        let (mass_centre, apart_by_length) = common(masses, places);
         let inertia_by_length = (own + property.other_inertia) * self.units.mass * self.units.length;
         let mass = mass_by_length * span.norm();
+        // What is no number counts as too far.
+        let farthest = places.iter().map(Vector3::norm).max_by(f64::total_cmp).unwrap_or(0.0);
+        if farthest.is_nan() || farthest > FARTHEST {
+            let found = format!("found a place {farthest:.4e} m from the shear centre");
+            let allowed = format!("up to {FARTHEST} m is allowed; --units says what the deck's units are");
+            self.mistakes.of_origin(&property.origin, "M1, M2, N1, N2", found, allowed);
+            return None;
+        }
         if !(0.0..=HEAVIEST).contains(&mass) || !inertia_by_length.is_finite() {
             let found = format!("found a mass of {mass:.4e} kg");
             let allowed = format!("up to {HEAVIEST:e} kg is allowed; --units says what the deck's units are");
@@ -136,14 +131,17 @@ impl Making<'_> {
         }
         Some(Member {
             origin: element.origin.clone(),
-            is_rod: element.kind == ElementKind::Rod,
             grids: element.grids,
             ends,
-            y_axis: turned,
+            y_axis: y,
             y_written,
             stiffness,
             mass_by_length,
+            mass_centre,
             inertia_by_length,
+            apart_by_length,
+            pins: element.pins.clone(),
+            resists_twist: property.section.torsion > 0.0,
         })
     }
 
@@ -240,34 +238,6 @@ impl Making<'_> {
         y
     }
 
-    /// A section in its principal axes, and the y axis of these: the format has no EI_yz.
-    fn principal(
-        &mut self,
-        property: &Origin,
-        section: Section,
-        (x, y): (&Vector3<f64>, Vector3<f64>),
-    ) -> (Section, Vector3<f64>) {
-        if section.i12.abs() <= PRINCIPAL * (section.i1 - section.i2).abs() {
-            return (section, y);
-        }
-        let z = x.cross(&y);
-        let angle = 0.5 * libm::atan2(2.0 * section.i12, section.i1 - section.i2);
-        let (sin, cos) = libm::sincos(angle);
-        let turned = Section {
-            i1: cos * cos * section.i1 + sin * sin * section.i2 + 2.0 * sin * cos * section.i12,
-            i2: sin * sin * section.i1 + cos * cos * section.i2 - 2.0 * sin * cos * section.i12,
-            i12: 0.0,
-            ..section
-        };
-        self.remarks.note(format!(
-            "{} has I12 = {}: it is held in its principal axes, turned by {:.3} deg about the element",
-            property,
-            section.i12,
-            angle.to_degrees()
-        ));
-        (turned, y * cos + z * sin)
-    }
-
     fn stiffness(
         &mut self,
         element: &Element,
@@ -280,6 +250,8 @@ impl Making<'_> {
             gj: material.shear * section.torsion * bending,
             ei_y: material.young * section.i2 * bending,
             ei_z: material.young * section.i1 * bending,
+            ei_yz: material.young * section.i12 * bending,
+            tension_axis: property.neutral_axis.map(|place| place * self.units.length),
         };
         let most = [given.gj, given.ei_y, given.ei_z, given.ea * length * length * 1e-6]
             .into_iter()
@@ -302,7 +274,9 @@ impl Making<'_> {
             gj: held(given.gj, HELD * most, "J"),
             ei_y: held(given.ei_y, HELD * most, "I2"),
             ei_z: held(given.ei_z, HELD * most, "I1"),
-        };
+            ..given
+        }
+        .without_rounding();
         if !lacking.is_empty() {
             let said = format!(
                 "found no {}: held as if rigid there, for a beam here resists everything",
@@ -335,6 +309,18 @@ fn of_kind(kind: ElementKind, section: Section) -> Section {
     let second = section.area * section.area / (4.0 * std::f64::consts::PI);
     let torsion = if section.torsion > 0.0 { section.torsion } else { 2.0 * second };
     Section { i1: second, i2: second, torsion, ..section }
+}
+
+/// The centre of two masses from where each is, and what they have about it.
+fn common(masses: [f64; 2], places: [Vector3<f64>; 2]) -> (Vector3<f64>, Matrix3<f64>) {
+    let whole = masses[0] + masses[1];
+    if whole <= 0.0 {
+        return (Vector3::zeros(), Matrix3::zeros());
+    }
+    let apart = places[1] - places[0];
+    let reduced = masses[0] * masses[1] / whole;
+    let inertia = Matrix3::identity() * apart.norm_squared() - apart * apart.transpose();
+    (places[0] + apart * (masses[1] / whole), inertia * reduced)
 }
 
 /// The part of a direction across another one.

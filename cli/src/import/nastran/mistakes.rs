@@ -132,9 +132,12 @@ pub struct Remarks {
 impl Remarks {
     /// Of a field of a card.
     pub fn field(&mut self, (card, id): (&Card, i64), (index, name): (usize, &str), said: impl Into<String>) {
-        let (place, _) = card.field_place(index);
-        let what = format!("{} {id}, field {} ({name})", card.name, field_number(index));
-        self.reports.push(Remark { place, what, said: said.into() });
+        self.of_field(&Field::of((card, id), (index, name), String::new()), said);
+    }
+
+    /// Of a field that was kept.
+    pub fn of_field(&mut self, field: &Field, said: impl Into<String>) {
+        self.reports.push(Remark { place: field.place, what: field.what.clone(), said: said.into() });
     }
 
     /// Of a whole card.
@@ -153,6 +156,22 @@ impl Remarks {
         if self.noted.insert(said.clone()) {
             self.notes.push(said);
         }
+    }
+}
+
+/// A field that something comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    place: Place,
+    what: String,
+    /// What stands there.
+    pub found: String,
+}
+
+impl Field {
+    pub fn of((card, id): (&Card, i64), (index, name): (usize, &str), found: String) -> Field {
+        let (place, _) = card.field_place(index);
+        Field { place, what: format!("{} {id}, field {} ({name})", card.name, field_number(index)), found }
     }
 }
 

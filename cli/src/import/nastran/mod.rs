@@ -7,11 +7,11 @@
 //! | `deck` | files | cards: lines and fields, in three formats |
 //! | `cards` | cards | typed cards, in the deck's units and frames |
 //! | `frames`, `axes`, `units` | coordinate systems, grids | places in body axes and metres |
-//! | `sections` | dimensions of a shape | area, second moments, torsion constant |
+//! | `sections`, `stiffness` | dimensions of a shape; axes across it | area, second moments, torsion constant; stiffness in these axes |
 //! | `members`, `lumps`, `inertia` | elements, masses | the same in SI and body axes, as beams and bodies have them |
-//! | `structure` | members, links, lumps | components: a tree of beams that carries all masses |
+//! | `structure` | members, links, lumps | components: a tree of beams that carries all masses, and joints where beams form loops |
 //! | `aero` | panels, splines, control surfaces | strips on components, controls |
-//! | `pairs`, `layout`, `names` | components | mirror images, names |
+//! | `pairs`, `joints`, `layout`, `names` | components, joints | mirror images, names |
 //! | `write` | all of it | the text of an aircraft file |
 //! | `choices` | what the deck leaves open | whether it flies, how fast, where it is held |
 //! | `conversion` | a deck | all of these, one after the other |
@@ -27,6 +27,7 @@ mod conversion;
 mod deck;
 mod frames;
 mod inertia;
+mod joints;
 mod layout;
 mod lumps;
 mod members;
@@ -35,6 +36,7 @@ mod names;
 mod pairs;
 mod report;
 mod sections;
+mod stiffness;
 mod structure;
 mod units;
 mod write;
@@ -42,7 +44,7 @@ mod write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use flexible_aircraft::aircraft::AircraftFileError;
+use flexible_aircraft::aircraft::{ALTITUDES, AircraftFileError};
 use flexible_aircraft_packaging::FileError;
 
 use crate::files::{Drafts, Overwriting, STANDARD, refuse_overwriting};
@@ -142,7 +144,7 @@ pub enum Error {
         /// What it was given.
         found: f64,
         /// With its unit.
-        allowed: &'static str,
+        allowed: String,
     },
     /// The output would replace a file.
     #[error("{} exists and stays as it is; allowed is another file, or --force to replace it", .0.display())]
@@ -202,14 +204,14 @@ fn check_numbers(options: &NastranOptions) -> Result<(), Error> {
         return Err(Error::NotAllowed {
             option: "--airspeed",
             found,
-            allowed: "1 to 400 m/s, of what is clamped from 0 on",
+            allowed: "1 to 400 m/s, of what is clamped from 0 on".to_owned(),
         });
     }
-    if !flexible_aircraft::aircraft::ALTITUDES.contains(&options.altitude) {
+    if !ALTITUDES.contains(&options.altitude) {
         return Err(Error::NotAllowed {
             option: "--altitude",
             found: options.altitude,
-            allowed: "-1000 to 20000 m",
+            allowed: format!("{} to {} m", ALTITUDES.start(), ALTITUDES.end()),
         });
     }
     Ok(())

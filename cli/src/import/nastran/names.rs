@@ -27,12 +27,13 @@ pub fn free(label: &str, otherwise: &str, taken: &[String]) -> String {
 
 /// What other variables are called, some of them behind `trim.`: a control with such a name gets a number.
 fn is_reserved(name: &str) -> bool {
-    const TAKEN: [&str; 24] = [
+    const TAKEN: [&str; 25] = [
         "time",
         "input_reference",
         "model",
         "airspeed",
         "altitude",
+        "temperature_offset",
         "heading",
         "stiffness_scale",
         "structural_damping",

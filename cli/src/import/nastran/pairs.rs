@@ -4,8 +4,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::aero::{Flap, Surface};
 use super::layout::{IN_PLANE, middle, size};
-use super::members::Stiffness;
-use super::structure::{Component, NodeRef, PlacedLump, Structure};
+use super::members::Member;
+use super::stiffness::Stiffness;
+use super::structure::{Component, ComponentHinge, NodeRef, PlacedLump, Springs, Structure};
 
 /// Numbers that differ by less than this share are alike: decks are written with six digits.
 const ALIKE: f64 = 2e-6;
@@ -72,16 +73,20 @@ impl Mirror<'_> {
             && self.parents([one, other], sides)
             && std::iter::zip(&one.points, &other.points).all(|(one, other)| self.places(one, other))
             && vector(&one.y_axis).cross(&other.y_axis).norm() <= ALIKE
-            && std::iter::zip(&one.elements, &other.elements).all(|(one, other)| {
-                let mass = |member: Option<usize>| member.map(|member| &self.structure.members[member]);
-                let masses = match (mass(one.member), mass(other.member)) {
-                    (Some(one), Some(other)) => {
-                        alike(one.mass(), other.mass())
-                            && alike(one.inertia_by_length, other.inertia_by_length)
-                    }
+            && hinges(one.hinge.as_ref(), other.hinge.as_ref())
+            && std::iter::zip(&one.elements, &other.elements).all(|(one_element, other_element)| {
+                let member = |member: Option<usize>| member.map(|member| &self.structure.members[member]);
+                let masses = match (member(one_element.member), member(other_element.member)) {
+                    (Some(one), Some(other)) => self.masses(one, other),
                     (one, other) => one.is_none() && other.is_none(),
                 };
-                masses && stiffnesses(&one.stiffness, &other.stiffness)
+                let image = one_element.stiffness.mirrored();
+                let is_about = vector(&one.y_axis).dot(&other.y_axis) < 0.0;
+                masses
+                    && stiffnesses(
+                        &if is_about { image.turned_about() } else { image },
+                        &other_element.stiffness,
+                    )
             })
             && self.lumps(pair)
             && self.surfaces(pair)
@@ -110,6 +115,15 @@ impl Mirror<'_> {
 
     fn places(&self, one: &Vector3<f64>, other: &Vector3<f64>) -> bool {
         (vector(one) - other).norm() <= ALIKE * self.size
+    }
+
+    /// Of elements.
+    fn masses(&self, one: &Member, other: &Member) -> bool {
+        let apart = turned(&one.apart_by_length) - other.apart_by_length;
+        alike(one.mass(), other.mass())
+            && alike(one.inertia_by_length, other.inertia_by_length)
+            && self.places(&one.mass_centre, &other.mass_centre)
+            && apart.norm() <= ALIKE * one.apart_by_length.norm()
     }
 
     fn lumps(&self, pair: [usize; 2]) -> bool {
@@ -170,10 +184,28 @@ fn alike(one: f64, other: f64) -> bool {
 }
 
 fn stiffnesses(one: &Stiffness, other: &Stiffness) -> bool {
+    let places = |[one_y, one_z]: [f64; 2], [y, z]: [f64; 2]| alike(one_y, y) && alike(one_z, z);
     alike(one.ea, other.ea)
         && alike(one.gj, other.gj)
         && alike(one.ei_y, other.ei_y)
         && alike(one.ei_z, other.ei_z)
+        && (one.ei_yz - other.ei_yz).abs() <= ALIKE * one.ei_y.max(one.ei_z)
+        && places(one.tension_axis, other.tension_axis)
+}
+
+/// A hinge turns about a line, to which way that points is nothing.
+fn hinges(one: Option<&ComponentHinge>, other: Option<&ComponentHinge>) -> bool {
+    match (one.map(|hinge| &hinge.springs), other.map(|hinge| &hinge.springs)) {
+        (None, None) => true,
+        (
+            Some(Springs::About { axis: one, stiffness }),
+            Some(Springs::About { axis: other, stiffness: other_stiffness }),
+        ) => vector(one).cross(other).norm() <= ALIKE && alike(*stiffness, *other_stiffness),
+        (Some(Springs::AboutLocalAxes(one)), Some(Springs::AboutLocalAxes(other))) => {
+            std::iter::zip(one, other).all(|(one, other)| alike(*one, *other))
+        }
+        _ => false,
+    }
 }
 
 /// Span axes point to the right on both sides.

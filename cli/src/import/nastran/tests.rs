@@ -2,8 +2,10 @@
 
 mod cards;
 mod frequencies;
+mod loops;
 mod mutated;
 mod panels;
+mod sections;
 
 use std::path::{Path, PathBuf};
 

@@ -14,6 +14,9 @@ use super::strip::{Run, SAME, Surface, of_stretch};
 /// Elements whose direction has at least this cosine with the span of a panel can carry it.
 const SPANWISE: f64 = 0.3;
 
+/// Panels that share a stretch of a beam have spans with a smaller cosine than this: 45°, and a little.
+const BESIDE: f64 = 0.70;
+
 /// All surfaces, panel by panel.
 pub fn surfaces(
     structure: &Structure,
@@ -21,15 +24,33 @@ pub fn surfaces(
     controls: &[Control],
     remarks: &mut Remarks,
 ) -> Vec<Surface> {
-    let mut surfaces = Vec::new();
-    for (place, panel) in panels.iter().enumerate() {
+    let mut surfaces: Vec<Surface> = Vec::new();
+    let mut spans: Vec<Vector3<f64>> = Vec::new();
+    for (place, panel) in panels.iter().enumerate().filter(|(_, panel)| panel.behind.is_none()) {
         let parts: Vec<(usize, &ControlPart)> = controls
             .iter()
             .enumerate()
             .flat_map(|(control, found)| found.parts.iter().map(move |part| (control, part)))
             .filter(|(_, part)| part.panel == place)
             .collect();
-        surfaces.extend(of_panel(structure, panel, &parts, remarks));
+        let span = panel.span().normalize();
+        let first = surfaces.len();
+        for surface in of_panel(structure, panel, &parts, remarks) {
+            let shares = |(other, axis): &(&Surface, &Vector3<f64>)| {
+                let both = surface.to.min(other.to) - surface.from.max(other.from);
+                other.component == surface.component && both > SAME && axis.dot(&span).abs() > BESIDE
+            };
+            let other =
+                surfaces[..first].iter().zip(&spans).find(shares).map(|(other, _)| other.origin.clone());
+            if let Some(other) = other {
+                let said =
+                    format!("{other} has strips on the same stretch of its beam: its own are left out");
+                remarks.card(&surface.origin, said);
+            } else {
+                surfaces.push(surface);
+                spans.push(span);
+            }
+        }
     }
     surfaces.sort_by(|one, other| one.component.cmp(&other.component).then(one.from.total_cmp(&other.from)));
     surfaces

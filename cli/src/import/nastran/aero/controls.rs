@@ -127,30 +127,61 @@ impl Making<'_> {
         };
         let axis = (beside - at).normalize();
         let mut parts = Vec::new();
+        // Boxes that some panel has.
+        let mut named = 0;
         for (place, panel) in
             self.panels.iter().enumerate().filter(|(_, panel)| panel.origin.card == "CAERO1")
         {
-            let mut first_rows: Vec<Option<usize>> = vec![None; panel.spanwise.len() - 1];
+            let last_row = panel.chordwise.len() - 2;
+            let mut rows: Vec<Option<[usize; 2]>> = vec![None; panel.spanwise.len() - 1];
             for (from, to) in boxes.within(panel.boxes()) {
-                let [Some((first, row)), Some((last, _))] = [from, to].map(|id| panel.box_at(id)) else {
+                let [Some((first, row)), Some((last, until))] = [from, to].map(|id| panel.box_at(id)) else {
                     continue;
                 };
+                named += (to - from + 1) as usize;
                 // Boxes are counted along the chord, so that all strips but the first begin with their first row.
-                for (strip, known) in first_rows.iter_mut().enumerate().take(last + 1).skip(first) {
-                    let row = if strip == first { row } else { 0 };
-                    *known = Some(known.map_or(row, |other| other.min(row)));
+                for (strip, known) in rows.iter_mut().enumerate().take(last + 1).skip(first) {
+                    let own =
+                        [if strip == first { row } else { 0 }, if strip == last { until } else { last_row }];
+                    *known = Some(known.map_or(own, |[low, high]| [own[0].min(low), own[1].max(high)]));
                 }
             }
+            let has_rear =
+                self.panels.iter().any(|rear| rear.behind.is_some_and(|(front, _)| front == place));
+            let told: Vec<&[usize; 2]> = rows.iter().flatten().collect();
+            if told.iter().any(|[_, high]| *high < last_row) || (has_rear && !told.is_empty()) {
+                let said = format!(
+                    "{}: its boxes on {} do not reach the trailing edge: a flap from its hinge to there is held",
+                    card.label, panel.origin
+                );
+                self.remarks.card(&card.origin, said);
+            } else if told.windows(2).any(|pair| pair[0][0] != pair[1][0]) {
+                let said = format!(
+                    "{}: its boxes on {} begin in several rows: the flap has one hinge",
+                    card.label, panel.origin
+                );
+                self.remarks.card(&card.origin, said);
+            }
             let mut strip = 0;
-            while strip < first_rows.len() {
-                let run = first_rows[strip..].iter().take_while(|row| row.is_some()).count();
+            while strip < rows.len() {
+                let run = rows[strip..].iter().take_while(|row| row.is_some()).count();
                 if run > 0 {
-                    let row = first_rows[strip..strip + run].iter().flatten().min().copied().unwrap_or(0);
+                    let row =
+                        rows[strip..strip + run].iter().flatten().map(|[low, _]| *low).min().unwrap_or(0);
                     let ends = [panel.spanwise[strip], panel.spanwise[strip + run]];
                     parts.extend(self.part(card, (place, panel), (ends, row), (&at, &axis)));
                 }
                 strip += run.max(1);
             }
+        }
+        if named < boxes.size() {
+            let said = format!(
+                "{}: {} of its {} boxes in AELIST {list} are on no panel",
+                card.label,
+                boxes.size() - named,
+                boxes.size()
+            );
+            self.remarks.card(&card.origin, said);
         }
         parts
     }
@@ -163,6 +194,12 @@ impl Making<'_> {
         (at, axis): (&Vector3<f64>, &Vector3<f64>),
     ) -> Option<ControlPart> {
         let span = panel.span().normalize();
+        // Of a panel behind another one the flap is in the chord of both.
+        let edge = panel.chordwise[row];
+        let (place, whole, edge) = match panel.behind {
+            Some((front, share)) => (front, &self.panels[front], share + (1.0 - share) * edge),
+            None => (place, panel, edge),
+        };
         let across = axis.dot(&span);
         if across.abs() < 0.2 {
             let said = format!(
@@ -173,9 +210,9 @@ impl Making<'_> {
             return None;
         }
         let hinge_at = |fraction: f64| {
-            let out = (panel.leading_edge(fraction) - at).dot(&span);
+            let out = (whole.leading_edge(fraction) - at).dot(&span);
             let place = at + axis * (out / across);
-            panel.chord_fraction(&place, fraction)
+            whole.chord_fraction(&place, fraction)
         };
         let middle = hinge_at(0.5 * (from + to));
         let [one, other] = [hinge_at(from), hinge_at(to)];
@@ -188,7 +225,7 @@ impl Making<'_> {
             }
             middle
         } else {
-            let edge = panel.chordwise[row].clamp(*HINGES.start(), *HINGES.end());
+            let edge = edge.clamp(*HINGES.start(), *HINGES.end());
             let said = format!(
                 "{}: its hinge, y of its frame, is at {middle:.3} of the chord of {}, where no flap can be: it is put at {edge:.3}, before the first of its boxes",
                 card.label, panel.origin

@@ -8,6 +8,12 @@ use super::super::mistakes::{Mistakes, Origin, Remarks};
 use super::super::structure::Structure;
 use super::line::SurfaceLine;
 
+/// CAERO1, splines and AESURF, of each.
+const MOST_PANELS: usize = 1000;
+
+/// Edges of panels that are nearer than this share of the chord are one.
+const MEETING: f64 = 1e-3;
+
 /// A trapezium whose chords run along x.
 #[derive(Clone, Debug)]
 pub struct Panel {
@@ -21,6 +27,8 @@ pub struct Panel {
     pub carried_by: CarriedBy,
     /// A flap over all of the span: control and hinge.
     pub flap: Option<(String, f64)>,
+    /// The panel before it along the chord that has its chord too, and the share of the whole that is before it.
+    pub behind: Option<(usize, f64)>,
 }
 
 /// What a panel hangs on.
@@ -88,6 +96,17 @@ pub fn panels(
     (mistakes, remarks): (&mut Mistakes, &mut Remarks),
 ) -> Vec<Panel> {
     let aero = &cards.aero;
+    for (name, count) in [
+        ("CAERO1", aero.panels.len()),
+        ("AESURF", aero.surfaces.len()),
+        ("SPLINE1 and SPLINE2", aero.splines.len()),
+    ] {
+        if count > MOST_PANELS {
+            mistakes
+                .of_whole(format!("found {count} {name}; up to {MOST_PANELS} are allowed of a stick model"));
+            return Vec::new();
+        }
+    }
     let mut panels: Vec<Panel> = aero
         .panels
         .iter()
@@ -96,6 +115,7 @@ pub fn panels(
     for (place, line) in lines.iter().enumerate() {
         panels.extend(of_line((place, line), world, structure, mistakes));
     }
+    join_along_chord(&mut panels, remarks);
     for spline in &aero.splines {
         if !aero.panels.iter().any(|panel| panel.origin.id == spline.panel) {
             mistakes.of_origin(
@@ -107,6 +127,31 @@ pub fn panels(
         }
     }
     panels
+}
+
+/// A control surface is often a panel of its own: where the leading edge of one is the trailing edge of another, the one before has both.
+fn join_along_chord(panels: &mut [Panel], remarks: &mut Remarks) {
+    for rear in 0..panels.len() {
+        let follows = |front: &Panel| {
+            let gap = |end: usize| {
+                let trailing = front.corners[end] - Vector3::x() * front.chords[end];
+                (trailing - panels[rear].corners[end]).norm()
+            };
+            gap(0).max(gap(1)) <= MEETING * front.chords[0].max(front.chords[1])
+        };
+        let is_front =
+            |(place, front): &(usize, &Panel)| *place != rear && front.behind.is_none() && follows(front);
+        let Some(front) = panels.iter().enumerate().find(is_front).map(|(place, _)| place) else { continue };
+        let (own, more) = (panels[front].chords, panels[rear].chords);
+        let share = (own[0] + own[1]) / (own[0] + own[1] + more[0] + more[1]);
+        remarks.note(format!(
+            "{} goes on behind {} along the chord: they are one surface",
+            panels[rear].origin, panels[front].origin
+        ));
+        panels[front].chords = [own[0] + more[0], own[1] + more[1]];
+        panels[front].chordwise.iter_mut().for_each(|edge| *edge *= share);
+        panels[rear].behind = Some((front, share));
+    }
 }
 
 fn of_card(
@@ -140,6 +185,7 @@ fn of_card(
         chordwise,
         carried_by,
         flap: None,
+        behind: None,
     };
     if panel.span().norm() < 1e-6 {
         let found = "found no span across the flow";
@@ -198,6 +244,11 @@ fn carried_by(cards: &Cards, card: &PanelCard, mistakes: &mut Mistakes) -> Optio
             );
             return None;
         };
+        if let Some(missing) = set.singles().find(|grid| !cards.grids.contains_key(grid)) {
+            let found = format!("found {missing} in SET1 {}", spline.set);
+            mistakes.of_origin(&spline.origin, "SETG", found, "GRIDs of the deck are needed");
+            return None;
+        }
         sets.push(set);
     }
     if sets.is_empty() {
@@ -232,6 +283,7 @@ fn of_line(
         chordwise: vec![0.0, 1.0],
         carried_by: CarriedBy::Between(line.grids),
         flap: line.flap.clone(),
+        behind: None,
     };
     if panel.span().norm() < 1e-6 {
         mistakes.of_whole(format!(

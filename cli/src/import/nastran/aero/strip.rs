@@ -16,6 +16,9 @@ const OFF: f64 = 1e-4;
 /// A panel that lies higher or lower than its beam by more than this share of the chord is told of.
 const HIGH: f64 = 0.1;
 
+/// Hinges that are nearer than this share of the chord are one.
+const SAME_HINGE: f64 = 1e-3;
+
 /// What the format takes of the beam's place along the chord.
 const ELASTIC_AXES: std::ops::RangeInclusive<f64> = -1.0..=2.0;
 
@@ -134,6 +137,14 @@ pub fn of_stretch(
         );
         remarks.card(&panel.origin, said);
     }
+    let flap = flap([from, to], parts);
+    if let Some(other) = flap.as_ref().and_then(|flap| other_hinge([from, to], parts, flap.hinge)) {
+        let said = format!(
+            "from {from:.4} to {to:.4} of its span flaps are hinged at {:.3} and {other:.3} of the chord: all turn about the first",
+            flap.as_ref().map_or(0.0, |flap| flap.hinge)
+        );
+        remarks.card(&panel.origin, said);
+    }
     let at: Vec<f64> = ends.iter().map(|fraction| place(*fraction).0).collect();
     Some(Surface {
         origin: panel.origin.clone(),
@@ -146,7 +157,7 @@ pub fn of_stretch(
         elastic_axes: middles.iter().map(|(_, axis)| *axis).collect(),
         span_axis: span_axis(component, run, panel),
         widths: widths(component, (run, panel), ([from, to], widened)),
-        flap: flap([from, to], parts),
+        flap,
     })
 }
 
@@ -199,6 +210,14 @@ fn widths(
             * (panel.chord(outer) / panel.chord(middle).max(1e-3 * panel.chord(outer)));
     }
     Some(widths)
+}
+
+/// A hinge of a stretch that is another one, as that of a tab.
+fn other_hinge([from, to]: [f64; 2], parts: &[(usize, &ControlPart)], hinge: f64) -> Option<f64> {
+    let middle = 0.5 * (from + to);
+    let mut hinges =
+        parts.iter().filter(|(_, part)| part.from < middle && middle < part.to).map(|(_, part)| part.hinge);
+    hinges.find(|other| (other - hinge).abs() > SAME_HINGE)
 }
 
 /// The flap of a stretch that no end of a control cuts.

@@ -1,5 +1,7 @@
 //! AERO, AEROS, CAERO1, AEFACT, SPLINE1, SPLINE2, SET1, AESURF, AELIST.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::super::mistakes::{Origin, Remarks};
 use super::reader::{Ids, Reader};
 
@@ -75,7 +77,7 @@ pub fn aero(card: &Reader, reference: &mut Reference) -> Option<()> {
     let frame = card.integer_or(0, "ACSID", 0)?;
     reference.frame.get_or_insert(frame);
     reference.airspeed = card.optional(1, "VELOCITY")?.filter(|airspeed| *airspeed > 0.0);
-    Some(())
+    half(card, [(4, "SYMXZ"), (5, "SYMXY")], "AERO", reference)
 }
 
 pub fn aeros(card: &Reader, reference: &mut Reference) -> Option<()> {
@@ -83,8 +85,20 @@ pub fn aeros(card: &Reader, reference: &mut Reference) -> Option<()> {
     reference.chord = Some(card.positive(2, "REFC")?);
     reference.span = Some(card.positive(3, "REFB")?);
     reference.area = Some(card.positive(4, "REFS")?);
-    if card.integer_or(5, "SYMXZ", 0)? != 0 {
-        reference.half = Some(card.origin("AEROS", 0));
+    half(card, [(5, "SYMXZ"), (6, "SYMXY")], "AEROS", reference)
+}
+
+/// Whether a plane of symmetry stands for what is not modelled.
+fn half(
+    card: &Reader,
+    fields: [(usize, &str); 2],
+    name: &'static str,
+    reference: &mut Reference,
+) -> Option<()> {
+    for (index, field) in fields {
+        if card.integer_or(index, field, 0)? != 0 {
+            reference.half = Some(card.origin(name, 0));
+        }
     }
     Some(())
 }
@@ -184,11 +198,27 @@ pub fn surface(card: &Reader, remarks: &mut Remarks) -> Option<SurfaceCard> {
     if effectiveness <= 0.0 {
         return card.wrong(6, "EFF", format!("found {effectiveness}"), "a number above 0 is allowed");
     }
-    let limits = [card.optional(10, "PLLIM")?, card.optional(11, "PULIM")?];
+    let limits = limits(card, id, remarks)?;
     for (index, name) in [(12, "HMLLIM"), (13, "HMULIM"), (14, "TQLLIM"), (15, "TQULIM")] {
         if !card.is_blank(index) {
             remarks.field((card.card, id), (index, name), "hinge moments are not limited here");
         }
     }
     Some(SurfaceCard { origin: card.origin("AESURF", id), label, parts, effectiveness, limits })
+}
+
+/// The least and the greatest angle, rad; where one of them stands the other is a right angle, as in Nastran, and none is beyond that.
+fn limits(card: &Reader, id: i64, remarks: &mut Remarks) -> Option<[Option<f64>; 2]> {
+    let given = [card.optional(10, "PLLIM")?, card.optional(11, "PULIM")?];
+    if given == [None; 2] {
+        return Some(given);
+    }
+    let low = given[0].map_or(-FRAC_PI_2, |low| low.max(-FRAC_PI_2));
+    let high = given[1].map_or(FRAC_PI_2, |high| high.min(FRAC_PI_2));
+    if low < high && (low..=high).contains(&0.0) {
+        return Some([Some(low), Some(high)]);
+    }
+    let said = format!("found limits from {low} to {high} rad, between which 0 is not: they are not held");
+    remarks.field((card.card, id), (10, "PLLIM"), said);
+    Some([None; 2])
 }

@@ -1,6 +1,7 @@
 //! CBAR, CBEAM, CROD.
 
-use super::super::mistakes::{Origin, Remarks};
+use super::super::mistakes::{Field, Origin, Remarks};
+use super::geometry::components;
 use super::reader::Reader;
 
 /// An element between two grids.
@@ -13,6 +14,16 @@ pub struct Element {
     /// None of rods.
     pub orientation: Option<Orientation>,
     pub offsets: [Offset; 2],
+    /// What its ends do not hold.
+    pub pins: [Option<Pin>; 2],
+}
+
+/// Components in which the end of an element is free, in its own axes, and the field that says so.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pin {
+    pub free: [bool; 6],
+    /// None of rods, whose ends are free in all rotations.
+    pub field: Option<Field>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,16 +65,7 @@ pub fn bar_or_beam(
         return card.wrong(3, "GB", format!("found {} at both ends", grids[0]), "two grids are allowed");
     }
     let orientation = orientation(card, frames[0] == 'B')?;
-    for (index, name) in [(8, "PA"), (9, "PB")] {
-        if !card.text(index).chars().all(|digit| digit == '0') {
-            let found = card.text(index);
-            remarks.field(
-                (card.card, id),
-                (index, name),
-                format!("found {found}: pin flags are not held, the end is fixed in all six"),
-            );
-        }
-    }
+    let pins = [pin(card, id, (8, "PA"))?, pin(card, id, (9, "PB"))?];
     if kind == ElementKind::Beam {
         for (index, name) in
             [(16, "SA"), (17, "SB")].into_iter().filter(|(index, _)| !matches!(card.text(*index), "" | "0"))
@@ -79,7 +81,18 @@ pub fn bar_or_beam(
         grids,
         orientation: Some(orientation),
         offsets: [offset(0), offset(1)],
+        pins,
     })
+}
+
+fn pin(card: &Reader, id: i64, (index, name): (usize, &str)) -> Option<Option<Pin>> {
+    let digits = components(card, index, name, card.text(index))?;
+    if digits.is_empty() {
+        return Some(None);
+    }
+    let free = ['1', '2', '3', '4', '5', '6'].map(|digit| digits.contains(digit));
+    let field = Field::of((card.card, id), (index, name), digits);
+    Some(Some(Pin { free, field: Some(field) }))
 }
 
 /// The letters of OFFT: of the orientation, of the offsets.
@@ -127,6 +140,7 @@ pub fn rod(card: &Reader) -> Option<Element> {
     if grids[0] == grids[1] {
         return card.wrong(3, "G2", format!("found {} at both ends", grids[0]), "two grids are allowed");
     }
+    let rod_end = Some(Pin { free: [false, false, false, true, true, true], field: None });
     let none = Offset { numbers: [0.0; 3], is_of_element: false };
     Some(Element {
         origin: card.origin("CROD", id),
@@ -135,5 +149,6 @@ pub fn rod(card: &Reader) -> Option<Element> {
         grids,
         orientation: None,
         offsets: [none.clone(), none],
+        pins: [rod_end.clone(), rod_end],
     })
 }

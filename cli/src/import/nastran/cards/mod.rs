@@ -13,7 +13,7 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 pub use aero::{AeroCards, Division, PanelCard, SurfaceCard};
-pub use beams::{Element, ElementKind, Offset, Orientation};
+pub use beams::{Element, ElementKind, Offset, Orientation, Pin};
 pub use geometry::{FrameBy, FrameCard, FrameShape, Grid};
 pub use links::{Bush, BushProperty, Constraint, Rigid, Spread};
 pub use masses::{LumpCard, LumpContent};
@@ -53,17 +53,15 @@ pub struct Cards {
 struct Reading<'a> {
     cards: Cards,
     remarks: &'a mut Remarks,
-    /// Numbers of elements and of masses, of which each has one.
-    elements: BTreeSet<i64>,
-    lumps: BTreeSet<i64>,
+    /// Numbers of elements, masses, panels, splines and control surfaces, of which each has one.
+    numbers: BTreeSet<(&'static str, i64)>,
 }
 
 impl Cards {
     /// Reads all cards of a deck.
     pub fn read(deck: &Deck, mistakes: &mut Mistakes, remarks: &mut Remarks) -> Cards {
         let shared = RefCell::new(std::mem::take(mistakes));
-        let (elements, lumps) = (BTreeSet::new(), BTreeSet::new());
-        let mut reading = Reading { cards: Cards::default(), remarks, elements, lumps };
+        let mut reading = Reading { cards: Cards::default(), remarks, numbers: BTreeSet::new() };
         let defaults = deck.cards.iter().find(|card| card.name == "GRDSET");
         let defaults = defaults.and_then(|card| geometry::defaults(&Reader::new(deck, card, &shared)));
         let defaults = defaults.unwrap_or_default();
@@ -78,6 +76,17 @@ impl Cards {
         let cards = reading.cards;
         *mistakes = shared.into_inner();
         cards
+    }
+}
+
+impl Cards {
+    /// How many grids are named by all lists together, by those of splines for each of them.
+    pub fn listed(&self) -> usize {
+        let grids: Vec<i64> = self.grids.keys().copied().collect();
+        let of_sets = self.aero.splines.iter().filter_map(|spline| self.aero.sets.get(&spline.set));
+        let of_links = self.rigids.iter().map(|rigid| &rigid.others);
+        let of_constraints = self.constraints.iter().map(|constraint| &constraint.grids);
+        of_links.chain(of_constraints).chain(of_sets).map(|ids| ids.count(&grids)).sum()
     }
 }
 
@@ -218,15 +227,19 @@ impl Reading<'_> {
         }
     }
 
-    /// Elements have numbers of their own, and so have masses.
+    /// Elements have numbers of their own, and so have rigid ones, masses, panels, splines and control surfaces.
     fn number(&mut self, card: &Reader) {
-        let numbers = match card.card.name.as_str() {
-            "CBAR" | "CBEAM" | "CROD" | "CBUSH" => &mut self.elements,
-            "CONM1" | "CONM2" => &mut self.lumps,
+        let kind = match card.card.name.as_str() {
+            "CBAR" | "CBEAM" | "CROD" | "CBUSH" => "element",
+            "RBE2" | "RBE3" | "RBAR" => "rigid element",
+            "CONM1" | "CONM2" => "mass",
+            "SPLINE1" | "SPLINE2" => "spline",
+            "CAERO1" => "panel",
+            "AESURF" => "control surface",
             _ => return,
         };
         let id = deck::integer(card.text(0));
-        if let Some(id) = id.filter(|id| !numbers.insert(*id)) {
+        if let Some(id) = id.filter(|id| !self.numbers.insert((kind, *id))) {
             self.second(card, id);
         }
     }

@@ -4,6 +4,9 @@ use super::super::mistakes::{Origin, Remarks};
 use super::super::sections::{Section, Shape};
 use super::reader::Reader;
 
+/// I12² is less than I1 I2 by this share at least.
+const DEFINITE: f64 = 1e-9;
+
 /// A property of elements, in the deck's units.
 #[derive(Clone, Debug)]
 pub struct Property {
@@ -12,8 +15,11 @@ pub struct Property {
     pub section: Section,
     /// Per length.
     pub other_mass: f64,
-    /// Of what is not structure, about the beam's axis, per length.
+    /// Of what is not structure, about its own centre, per length.
     pub other_inertia: f64,
+    /// (y, z) of the neutral axis and of other mass from the shear centre, which is on the element's axis.
+    pub neutral_axis: [f64; 2],
+    pub other_mass_centre: [f64; 2],
 }
 
 /// Isotropic and elastic.
@@ -35,6 +41,7 @@ pub fn pbar(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
         torsion: card.not_negative(5, "J", 0.0)?,
         i12: card.real_or(18, "I12", 0.0)?,
     };
+    positive_definite(card, 18, &section)?;
     let other_mass = card.not_negative(6, "NSM", 0.0)?;
     shear_areas(card, id, 16, remarks)?;
     Some(Property {
@@ -43,7 +50,19 @@ pub fn pbar(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
         section,
         other_mass,
         other_inertia: 0.0,
+        neutral_axis: [0.0; 2],
+        other_mass_centre: [0.0; 2],
     })
+}
+
+/// Some energy for every bending.
+fn positive_definite(card: &Reader, index: usize, section: &Section) -> Option<()> {
+    let Section { i1, i2, i12, .. } = *section;
+    if i12 == 0.0 || i12 * i12 < (1.0 - DEFINITE) * i1 * i2 {
+        return Some(());
+    }
+    let allowed = format!("less than the root of I1 times I2, {:.6e}, is allowed", libm::sqrt(i1 * i2));
+    card.wrong(index, "I12", format!("found {i12}"), allowed)
 }
 
 /// Says of shear areas that they are not held.
@@ -73,6 +92,8 @@ pub fn prod(card: &Reader) -> Option<Property> {
         section,
         other_mass,
         other_inertia: 0.0,
+        neutral_axis: [0.0; 2],
+        other_mass_centre: [0.0; 2],
     })
 }
 
@@ -118,14 +139,26 @@ pub fn pbarl(card: &Reader) -> Option<Property> {
         section,
         other_mass,
         other_inertia: 0.0,
+        neutral_axis: [0.0; 2],
+        other_mass_centre: [0.0; 2],
     })
 }
 
 /// A station of a beam: where it is, from 0 to 1, its section and other mass per length.
+#[derive(Clone, Copy)]
 struct Station {
     at: f64,
     section: Section,
     other_mass: f64,
+}
+
+/// On the line from one station at 0 to another one at 1.
+fn between(from: &Station, to: &Station, at: f64) -> Station {
+    Station {
+        at,
+        section: Section::mean(&[(from.section, 1.0 - at), (to.section, at)]),
+        other_mass: from.other_mass + at * (to.other_mass - from.other_mass),
+    }
 }
 
 /// The mean along the beam of what is linear between stations.
@@ -189,6 +222,8 @@ pub fn pbeaml(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
         section,
         other_mass,
         other_inertia: 0.0,
+        neutral_axis: [0.0; 2],
+        other_mass_centre: [0.0; 2],
     })
 }
 
@@ -201,15 +236,26 @@ pub fn pbeam(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
         |line: usize| matches!(card.text(8 * line).to_uppercase().as_str(), "YES" | "YESA" | "NO");
     // Stresses of end A stand on the second line, unless it is a station.
     let mut line = if is_station(1) { 1 } else { 2 };
+    let mut lines = Vec::new();
     while is_station(line) {
-        let at = place(card, 8 * line + 1)?;
-        let station = beam_station(card, 8 * line + 2, Some(&stations[0]))?;
-        stations.push(Station { at, ..station });
+        lines.push((place(card, 8 * line + 1)?, 8 * line + 2));
         let has_stresses = card.text(8 * line).eq_ignore_ascii_case("YES");
         line += if has_stresses { 2 } else { 1 };
     }
+    // End B first: what is blank between the ends is on the line from A to B.
+    lines.sort_by(|(one, _), (other, _)| other.total_cmp(one));
+    for (at, field) in lines {
+        let otherwise = match stations.get(1).filter(|end| end.at == 1.0) {
+            Some(end) => between(&stations[0], end, at),
+            None => Station { at, ..stations[0] },
+        };
+        let station = beam_station(card, field, Some(&otherwise))?;
+        stations.push(Station { at, ..station });
+    }
     let first = 8 * line;
     let other_inertia = beam_rest(card, id, first, remarks)?;
+    let other_mass_centre = apart(card, id, (first + 8, ["M1", "M2"]), remarks)?;
+    let neutral_axis = apart(card, id, (first + 12, ["N1", "N2"]), remarks)?;
     let (section, other_mass) = mean(card, id, stations, remarks);
     Some(Property {
         origin: card.origin("PBEAM", id),
@@ -217,10 +263,12 @@ pub fn pbeam(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
         section,
         other_mass,
         other_inertia,
+        neutral_axis,
+        other_mass_centre,
     })
 }
 
-/// Six numbers from a field on; where nothing stands, those of end A.
+/// Six numbers from a field on; where nothing stands, those of another station.
 fn beam_station(card: &Reader, first: usize, otherwise: Option<&Station>) -> Option<Station> {
     let root = otherwise.map_or(Section::default(), |station| station.section);
     let mass = otherwise.map_or(0.0, |station| station.other_mass);
@@ -231,7 +279,30 @@ fn beam_station(card: &Reader, first: usize, otherwise: Option<&Station>) -> Opt
         i12: card.real_or(first + 3, "I12", root.i12)?,
         torsion: card.not_negative(first + 4, "J", root.torsion)?,
     };
+    positive_definite(card, first + 3, &section)?;
     Some(Station { at: 1.0, section, other_mass: card.not_negative(first + 5, "NSM", mass)? })
+}
+
+/// A place from the shear centre at both ends; the mean of the two, of which end B has that of end A where nothing stands.
+fn apart(
+    card: &Reader,
+    id: i64,
+    (first, names): (usize, [&str; 2]),
+    remarks: &mut Remarks,
+) -> Option<[f64; 2]> {
+    let mut place = [0.0; 2];
+    for (axis, name) in names.into_iter().enumerate() {
+        let at_a = card.real_or(first + axis, &format!("{name}(A)"), 0.0)?;
+        let name = format!("{name}(B)");
+        let at_b = card.real_or(first + 2 + axis, &name, at_a)?;
+        if at_a != at_b {
+            let said =
+                format!("found {at_b}, and {at_a} at end A: the mean is held, elements are uniform here");
+            remarks.field((card.card, id), (first + 2 + axis, &name), said);
+        }
+        place[axis] = 0.5 * (at_a + at_b);
+    }
+    Some(place)
 }
 
 /// The last two lines: what is not held of them is said; the inertia per length is.
@@ -247,14 +318,6 @@ fn beam_rest(card: &Reader, id: i64, first: usize, remarks: &mut Remarks) -> Opt
         (3, "S2", "shear relief of taper"),
         (6, "CW(A)", "warping"),
         (7, "CW(B)", "warping"),
-        (8, "M1(A)", "other mass apart from the axis"),
-        (9, "M2(A)", "other mass apart from the axis"),
-        (10, "M1(B)", "other mass apart from the axis"),
-        (11, "M2(B)", "other mass apart from the axis"),
-        (12, "N1(A)", "a neutral axis apart from the shear centre"),
-        (13, "N2(A)", "a neutral axis apart from the shear centre"),
-        (14, "N1(B)", "a neutral axis apart from the shear centre"),
-        (15, "N2(B)", "a neutral axis apart from the shear centre"),
     ];
     for (offset, name, what) in unheld {
         let number = card.real_or(first + offset, name, 0.0)?;

@@ -1,37 +1,82 @@
 //! One card: its fields asked for by place and name, each with what it may hold.
 
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 
 use super::super::deck::{self, Card, Deck};
 use super::super::mistakes::{Mistakes, Origin};
 
-/// Whole numbers from some to others, as lists with THRU have them.
+/// Whole numbers, some of them from one to another, as lists with THRU have them; each once.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Ids(Vec<(i64, i64)>);
+pub struct Ids {
+    /// In their own order.
+    singles: Vec<i64>,
+    /// Ascending, without overlap.
+    runs: Vec<(i64, i64)>,
+}
 
 impl Ids {
     /// One alone.
     pub fn of(id: i64) -> Self {
-        Ids(vec![(id, id)])
+        Ids { singles: vec![id], runs: Vec::new() }
+    }
+
+    /// Of numbers and runs as they are listed: what is in a run is not told again.
+    fn listed(singles: &[i64], mut listed: Vec<(i64, i64)>) -> Self {
+        listed.sort_unstable();
+        let mut runs: Vec<(i64, i64)> = Vec::new();
+        for (from, to) in listed {
+            match runs.last_mut().filter(|(_, last)| from <= *last) {
+                Some((_, last)) => *last = to.max(*last),
+                None => runs.push((from, to)),
+            }
+        }
+        let is_in_run = |id: i64| {
+            let behind = runs.partition_point(|(from, _)| *from <= id);
+            behind > 0 && runs[behind - 1].1 >= id
+        };
+        let mut seen = BTreeSet::new();
+        let alone = singles.iter().copied().filter(|id| !is_in_run(*id) && seen.insert(*id)).collect();
+        Ids { singles: alone, runs }
     }
 
     /// The runs of it that lie in a range.
     pub fn within(&self, range: std::ops::Range<i64>) -> impl Iterator<Item = (i64, i64)> + '_ {
-        let clipped =
-            self.0.iter().map(move |(from, to)| ((*from).max(range.start), (*to).min(range.end - 1)));
+        let all = self.singles.iter().map(|id| (*id, *id)).chain(self.runs.iter().copied());
+        let clipped = all.map(move |(from, to)| (from.max(range.start), to.min(range.end - 1)));
         clipped.filter(|(from, to)| from <= to)
     }
 
-    /// Those of some ascending numbers that are in it, in its own order.
+    /// Those of some numbers that are in it.
     pub fn among<'i>(&'i self, known: impl Fn(i64, i64) -> Vec<i64> + 'i) -> impl Iterator<Item = i64> + 'i {
-        self.0.iter().flat_map(move |(from, to)| known(*from, *to))
+        let all = self.singles.iter().map(|id| (*id, *id)).chain(self.runs.iter().copied());
+        all.flat_map(move |(from, to)| known(from, to))
+    }
+
+    /// How many there are.
+    pub fn size(&self) -> usize {
+        let in_runs = self
+            .runs
+            .iter()
+            .map(|(from, to)| to.saturating_sub(*from).saturating_add(1).unsigned_abs() as usize);
+        self.singles.len() + in_runs.fold(0, usize::saturating_add)
+    }
+
+    /// How many of some ascending numbers are in it, or listed by themselves.
+    pub fn count(&self, known: &[i64]) -> usize {
+        let below = |id: i64| known.partition_point(|other| *other < id);
+        let in_runs = self.runs.iter().map(|&(from, to)| below(to.saturating_add(1)) - below(from));
+        self.singles.len() + in_runs.sum::<usize>()
     }
 
     /// What is listed by itself.
     pub fn singles(&self) -> impl Iterator<Item = i64> + '_ {
-        self.0.iter().filter(|(from, to)| from == to).map(|(id, _)| *id)
+        self.singles.iter().copied()
     }
 }
+
+/// Of a field that is wrong so many letters are shown.
+const LONGEST_FOUND: usize = 40;
 
 /// A card that is being read; what is wrong with it is said once for each field.
 pub struct Reader<'a> {
@@ -69,7 +114,7 @@ impl<'a> Reader<'a> {
     fn found(&self, index: usize) -> String {
         match self.text(index) {
             "" => "found nothing".to_owned(),
-            text => format!("found {text}"),
+            text => format!("found {}", text.chars().take(LONGEST_FOUND).collect::<String>()),
         }
     }
 
@@ -130,7 +175,7 @@ impl<'a> Reader<'a> {
 
     /// Whole numbers from a field to the end, with THRU between two of them.
     pub fn ids(&self, first: usize, name: &str) -> Option<Ids> {
-        let mut ids = Ids::default();
+        let (mut singles, mut runs) = (Vec::new(), Vec::new());
         let mut index = first;
         while index < self.card.len() {
             if self.is_blank(index) {
@@ -152,14 +197,14 @@ impl<'a> Reader<'a> {
                         format!("{from} or more is allowed"),
                     );
                 }
-                ids.0.push((from, to));
+                runs.push((from, to));
                 index += 3;
             } else {
-                ids.0.push((from, from));
+                singles.push(from);
                 index += 1;
             }
         }
-        Some(ids)
+        Some(Ids::listed(&singles, runs))
     }
 
     pub fn origin(&self, card: &'static str, id: i64) -> Origin {

@@ -18,13 +18,13 @@ const WIDTH: usize = 80;
 /// A line of bulk data.
 #[derive(Debug, PartialEq)]
 pub struct Line {
-    /// The name of a card or the mark of a continuation, without the star.
+    /// The name of a card or the mark of a continuation, without the star behind it.
     pub head: Span,
     /// As many as the format has.
     pub data: Vec<Span>,
     /// What the line ends with to name its continuation.
     pub tail: Span,
-    /// Whether the head has a star.
+    /// Whether the head has a star: a name behind it, a mark at one of its ends.
     pub is_large: bool,
 }
 
@@ -49,8 +49,7 @@ fn free(line: &str, at: u32) -> Result<Line, Unreadable> {
         begin += part.len() + 1;
     }
     let head = fields.remove(0);
-    let is_large = text(line, &head, at).ends_with('*');
-    let head = without_star(head, is_large);
+    let (head, is_large) = without_star(head.clone(), text(line, &head, at));
     let most = if is_large { DATA / 2 } else { DATA };
     let tail = if fields.len() > most { fields.remove(most) } else { head.end..head.end };
     let has_more = fields.iter().skip(most).any(|field| !field.is_empty());
@@ -71,10 +70,10 @@ fn fixed(line: &str, at: u32) -> Line {
         trimmed(line, bytes, at)
     };
     let head = between(0, SMALL);
-    let is_large = text(line, &head, at).ends_with('*');
+    let (head, is_large) = without_star(head.clone(), text(line, &head, at));
     let (count, width) = if is_large { (DATA / 2, LARGE) } else { (DATA, SMALL) };
     let data = (0..count).map(|field| between(SMALL + field * width, SMALL + (field + 1) * width)).collect();
-    Line { head: without_star(head, is_large), data, tail: between(WIDTH - SMALL, WIDTH), is_large }
+    Line { head, data, tail: between(WIDTH - SMALL, WIDTH), is_large }
 }
 
 /// The columns in which the letters of a line stand, with their bytes; a tab leads to the next field.
@@ -107,8 +106,10 @@ fn text<'l>(line: &'l str, span: &Span, at: u32) -> &'l str {
     &line[(span.start - at) as usize..(span.end - at) as usize]
 }
 
-fn without_star(head: Span, is_large: bool) -> Span {
-    head.start..head.end - u32::from(is_large)
+/// Without the star behind it, and whether it has one there or before it, as `*A1` continues a card of large fields.
+fn without_star(head: Span, text: &str) -> (Span, bool) {
+    let is_behind = text.ends_with('*');
+    (head.start..head.end - u32::from(is_behind), is_behind || text.starts_with('*'))
 }
 
 #[cfg(test)]
@@ -132,6 +133,18 @@ mod tests {
         let large = "GRID*                 12               3             1.5            2.+1*G";
         assert_eq!(texts(large), ("GRID".into(), small.1[..4].to_vec(), "*G".into()));
         assert_eq!(texts("GRID*,12,3,1.5,2.+1").1, small.1[..4]);
+        for (mark, head) in [("*", ""), ("*G1", "*G1")] {
+            let found = texts(&format!("{mark:<8}             -4.               5"));
+            assert_eq!(
+                (found.0.as_str(), &found.1[..]),
+                (head, &["-4.", "5", "", ""].map(str::to_owned)[..])
+            );
+            let found = texts(&format!("{mark},-4.,5"));
+            assert_eq!(
+                (found.0.as_str(), &found.1[..]),
+                (head, &["-4.", "5", "", ""].map(str::to_owned)[..])
+            );
+        }
     }
 
     #[test]

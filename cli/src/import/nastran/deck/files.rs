@@ -11,6 +11,9 @@ pub const DEEPEST: usize = 16;
 pub const MOST_BYTES: usize = 64 << 20;
 pub const MOST_LINES: usize = 1_000_000;
 
+/// Files, those that are included several times as often.
+const MOST_FILES: usize = 10_000;
+
 /// Where the texts of files come from.
 pub trait Source {
     /// The text of a file and the path that is the same however it is named.
@@ -40,6 +43,7 @@ impl Source for OnDisk {
 }
 
 /// A line of the deck: its number in its file, the bytes of it there.
+#[derive(Clone)]
 pub struct DeckLine {
     pub place: Place,
     pub bytes: std::ops::Range<usize>,
@@ -59,12 +63,14 @@ pub struct Files {
     pub files: Vec<DeckFile>,
     pub lines: Vec<DeckLine>,
     bytes: usize,
+    /// Lines, those of INCLUDE too.
+    read: usize,
 }
 
 impl Files {
     /// All up to the first that cannot be had, and why it cannot.
     pub fn read(deck: &Path, source: &dyn Source) -> (Files, Option<Refused>) {
-        let mut files = Files { files: Vec::new(), lines: Vec::new(), bytes: 0 };
+        let mut files = Files { files: Vec::new(), lines: Vec::new(), bytes: 0, read: 0 };
         let refused = files.follow(deck, None, (source, &mut Vec::new())).err();
         (files, refused)
     }
@@ -98,10 +104,17 @@ impl Files {
                 "a file is allowed that does not include itself, not by others either",
             ));
         }
+        let text = match text.strip_prefix('\u{feff}') {
+            Some(rest) => rest.to_owned(),
+            None => text,
+        };
         self.bytes += text.len();
-        if self.bytes > MOST_BYTES || self.lines.len() + text.lines().count() > MOST_LINES {
-            let allowed =
-                format!("{} MiB and {MOST_LINES} lines are allowed of all files together", MOST_BYTES >> 20);
+        self.read += text.lines().count();
+        if self.bytes > MOST_BYTES || self.read > MOST_LINES || self.files.len() >= MOST_FILES {
+            let allowed = format!(
+                "{} MiB, {MOST_LINES} lines and {MOST_FILES} files are allowed of all together",
+                MOST_BYTES >> 20
+            );
             return Err(refuse(format!("found more with {shown}"), &allowed));
         }
         let file = self.files.len();

@@ -55,8 +55,8 @@ pub struct Card {
 pub struct Deck {
     pub files: Vec<DeckFile>,
     pub cards: Vec<Card>,
-    /// The sets of constraints that the case control asks for.
-    pub constraint_sets: Vec<i64>,
+    /// The sets of constraints that the case control asks for; none where there is no case control.
+    pub constraint_sets: Option<Vec<i64>>,
     /// Lines before BEGIN BULK that say something.
     pub control_lines: Vec<Place>,
 }
@@ -76,7 +76,16 @@ impl Deck {
         let mut deck = Deck { files, ..Deck::default() };
         let bulk = deck.control(&lines);
         deck.bulk(&lines[bulk..], mistakes);
+        // A parameter of the case control counts before one of the bulk data: it is read last.
+        let of_control: Vec<DeckLine> =
+            lines[..bulk].iter().filter(|line| deck.is_parameter(line)).cloned().collect();
+        deck.bulk(&of_control, mistakes);
         deck
+    }
+
+    fn is_parameter(&self, line: &DeckLine) -> bool {
+        let text = self.line(line).trim_start();
+        text.get(..6).is_some_and(|name| name.eq_ignore_ascii_case("PARAM,"))
     }
 
     /// The number of lines before the bulk data; of a deck that is nothing else, 0.
@@ -93,22 +102,25 @@ impl Deck {
             words.get(1).filter(|_| is_spc).and_then(|set| integer(set))
         });
         let sets: Vec<i64> = sets.collect();
-        let said = lines[..=begin].iter().filter(|line| !words(line).is_empty());
+        let said = lines[..=begin].iter().filter(|line| !words(line).is_empty() && !self.is_parameter(line));
         let said = said.map(|line| line.place).collect();
+        let has_case_control =
+            lines[..begin].iter().any(|line| words(line).starts_with(&["CEND".to_owned()]));
         self.control_lines = said;
-        self.constraint_sets = sets;
+        self.constraint_sets = if has_case_control || !sets.is_empty() { Some(sets) } else { None };
         begin + 1
     }
 
     fn bulk(&mut self, lines: &[DeckLine], mistakes: &mut Mistakes) {
         let mut tail = String::new();
-        let mut cards = Vec::new();
+        let mut cards = std::mem::take(&mut self.cards);
         for line in lines {
             let text = self.line(line);
             if text.trim().is_empty() || text.trim_start().starts_with('$') {
                 continue;
             }
-            if text.trim().eq_ignore_ascii_case("ENDDATA") {
+            let word = text.split('$').next().unwrap_or_default().trim();
+            if word.eq_ignore_ascii_case("ENDDATA") {
                 break;
             }
             let cut = match fields::cut(text, line.bytes.start as u32) {
@@ -123,7 +135,7 @@ impl Deck {
             };
             let of = |span: &Span| &self.files[line.place.file].text[span.start as usize..span.end as usize];
             let head = of(&cut.head);
-            let is_continuation = head.is_empty() || head.starts_with('+');
+            let is_continuation = head.is_empty() || head.starts_with(['+', '*']);
             let fields =
                 cut.data.iter().map(|span| Field { line: line.place.line as u32, span: span.clone() });
             if !is_continuation {

@@ -35,7 +35,7 @@ fn cards_have_their_continuations_and_the_lines_of_their_files() {
     let bar = &deck.cards[1];
     assert_eq!([0, 8, 16, 99].map(|index| deck.text(bar, index)), ["5", "1.", ".5", ""]);
     assert_eq!((bar.field_place(16).0.line, bar.end, bar.len()), (6, 7, 17));
-    assert_eq!((deck.constraint_sets, deck.control_lines.len()), (vec![7], 4));
+    assert_eq!((deck.constraint_sets, deck.control_lines.len()), (Some(vec![7]), 4));
 }
 
 #[test]
@@ -45,6 +45,27 @@ fn large_fields_fill_lines_of_eight() {
     assert_eq!(told, "");
     let texts: Vec<&str> = (0..10).map(|index| deck.text(&deck.cards[0], index)).collect();
     assert_eq!(texts, ["5", "1", "2.", "3.", "4.", "5.", "", "", "1.", "2."]);
+}
+
+/// As pre-processors write them.
+#[test]
+fn large_fields_are_continued_by_marks_with_a_star_before_them() {
+    let text = "GRID*                  1                              2.              3.*G1\n*G1                   4.\nGRID*,2,,5.,6.,*A\n*A,7.\n";
+    let (deck, told) = read(&[("a.bdf", text)]);
+    assert_eq!((told.as_str(), deck.cards.len()), ("", 2));
+    let texts = |card: usize| [2, 3, 4].map(|index| deck.text(&deck.cards[card], index));
+    assert_eq!([texts(0), texts(1)], [["2.", "3.", "4."], ["5.", "6.", "7."]]);
+}
+
+/// A parameter there is of the deck; without SPC no set of constraints holds; a comment behind ENDDATA, a mark before the first line.
+#[test]
+fn the_case_control_has_parameters_and_chooses_constraints() {
+    let text = "\u{feff}SOL 144\nCEND\nparam,wtmass,.00259\nBEGIN BULK\nGRID,1\nENDDATA $ of it\nrubbish,1\n";
+    let (deck, told) = read(&[("a.bdf", text)]);
+    let names: Vec<&str> = deck.cards.iter().map(|card| card.name.as_str()).collect();
+    assert_eq!((told.as_str(), names), ("", vec!["GRID", "PARAM"]));
+    assert_eq!((deck.constraint_sets, deck.control_lines.len()), (Some(Vec::new()), 3));
+    assert_eq!(read(&[("a.bdf", "BEGIN BULK\nGRID,1\n")]).0.constraint_sets, None);
 }
 
 #[test]
@@ -87,5 +108,5 @@ fn includes_go_neither_in_circles_nor_without_end_nor_to_what_is_missing() {
 fn a_file_that_includes_the_next_many_times_is_refused_before_it_fills_the_memory() {
     let many = "INCLUDE 'b.bdf'\n".repeat(20_000);
     let (_, told) = read(&[("a.bdf", &many), ("b.bdf", &"$ comment\n".repeat(1000))]);
-    assert!(told.contains("64 MiB and 1000000 lines are allowed"), "{told}");
+    assert!(told.contains("64 MiB, 1000000 lines and 10000 files are allowed"), "{told}");
 }

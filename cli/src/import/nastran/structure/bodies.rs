@@ -74,12 +74,12 @@ impl Bodies {
     pub fn new(
         (cards, world, units): (&Cards, &World, &Units),
         used: &BTreeSet<i64>,
-        sets: &[i64],
+        sets: Option<&[i64]>,
         (mistakes, remarks): (&mut Mistakes, &mut Remarks),
     ) -> Bodies {
         let mut union = Union::default();
         join_links(cards, &mut union, mistakes);
-        let held = held(cards, sets);
+        let held = held(cards, sets, (mistakes, remarks));
         let grounded = |grid: Option<i64>| {
             grid.is_none_or(|grid| {
                 is_full(held.get(&grid).map(|(digits, _)| digits)) && !used.contains(&grid)
@@ -233,8 +233,12 @@ fn join_links(cards: &Cards, union: &mut Union, mistakes: &mut Mistakes) {
 }
 
 /// Components that are held of each grid, and the card that holds the last of them.
-fn held(cards: &Cards, sets: &[i64]) -> BTreeMap<i64, (String, Origin)> {
-    let sets = all_sets(cards, sets);
+fn held(
+    cards: &Cards,
+    sets: Option<&[i64]>,
+    (mistakes, remarks): (&mut Mistakes, &mut Remarks),
+) -> BTreeMap<i64, (String, Origin)> {
+    let sets = sets.map(|sets| all_sets(cards, sets));
     let mut held: BTreeMap<i64, (String, Origin)> = BTreeMap::new();
     let mut hold = |grid: i64, digits: &str, origin: &Origin| {
         if !digits.is_empty() {
@@ -244,10 +248,17 @@ fn held(cards: &Cards, sets: &[i64]) -> BTreeMap<i64, (String, Origin)> {
         }
     };
     for constraint in &cards.constraints {
+        for missing in constraint.grids.singles().filter(|grid| !cards.grids.contains_key(grid)) {
+            let found = format!("found {missing}");
+            mistakes.of_origin(&constraint.origin, "G", found, "a GRID of the deck is needed");
+        }
         if sets.as_ref().is_none_or(|sets| sets.contains(&constraint.set)) {
             for grid in grids_of(cards, constraint) {
                 hold(grid, &constraint.components, &constraint.origin);
             }
+        } else {
+            let said = format!("the case control does not ask for set {}: it holds nothing", constraint.set);
+            remarks.note(format!("{}: {said}", constraint.origin));
         }
     }
     for (&id, grid) in &cards.grids {
@@ -260,16 +271,13 @@ fn grids_of(cards: &Cards, constraint: &Constraint) -> Vec<i64> {
     constraint.grids.among(|from, to| cards.grids.range(from..=to).map(|(id, _)| *id).collect()).collect()
 }
 
-/// Sets with those that they are unions of; all where none is asked for.
-fn all_sets(cards: &Cards, asked: &[i64]) -> Option<BTreeSet<i64>> {
+/// Sets with those that they are unions of.
+fn all_sets(cards: &Cards, asked: &[i64]) -> BTreeSet<i64> {
     let mut sets: BTreeSet<i64> = asked.iter().copied().collect();
-    if sets.is_empty() {
-        return None;
-    }
     for _ in 0..DEEPEST {
         let unions = sets.iter().filter_map(|set| cards.constraint_unions.get(set));
         let more: Vec<i64> = unions.flat_map(Ids::singles).collect();
         sets.extend(more);
     }
-    Some(sets)
+    sets
 }

@@ -1,47 +1,41 @@
 //! From a tree of elements to components: chains that run on, each with one y axis, from the root out.
 //!
-//! A component is a chain of elements and of the rigid links between their ends. It ends where elements turn by more than 60°, where the
-//! principal axes of the next section lie otherwise, and where nothing follows.
+//! A component is a chain of elements and of the rigid links between their ends. It ends where elements turn by more than 60°, at pinned
+//! ends and where nothing follows.
 
 use std::collections::VecDeque;
 
 use nalgebra::Vector3;
 
-use super::super::members::{Member, Stiffness, across};
-use super::bodies::Hinge;
+use super::super::members::{Member, across};
+use super::super::stiffness::Stiffness;
+use super::hinges::Hinges;
+use super::rigid::rigid;
 use super::tree::Tree;
 use super::{Component, ComponentElement, NodeRef};
 
 /// A chain goes on where directions have at least this cosine.
 const ONWARD: f64 = 0.5;
 
+/// The same beyond a rigid link, 30°: what a link carries is most often another beam.
+const ONWARD_BEYOND_LINK: f64 = 0.866;
+
 /// Sine of the least angle between an element and the y axis of its component.
 const BESIDE: f64 = 0.05;
 
-/// Sine of 0.01°: axes that are nearer are one.
-const ALIGNED: f64 = 1.75e-4;
-
 /// Ends nearer than this share of the next element's length are one place: a rigid link there would be as stiff as rounding is fine.
-const SAME_PLACE: f64 = 1e-3;
+pub const SAME_PLACE: f64 = 1e-3;
 
 /// The shortest element of the format, m.
 const SHORTEST: f64 = 1e-6;
-
-/// How much stiffer rigid links are than the stiffest element beside them, as stiffness by length.
-const RIGID: f64 = 1e5;
-
-/// The stiffest that the format takes.
-const STIFFEST: f64 = 1e15;
-
-/// Length of the element that stands for springs at a root, m.
-const HINGE_LENGTH: f64 = 1e-3;
 
 /// What has grown.
 pub struct Growth<'a> {
     members: &'a [Member],
     tree: &'a Tree,
+    hinges: &'a Hinges,
     /// Of each body the stiffest element on it.
-    stiffest: Vec<Stiffness>,
+    pub stiffest: Vec<Stiffness>,
     pub components: Vec<Component>,
     /// Of each body the places on it that are nodes.
     pub ports: Vec<Vec<(Vector3<f64>, NodeRef)>>,
@@ -53,15 +47,18 @@ impl<'a> Growth<'a> {
     /// All components of a tree whose root is at a place.
     pub fn new(
         (members, tree): (&'a [Member], &'a Tree),
-        origin: Vector3<f64>,
-        hinge: Option<&Hinge>,
+        (origin, hinges): (Vector3<f64>, &'a Hinges),
+        stiffest: Vec<Stiffness>,
     ) -> Self {
         let ports = vec![Vec::new(); tree.outward.len()];
-        let stiffest = stiffest(members, tree);
-        let mut growth = Growth { members, tree, stiffest, components: Vec::new(), ports, moved: Vec::new() };
-        let root = match hinge {
+        let mut growth =
+            Growth { members, tree, hinges, stiffest, components: Vec::new(), ports, moved: Vec::new() };
+        let root = match &hinges.before_root {
             None => NodeRef::Origin,
-            Some(hinge) => growth.add_hinge(hinge, &origin),
+            Some(component) => {
+                growth.components.push(component.clone());
+                NodeRef::Node { component: 0, node: component.elements.len() }
+            }
         };
         growth.ports[tree.root].push((origin, root));
         let mut waiting: VecDeque<(usize, usize)> =
@@ -79,6 +76,7 @@ impl<'a> Growth<'a> {
             return;
         };
         let mut chain = Chain::new(parent, start);
+        let hinge = self.hinges.of(element);
         loop {
             let member = &self.members[element];
             let from = self.end_at(element, body);
@@ -89,7 +87,12 @@ impl<'a> Growth<'a> {
             let is_apart = gap > (SAME_PLACE * member.length()).max(SHORTEST);
             let reach = if is_apart { from } else { here };
             let mut longer = chain.clone();
-            let fits = (!is_apart || longer.add_link(from, body))
+            let begins_hinged = chain.elements.is_empty() && hinge.is_some();
+            if let Some(hinge) = hinge.filter(|_| begins_hinged) {
+                longer.y_axis = Some(hinge.y_axis);
+            }
+            let is_shared = chain.elements.is_empty() && self.begins_with_others(body, &from);
+            let fits = (!is_apart || (longer.add_link(from, body) && !begins_hinged && !is_shared))
                 && longer.add_member((element, member), (reach, to));
             if !fits {
                 if chain.elements.is_empty() && is_apart {
@@ -112,20 +115,28 @@ impl<'a> Growth<'a> {
             }
             self.ports[far].push((to, NodeRef::Node { component, node: nodes - 1 }));
             let along = (to - reach).normalize();
-            let next = self.next(far, &along);
+            let next = self.next(far, &to, &along);
             let others = self.tree.outward[far].iter().filter(|other| Some(**other) != next);
             waiting.extend(others.map(|&other| (far, other)));
             let Some(next) = next else { break };
             (body, element) = (far, next);
         }
         if !chain.elements.is_empty() {
+            let is_hinged = chain.elements.first().is_some_and(Result::is_ok);
+            let hinge = hinge.filter(|_| is_hinged).cloned();
             let component = chain.component(&self.stiffest, self.members);
-            self.components.push(component);
+            self.components.push(Component { hinge, ..component });
         }
     }
 
+    /// Whether several elements leave a body at one of its places: a link there belongs to all of them.
+    fn begins_with_others(&self, body: usize, place: &Vector3<f64>) -> bool {
+        let is_here = |element: &&usize| (self.end_at(**element, body) - place).norm() <= SHORTEST;
+        self.tree.outward[body].iter().filter(is_here).count() > 1
+    }
+
     /// The element that goes on most straight.
-    fn next(&self, body: usize, along: &Vector3<f64>) -> Option<usize> {
+    fn next(&self, body: usize, place: &Vector3<f64>, along: &Vector3<f64>) -> Option<usize> {
         let cosine = |element: &usize| {
             let away =
                 self.end_at(*element, self.tree.other_end(*element, body)) - self.end_at(*element, body);
@@ -134,71 +145,40 @@ impl<'a> Growth<'a> {
         let best = self.tree.outward[body]
             .iter()
             .copied()
+            .filter(|element| self.hinges.of(*element).is_none())
             .max_by(|one, other| cosine(one).total_cmp(&cosine(other)));
-        best.filter(|element| cosine(element) >= ONWARD)
+        best.filter(|&element| {
+            let gap = (self.end_at(element, body) - place).norm();
+            let is_apart = gap > SAME_PLACE * self.members[element].length();
+            cosine(&element) >= if is_apart { ONWARD_BEYOND_LINK } else { ONWARD }
+        })
     }
 
     fn end_at(&self, element: usize, body: usize) -> Vector3<f64> {
-        let member = &self.members[element];
-        member.ends[usize::from(self.tree.ends[element][0] != body)]
+        self.members[element].ends[self.tree.end_at(element, body)]
     }
 
     /// The node of a body at a place, else the one by which the tree leads to the body: which of the others is nearest, left or right, says
     /// nothing.
-    fn port(&self, body: usize, place: &Vector3<f64>, slack: f64) -> Option<(Vector3<f64>, NodeRef)> {
+    pub fn port(&self, body: usize, place: &Vector3<f64>, slack: f64) -> Option<(Vector3<f64>, NodeRef)> {
         let ports = &self.ports[body];
         ports.iter().find(|port| (port.0 - place).norm() <= slack).or(ports.first()).copied()
     }
 
-    /// A short element whose ends turn against each other as springs do; it leads to the root from O, which lies beside it.
-    fn add_hinge(&mut self, hinge: &Hinge, origin: &Vector3<f64>) -> NodeRef {
-        let first = self.tree.outward[self.tree.root].first().copied();
-        let away = first.map_or_else(Vector3::y, |element| {
-            self.end_at(element, self.tree.other_end(element, self.tree.root)) - origin
-        });
-        let alike = |axis: usize| hinge.axes.column(axis).dot(&away).abs();
-        let along = (0..3).max_by(|&one, &other| alike(one).total_cmp(&alike(other))).unwrap_or(0);
-        let [y, z] = [(along + 1) % 3, (along + 2) % 3];
-        let axis: Vector3<f64> = hinge.axes.column(along).into();
-        let axis = if axis.dot(&away) < 0.0 { -axis } else { axis };
-        let stiffest = self.stiffest[self.tree.root];
-        let rigid = |of: fn(&Stiffness) -> f64| RIGID * of(&stiffest);
-        let spring = |about: usize, otherwise: f64| {
-            let given = hinge.stiffness[about];
-            let given = if given > 0.0 && given.is_finite() { given } else { otherwise };
-            (given * HINGE_LENGTH).clamp(1e-6, STIFFEST)
-        };
-        let stiffness = Stiffness {
-            ea: (rigid(|of| of.ea) * HINGE_LENGTH).clamp(1e-6, STIFFEST),
-            gj: spring(along, rigid(|of| of.gj)),
-            ei_y: spring(y, rigid(|of| of.ei_y.max(of.ei_z))),
-            ei_z: spring(z, rigid(|of| of.ei_y.max(of.ei_z))),
-        };
-        self.components.push(Component {
-            parent: NodeRef::Origin,
-            points: vec![origin - axis * HINGE_LENGTH, *origin],
-            elements: vec![ComponentElement { member: None, stiffness }],
-            y_axis: hinge.axes.column(y).into(),
-        });
-        NodeRef::Node { component: 0, node: 1 }
+    /// A rigid link between a node and a place beside it, as a component.
+    pub fn add_link(
+        &mut self,
+        (from, parent): (Vector3<f64>, NodeRef),
+        to: Vector3<f64>,
+        body: usize,
+    ) -> NodeRef {
+        let mut chain = Chain::new(parent, from);
+        chain.add_link(to, body);
+        let component = self.components.len();
+        self.components.push(chain.component(&self.stiffest, self.members));
+        self.ports[body].push((to, NodeRef::Node { component, node: 1 }));
+        NodeRef::Node { component, node: 1 }
     }
-}
-
-/// Of each body the greatest stiffness by length of the elements on it.
-fn stiffest(members: &[Member], tree: &Tree) -> Vec<Stiffness> {
-    let mut stiffest = vec![Stiffness { ea: 0.0, gj: 0.0, ei_y: 0.0, ei_z: 0.0 }; tree.outward.len()];
-    for (member, ends) in members.iter().zip(&tree.ends) {
-        let Stiffness { ea, gj, ei_y, ei_z } = member.stiffness;
-        let length = member.length();
-        for &body in ends {
-            let most = &mut stiffest[body];
-            most.ea = most.ea.max(ea / length);
-            most.gj = most.gj.max(gj / length);
-            most.ei_y = most.ei_y.max(ei_y / length);
-            most.ei_z = most.ei_z.max(ei_z / length);
-        }
-    }
-    stiffest
 }
 
 /// A component that is growing.
@@ -250,7 +230,7 @@ impl Chain {
                 let written = member.y_written;
                 let y = if is_beside(&written, &along) { written } else { member.y_axis };
                 self.y_axis = Some(y);
-                self.directions().all(|along| is_beside(&y, &along)).then_some(member.stiffness)
+                fitted(member, &y, &along).filter(|_| self.directions().all(|along| is_beside(&y, &along)))
             }
         };
         self.points.push(to);
@@ -272,7 +252,7 @@ impl Chain {
                 Err(body) => ComponentElement { member: None, stiffness: rigid(&stiffest[*body], length) },
             });
         }
-        Component { parent: self.parent, points: self.points, elements, y_axis }
+        Component { parent: self.parent, points: self.points, elements, y_axis, hinge: None, is_strut: false }
     }
 
     /// Of round sections: the one of the body's axes that is most across all elements.
@@ -288,29 +268,12 @@ fn is_beside(y: &Vector3<f64>, along: &Vector3<f64>) -> bool {
     y.cross(along).norm() > BESIDE
 }
 
-/// Stiffness in the axes that a component's y gives an element; none where its principal axes are others.
+/// Stiffness in the axes that a component's y gives an element; none where that is along it.
 fn fitted(member: &Member, y: &Vector3<f64>, along: &Vector3<f64>) -> Option<Stiffness> {
     if !is_beside(y, along) {
         return None;
     }
-    if member.stiffness.is_round() {
-        return Some(member.stiffness);
-    }
     let y = across(along, y)?;
-    let sine = y.cross(&member.y_axis).norm();
-    let cosine = y.dot(&member.y_axis).abs();
-    if sine < ALIGNED {
-        Some(member.stiffness)
-    } else if cosine < ALIGNED {
-        Some(member.stiffness.quarter_turned())
-    } else {
-        None
-    }
-}
-
-/// Of a link of a length, m, among elements with a greatest stiffness by length.
-fn rigid(stiffest: &Stiffness, length: f64) -> Stiffness {
-    let times = |by_length: f64| (RIGID * by_length * length).clamp(1e-6, STIFFEST);
-    let bending = stiffest.ei_y.max(stiffest.ei_z).max(stiffest.gj);
-    Stiffness { ea: times(stiffest.ea), gj: times(bending), ei_y: times(bending), ei_z: times(bending) }
+    let z = member.span().normalize().cross(&member.y_axis);
+    Some(member.stiffness.in_axes([y.dot(&member.y_axis), y.dot(&z)], along.dot(&member.span()) < 0.0))
 }

@@ -1,7 +1,14 @@
-//! From elements, rigid links and masses to the components of an aircraft file: a tree of beams with masses on its nodes.
+//! From elements, rigid links and masses to the components of an aircraft file: a tree of beams with masses on its nodes, and joints
+//! where beams form loops.
 
 mod bodies;
+mod chains;
 mod growth;
+mod hinges;
+mod loops;
+mod masses;
+mod pins;
+mod rigid;
 mod tree;
 
 use std::collections::BTreeSet;
@@ -11,11 +18,16 @@ use nalgebra::Vector3;
 use super::cards::Cards;
 use super::frames::World;
 use super::lumps::Lump;
-use super::members::{Member, Stiffness};
+use super::members::Member;
 use super::mistakes::{Mistakes, Origin, Remarks};
+use super::stiffness::Stiffness;
 use super::units::Units;
 use bodies::Bodies;
 use growth::Growth;
+use hinges::Hinges;
+pub use hinges::{ComponentHinge, Springs};
+pub use loops::Joint;
+pub use masses::{HALVES, turned_inertia};
 use tree::Tree;
 
 /// Places that are nearer are one, m.
@@ -24,6 +36,12 @@ const SAME_PLACE: f64 = 1e-6;
 /// Larger decks are no sticks: their elements, and their masses.
 const MOST_ELEMENTS: usize = 5000;
 const MOST_LUMPS: usize = 20_000;
+
+/// Of grids that lists name, all together.
+const MOST_LISTED: usize = 1_000_000;
+
+/// What has more loops is a lattice.
+const MOST_LOOPS: usize = 200;
 
 /// A node of the aircraft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,6 +58,10 @@ pub struct Component {
     pub points: Vec<Vector3<f64>>,
     pub elements: Vec<ComponentElement>,
     pub y_axis: Vector3<f64>,
+    /// Springs at its beginning.
+    pub hinge: Option<ComponentHinge>,
+    /// Whether it leads from one beam to another.
+    pub is_strut: bool,
 }
 
 /// Between two nodes.
@@ -76,7 +98,7 @@ pub struct PlacedLump {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Held {
     Clamped(Origin),
-    Hinged(Origin),
+    Hinged { by: Origin, needs_links: bool },
     Asked,
     Supported,
     NearestToMass,
@@ -88,6 +110,7 @@ pub struct Structure {
     pub members: Vec<Member>,
     pub components: Vec<Component>,
     pub lumps: Vec<PlacedLump>,
+    pub joints: Vec<Joint>,
     pub held: Held,
     /// The grid at O.
     pub root_grid: i64,
@@ -104,8 +127,8 @@ pub struct Parts<'a> {
     pub units: &'a Units,
     pub members: Vec<Member>,
     pub lumps: Vec<Lump>,
-    /// The sets of constraints that hold.
-    pub sets: &'a [i64],
+    /// The sets of constraints that hold; all where none.
+    pub sets: Option<&'a [i64]>,
     /// The grid that is to be O.
     pub root: Option<i64>,
 }
@@ -118,6 +141,13 @@ impl Structure {
             if mistakes.is_empty() {
                 mistakes.of_whole("found no CBAR, CBEAM or CROD; one of them at least is needed".to_owned());
             }
+            return None;
+        }
+        let listed = cards.listed();
+        if listed > MOST_LISTED {
+            mistakes.of_whole(format!(
+                "lists of RBE2, SPC1 and SET1 name {listed} grids; up to {MOST_LISTED} are allowed of a stick model"
+            ));
             return None;
         }
         if members.len() > MOST_ELEMENTS || lumps.len() > MOST_LUMPS {
@@ -133,26 +163,41 @@ impl Structure {
         let bodies = Bodies::new((cards, world, units), &used, sets, (mistakes, remarks));
         let (root_grid, held) = root_of((cards, &bodies), (&members, &lumps), root, mistakes)?;
         let (root, origin) = (bodies.of(root_grid)?, world.grid(root_grid)?);
-        let tree = Tree::new(&members, &bodies, root);
+        let tree = Tree::new(&members, &bodies, (root, origin));
         if tree.outward[root].is_empty() {
             mistakes.of_whole(format!("GRID {root_grid}, where the aircraft is held: found no element on it; a grid with elements is needed"));
             return None;
         }
-        tree::close_loops(&tree, &members, remarks);
+        if tree.closings.len() > MOST_LOOPS {
+            let found = format!("found beams that form {} loops", tree.closings.len());
+            mistakes.of_whole(format!("{found}; up to {MOST_LOOPS} are allowed of a stick model"));
+            return None;
+        }
+        tree::tell_idle(&tree, &members, remarks);
         tree::leave_out_lost(&tree, &members, remarks);
+        pins::tell(&tree, &members, remarks);
         other_clamps(&bodies, root, remarks);
-        let hinge = bodies.hinge.as_ref().filter(|hinge| hinge.body == root);
-        let growth = Growth::new((&members, &tree), origin, hinge);
+        let stiffest = rigid::stiffest(&members, &tree);
+        let springs = bodies.hinge.as_ref().filter(|hinge| hinge.body == root);
+        let hinges = Hinges::new((&members, &tree, &stiffest), (&origin, springs));
+        let mut growth = Growth::new((&members, &tree), (origin, &hinges), stiffest);
+        let joints = loops::close(&mut growth, (&tree, &members), remarks);
         for &(element, gap) in &growth.moved {
             let said = format!("its end is moved by {:.3} mm onto the node beside it", gap * 1e3);
             remarks.note(format!("{}: {said}", members[element].origin));
         }
-        let Growth { components, ports, .. } = growth;
+        let Growth { mut components, ports, .. } = growth;
+        name_struts(&mut components, &tree);
+        let held = match held {
+            Held::Hinged { by, .. } => Held::Hinged { by, needs_links: hinges.before_root.is_some() },
+            held => held,
+        };
         let zero = components[0].points[0];
         let mut structure = Structure {
             members,
             components,
             lumps: Vec::new(),
+            joints,
             held,
             root_grid,
             origin: zero,
@@ -162,61 +207,6 @@ impl Structure {
         structure.hang_masses(cards, &tree, lumps, remarks);
         structure.move_to_origin();
         Some(structure)
-    }
-
-    /// Masses of CONM1 and CONM2, and of elements that are in no component.
-    fn hang_masses(&mut self, cards: &Cards, tree: &Tree, lumps: Vec<Lump>, remarks: &mut Remarks) {
-        let of_cut = tree.cut.iter().flat_map(|&element| halves(&self.members[element]));
-        for lump in lumps.into_iter().chain(of_cut.collect::<Vec<_>>()) {
-            let spread =
-                cards.spreads.iter().find(|spread| spread.grid == lump.grid && spread.carriers.len() > 1);
-            let is_carried = self.bodies.of(lump.grid).is_some_and(|body| tree.is_reached[body]);
-            match spread.filter(|_| !is_carried) {
-                None => self.hang(lump, remarks),
-                Some(spread) => {
-                    let whole: f64 = spread.carriers.iter().map(|(_, weight)| weight).sum();
-                    let said = format!(
-                        "{} on GRID {}: its mass is divided by the weights of {} among {} grids, each part rigid on its own; mass, centre and inertia of the whole are kept",
-                        lump.origin,
-                        lump.grid,
-                        spread.origin,
-                        spread.carriers.len()
-                    );
-                    remarks.card(&spread.origin, said);
-                    for &(grid, weight) in &spread.carriers {
-                        let share = weight / whole;
-                        let part = Lump {
-                            grid,
-                            mass: share * lump.mass,
-                            inertia: lump.inertia * share,
-                            ..lump.clone()
-                        };
-                        self.hang(part, remarks);
-                    }
-                }
-            }
-        }
-    }
-
-    fn hang(&mut self, lump: Lump, remarks: &mut Remarks) {
-        let Some((at, node)) = self.bodies.of(lump.grid).and_then(|body| self.port(body, &lump.at)) else {
-            let said = format!(
-                "no chain of elements and rigid links joins GRID {} to the root: {:.6} kg are left out",
-                lump.grid, lump.mass
-            );
-            remarks.card(&lump.origin, said);
-            return;
-        };
-        let (component, node) = self.carrier(node);
-        self.lumps.push(PlacedLump { component, node, offset: lump.centre - at, lump });
-    }
-
-    /// The component and its node that carry what is on a node: of O the first component that begins there.
-    pub fn carrier(&self, node: NodeRef) -> (usize, usize) {
-        match node {
-            NodeRef::Node { component, node } => (component, node),
-            NodeRef::Origin => (0, 0),
-        }
     }
 
     /// The node of a body at a place, else the one by which the tree leads to the body.
@@ -252,11 +242,11 @@ impl Structure {
     pub fn centre(&self) -> Vector3<f64> {
         let of_elements = self.components.iter().flat_map(|component| {
             let middles = component.points.windows(2).map(|ends| 0.5 * (ends[0] + ends[1]));
-            let masses = component
-                .elements
-                .iter()
-                .map(|element| element.member.map_or(0.0, |member| self.members[member].mass()));
-            masses.zip(middles)
+            let masses = component.elements.iter().map(|element| match element.member {
+                Some(member) => (self.members[member].mass(), self.members[member].mass_centre),
+                None => (0.0, Vector3::zeros()),
+            });
+            masses.zip(middles).map(|((mass, offset), middle)| (mass, middle + offset))
         });
         let place = |lump: &PlacedLump| self.components[lump.component].points[lump.node] + lump.offset;
         let of_lumps = self.lumps.iter().map(|lump| (lump.lump.mass, place(lump)));
@@ -271,6 +261,16 @@ impl Structure {
         let points = self.components.iter_mut().flat_map(|component| &mut component.points);
         points.for_each(|point| *point -= origin);
         self.ports.iter_mut().flatten().for_each(|(point, _)| *point -= origin);
+    }
+}
+
+/// What closes a loop where it meets another beam is a strut, if not by half.
+fn name_struts(components: &mut [Component], tree: &Tree) {
+    let of_struts = tree.closings.iter().filter(|closing| closing.opposite.is_none());
+    let struts: BTreeSet<usize> = of_struts.flat_map(|closing| closing.chain.iter().copied()).collect();
+    for component in components {
+        let mut of_deck = component.elements.iter().filter_map(|element| element.member).peekable();
+        component.is_strut = of_deck.peek().is_some() && of_deck.all(|member| struts.contains(&member));
     }
 }
 
@@ -306,7 +306,7 @@ fn root_of(
         return Some((*grid, Held::Clamped(origin.clone())));
     }
     if let Some(hinge) = bodies.hinge.as_ref().filter(|hinge| on_body.contains(&hinge.body)) {
-        return Some((hinge.grid, Held::Hinged(hinge.origin.clone())));
+        return Some((hinge.grid, Held::Hinged { by: hinge.origin.clone(), needs_links: false }));
     }
     if let Some(grid) =
         cards.reference_grid.filter(|grid| bodies.of(*grid).is_some_and(|body| on_body.contains(&body)))
@@ -315,45 +315,14 @@ fn root_of(
     }
     let mut mass = 0.0;
     let mut moment = Vector3::zeros();
-    for (part, at) in lumps
-        .iter()
-        .map(|lump| (lump.mass, lump.centre))
-        .chain(members.iter().map(|member| (member.mass(), 0.5 * (member.ends[0] + member.ends[1]))))
-    {
+    for (part, at) in lumps.iter().map(|lump| (lump.mass, lump.centre)).chain(
+        members
+            .iter()
+            .map(|member| (member.mass(), 0.5 * (member.ends[0] + member.ends[1]) + member.mass_centre)),
+    ) {
         mass += part;
         moment += at * part;
     }
     let centre = if mass > 0.0 { moment / mass } else { Vector3::zeros() };
     Some((tree::root_of_free(members, &centre)?, Held::NearestToMass))
-}
-
-/// The mass of an element at two places of it, which have its mass, centre and inertia, each on the grid beside it.
-fn halves(member: &Member) -> Vec<Lump> {
-    if member.mass() <= 0.0 {
-        return Vec::new();
-    }
-    let half = |end: usize| {
-        let centre = member.ends[0] + member.span() * HALVES[end];
-        let inertia = turned_inertia(member) * 0.5;
-        Lump {
-            origin: member.origin.clone(),
-            grid: member.grids[end],
-            at: member.ends[end],
-            mass: 0.5 * member.mass(),
-            centre,
-            inertia,
-        }
-    };
-    vec![half(0), half(1)]
-}
-
-/// Two places of a uniform rod, as shares of its length: half of its mass at each has its centre and its inertia.
-pub const HALVES: [f64; 2] = [0.211_324_865_405_187_13, 0.788_675_134_594_812_9];
-
-/// Of a member about its own axis, as a body at its middle has it beside that of its length.
-pub fn turned_inertia(member: &Member) -> nalgebra::Matrix3<f64> {
-    let axis = member.span().normalize();
-    // A disc: half of its polar moment about each diameter.
-    let polar = member.inertia_by_length * member.length();
-    0.5 * polar * (nalgebra::Matrix3::identity() + axis * axis.transpose())
 }

@@ -58,7 +58,7 @@ fn rigid_links_and_offsets_move_a_stick_and_do_not_soften_it() {
 }
 
 #[test]
-fn the_principal_axes_of_a_section_with_i12_are_found() {
+fn a_section_with_i12_swings_along_its_principal_axes() {
     // The same section, written in axes that are turned by 30° about the beam.
     let (sin, cos) = 30f64.to_radians().sin_cos();
     let orientation = "0.,0.,1.\n".to_owned();
@@ -72,32 +72,64 @@ fn the_principal_axes_of_a_section_with_i12_are_found() {
             format!("PBAR*,1,1,.02,{i1:.12e}\n*,{i2:.12e},1.-4,,\n*,,,,\n*,,,,\n*,,,{i12:.12e},\n");
         let found = imported(&text.replace("PBAR,1,1,.02,1.-4,4.-4,1.-4\n", &property));
         check_cantilever(&found, 3e-5);
-        assert!(
-            found.remarks.notes.iter().any(|note| note.starts_with("PBAR 1 has I12 = ")),
-            "{:?}",
-            found.remarks.notes
+        assert_eq!(
+            (reports(&found), found.remarks.notes.as_slice()),
+            (vec![], [""; 0].map(String::from).as_slice())
         );
+        assert!(found.text().contains("\nEI_yz_N_m2 = "), "{}", found.text());
+    }
+}
+
+/// A light bar of 2 m to the right, 1e6 times as stiff as the springs that hold it, with 3 kg at its end.
+const PENDULUM: &str = "MAT1,1,2.+11,1.+11,.3\nPBAR,1,1,.1,.01,.01,.01\nGRID,1,,0.,0.,0.\nGRID,2,,0.,2.,0.\nCBAR,1,1,1,2,0.,0.,1.\n\
+    CONM2,1,2,,3.\nCBUSH,5,5,1,,,,,0\nPBUSH,5,K,RIGID,RIGID,RIGID,480.,700.,1200.\n";
+
+/// Checks ω² = K / (m L²) of two swings; the bar bends too: 3 EI/L is 6e9 N m/rad.
+#[track_caller]
+fn check_pendulum(found: &Imported) {
+    let swings = frequencies(&found.aircraft, 2);
+    for (found, stiffness) in swings.iter().zip([480.0_f64, 1200.0]) {
+        let expected = (stiffness / 12.0).sqrt();
+        assert!((found / expected - 1.0).abs() < 3e-6, "{found} {expected}");
     }
 }
 
 #[test]
-fn springs_at_a_root_hold_a_stiff_bar_as_a_pendulum_is_held() {
-    // A light bar of 2 m, 1e6 times as stiff as the springs, with 3 kg at its end: ω² = K / (m L²).
-    let deck = "MAT1,1,2.+11,1.+11,.3\nPBAR,1,1,.1,.01,.01,.01\nGRID,1,,0.,0.,0.\nGRID,2,,0.,2.,0.\nCBAR,1,1,1,2,0.,0.,1.\n\
-                CONM2,1,2,,3.\nCBUSH,5,5,1,,,,,0\nPBUSH,5,K,RIGID,RIGID,RIGID,480.,700.,1200.\n";
-    let found = imported(deck);
+fn springs_at_a_root_are_a_hinge_and_hold_a_stiff_bar_as_a_pendulum_is_held() {
+    let found = imported(PENDULUM);
     assert_eq!(reports(&found), [""; 0]);
-    let swings = frequencies(&found.aircraft, 2);
-    for (found, stiffness) in swings.iter().zip([480.0_f64, 1200.0]) {
-        let expected = (stiffness / 12.0).sqrt();
-        // The element of 1 mm lets the bar move too: half of its length by the bar's.
-        assert!((found / expected - 1.0).abs() < 5e-3, "{found} {expected}");
-    }
-    assert!(found.text().contains("GJ_N_m2 = 0.7\n"), "{}", found.text());
-    let told =
-        reports(&imported(&deck.replace("RIGID,RIGID,RIGID,480.,700.,", "1.+8,1.+8,1.+8,480.,,"))).join("\n");
+    check_pendulum(&found);
+    // About x of the bar, and of the basic axes about y; two of three, of which the last goes round.
+    assert!(found.text().contains("\nstiffnesses_N_m_per_rad = [700, 1200, 480]\n"), "{}", found.text());
+    assert!(found.text().contains("\naxis_m = [[0, 0, 0], [0, 2, 0]]\n"), "{}", found.text());
+    let told = reports(&imported(&PENDULUM.replace("RIGID,RIGID,RIGID,480.,700.,", "1.+8,1.+8,1.+8,480.,,")))
+        .join("\n");
     assert!(told.contains("CBUSH 5: found no K5: held as if rigid about it"), "{told}");
     assert!(told.contains("CBUSH 5: the springs K1, K2, K3 along its axes are held as if rigid"), "{told}");
+}
+
+#[test]
+fn springs_about_axes_that_no_beam_has_or_that_hold_several_beams_have_an_element_of_their_own() {
+    // 45° about z: the bar goes along the bisector of two springs' axes.
+    let turned = "CORD2R,7,,0.,0.,0.,0.,0.,1.\n+,1.,1.,0.\n";
+    let skew = PENDULUM
+        .replace("CBUSH,5,5,1,,,,,0", "CBUSH,5,5,1,,,,,,7")
+        .replace("CBUSH,5,5,1,,,,,,7", "CBUSH,5,5,1,,,,,7");
+    let skew = imported(&(skew.replace("480.,700.,", "480.,480.,") + turned));
+    assert_eq!(reports(&skew), [""; 0]);
+    check_pendulum(&skew);
+    assert!(skew.text().contains("\nname = \"root\"\n"), "{}", skew.text());
+    // The same bar to the left hangs on the same springs: twice the inertia, half the squares.
+    let both = PENDULUM.replace("480.,700.,1200.", "960.,700.,2400.")
+        + "GRID,3,,0.,-2.,0.\nCBAR,2,1,1,3,0.,0.,1.\nCONM2,2,3,,3.\n";
+    let both = imported(&both);
+    assert_eq!(reports(&both), [""; 0]);
+    check_pendulum(&both);
+    // One spring alone, about an axis that is no bar's.
+    let one = imported(&PENDULUM.replace("480.,700.,1200.", "480.,RIGID,RIGID"));
+    assert!(one.text().contains("\naxis = [-1, 0, 0]\nstiffness_N_m_per_rad = 480\n"), "{}", one.text());
+    let swing = frequencies(&one.aircraft, 1)[0];
+    assert!((swing / 40f64.sqrt() - 1.0).abs() < 3e-6, "{swing}");
 }
 
 #[test]

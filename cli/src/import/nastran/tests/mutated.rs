@@ -2,6 +2,7 @@
 
 use std::time::{Duration, Instant};
 
+use super::super::Error;
 use super::*;
 
 /// SplitMix64 [Steele, Lea, Flood 2014]: the same mutants in every run.
@@ -37,6 +38,12 @@ const WORDS: [&str; 16] = [
     "GGO",
 ];
 
+/// A wing with struts.
+fn braced() -> String {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/nastran/braced.bdf");
+    std::fs::read_to_string(file).unwrap()
+}
+
 /// The example, with all of its files in one.
 fn transport() -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/nastran");
@@ -54,10 +61,10 @@ fn transport() -> String {
 #[test]
 fn random_mistakes_are_refused_or_imported() {
     let mut random = Random(20_240_117);
-    let decks = [transport(), cards::stick_text(), wrapped(&panels::wing_text())];
+    let decks = [transport(), braced(), cards::stick_text(), wrapped(&panels::wing_text())];
     let begin = Instant::now();
     let mut imported = 0;
-    for round in 0..1500 {
+    for round in 0..2000 {
         let mut lines: Vec<String> = decks[round % decks.len()].lines().map(str::to_owned).collect();
         for _ in 0..1 + random.next(3) {
             let line = random.next(lines.len());
@@ -101,9 +108,11 @@ fn random_mistakes_are_refused_or_imported() {
                 imported += 1;
                 assert!(found.text().starts_with("# Written by"));
             }
+            // What the library refuses is told by card and line before it is written.
+            Err(Error::NotRead(error)) => panic!("{error}\n{}", lines.join("\n")),
             Err(error) => assert!(!error.to_string().is_empty(), "{}", lines.join("\n")),
         }
     }
-    assert!((200..1400).contains(&imported), "{imported}");
+    assert!((300..1800).contains(&imported), "{imported}");
     assert!(begin.elapsed() < Duration::from_secs(120));
 }

@@ -2,15 +2,24 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::super::members::{Member, Stiffness};
+use super::super::members::Member;
 use super::super::pairs::Side;
-use super::super::structure::{Component, HALVES, NodeRef, PlacedLump, turned_inertia};
+use super::super::stiffness::Stiffness;
+use super::super::structure::{
+    Component, ComponentHinge, HALVES, NodeRef, PlacedLump, Springs, turned_inertia,
+};
 use super::control::Moved;
 use super::law::per_element;
 use super::{Written, beside, comment, list, number, surface, vector};
 
 /// Elements whose spans differ by less than this share of their length are alike.
 const ALIKE: f64 = 1e-9;
+
+/// Of one segment of an axis.
+const MOST_ELEMENTS: usize = 1000;
+
+/// Couplings and distances that are less than this are rounding, N m² and m.
+const NOTHING: f64 = 1e-12;
 
 pub fn text(written: &Written, place: usize, moved: &Moved) -> String {
     let component = &written.structure.components[place];
@@ -36,6 +45,7 @@ pub fn text(written: &Written, place: usize, moved: &Moved) -> String {
     };
     text += &format!("y_axis = {}\n", vector(&component.y_axis));
     text += &stiffness(component);
+    text += &component.hinge.as_ref().map(|hinge| of_hinge(written, hinge)).unwrap_or_default();
     text += &masses_of_elements(written, place);
     for lump in written.lumps(place) {
         text += &of_lump(written, component, lump);
@@ -96,7 +106,7 @@ fn corners(component: &Component) -> (Vec<Vector3<f64>>, Vec<usize>) {
         let span = ends[1] - ends[0];
         let is_alike = before.is_some_and(|before| (span - before).norm() <= ALIKE * span.norm());
         let to = ends[1] - root;
-        match counts.last_mut().filter(|_| is_alike) {
+        match counts.last_mut().filter(|count| is_alike && **count < MOST_ELEMENTS) {
             Some(count) => {
                 *count += 1;
                 corners.pop();
@@ -112,33 +122,54 @@ fn corners(component: &Component) -> (Vec<Vector3<f64>>, Vec<usize>) {
 }
 
 fn stiffness(component: &Component) -> String {
-    let law = |name: &str, of: fn(&Stiffness) -> f64| {
-        let values: Vec<f64> = component.elements.iter().map(|element| of(&element.stiffness)).collect();
-        format!("{name} = {}\n", per_element(&values))
+    let values = |of: fn(&Stiffness) -> f64| -> Vec<f64> {
+        component.elements.iter().map(|element| of(&element.stiffness)).collect()
+    };
+    let law = |name: &str, of: fn(&Stiffness) -> f64| format!("{name} = {}\n", per_element(&values(of)));
+    let if_any = |name: &str, of: fn(&Stiffness) -> f64| {
+        if values(of).iter().all(|value| value.abs() <= NOTHING) { String::new() } else { law(name, of) }
     };
     law("EA_N", |of| of.ea)
         + &law("GJ_N_m2", |of| of.gj)
         + &law("EI_y_N_m2", |of| of.ei_y)
         + &law("EI_z_N_m2", |of| of.ei_z)
+        + &if_any("EI_yz_N_m2", |of| of.ei_yz)
+        + &if_any("tension_axis_y_m", |of| of.tension_axis[0])
+        + &if_any("tension_axis_z_m", |of| of.tension_axis[1])
 }
 
-/// Masses of elements, each at two places that have its mass, centre and inertia; like inertias about the axis are told together.
+/// Springs at the root.
+fn of_hinge(written: &Written, hinge: &ComponentHinge) -> String {
+    let source = format!("{} ({}){}", hinge.origin, (written.shown)(&hinge.origin), hinge.said);
+    let springs = match &hinge.springs {
+        Springs::About { axis, stiffness } => {
+            format!("axis = {}\nstiffness_N_m_per_rad = {}\n", vector(axis), number(*stiffness))
+        }
+        Springs::AboutLocalAxes(stiffnesses) => format!("stiffnesses_N_m_per_rad = {}\n", list(stiffnesses)),
+    };
+    beside("\n[component.hinge]", &source) + &springs
+}
+
+/// Masses of elements, each at two places that have its mass, centre and inertia; those with like inertias and places beside the axis are told together.
 fn masses_of_elements(written: &Written, place: usize) -> String {
     let component = &written.structure.components[place];
     let distances = component.distances();
-    let mut groups: Vec<(Matrix3<f64>, Vec<usize>)> = Vec::new();
+    let mut groups: Vec<(Matrix3<f64>, Vector3<f64>, Vec<usize>)> = Vec::new();
     for element in 0..component.elements.len() {
         let Some(member) = written.member(place, element).filter(|member| member.mass() >= 4e-9) else {
             continue;
         };
-        let inertia = turned_inertia(member) * 0.5;
-        match groups.iter_mut().find(|(other, _)| (inertia - *other).amax() <= 1e-11 * inertia.amax()) {
-            Some((_, elements)) => elements.push(element),
-            None => groups.push((inertia, vec![element])),
+        let (inertia, centre) = (turned_inertia(member) * 0.5, member.mass_centre);
+        let is_like = |(other, place, _): &&mut (Matrix3<f64>, Vector3<f64>, Vec<usize>)| {
+            (inertia - *other).amax() <= 1e-11 * inertia.amax() && (centre - *place).amax() <= NOTHING
+        };
+        match groups.iter_mut().find(is_like) {
+            Some((.., elements)) => elements.push(element),
+            None => groups.push((inertia, centre, vec![element])),
         }
     }
     let mut text = String::new();
-    for (inertia, elements) in groups {
+    for (inertia, centre, elements) in groups {
         let mut at = Vec::new();
         let mut masses = Vec::new();
         for element in elements {
@@ -155,7 +186,11 @@ fn masses_of_elements(written: &Written, place: usize) -> String {
             "\n[[component.point_masses]]",
             "of elements: two places each have its mass, centre and inertia",
         );
-        text += &format!("at_m = {}\nmass_kg = {masses}\n{}", list(&at), of_inertia(&inertia));
+        text += &format!("at_m = {}\nmass_kg = {masses}\n", list(&at));
+        if centre.norm() > NOTHING {
+            text += &format!("offset_m = {}\n", vector(&centre));
+        }
+        text += &of_inertia(&inertia);
     }
     text
 }

@@ -1,6 +1,7 @@
 //! Controls, and how their gains pass to mirror images.
 
 use super::super::aero::{Control, Role};
+use super::super::layout::middle;
 use super::super::pairs::Side;
 use super::{Written, comment, number};
 
@@ -65,6 +66,9 @@ fn mirroring(written: &Written, images: &[Vec<(usize, f64)>], control: usize) ->
             }
         }
     }
+    if signs.is_empty() {
+        return of_sides(written, control);
+    }
     if signs.iter().all(|sign| *sign == 1) {
         Mirroring::Same
     } else if signs.iter().all(|sign| *sign == -1) {
@@ -72,6 +76,21 @@ fn mirroring(written: &Written, images: &[Vec<(usize, f64)>], control: usize) ->
     } else {
         Mirroring::None
     }
+}
+
+/// What a control does to components without images: opposite where all that is on the right turns against all that is on the left.
+fn of_sides(written: &Written, control: usize) -> Mirroring {
+    let mut sides = [Vec::new(), Vec::new()];
+    for surface in written.surfaces {
+        let gain = surface.flap.as_ref().map_or(0.0, |flap| gain(&flap.moves, control));
+        let y = middle(&written.structure.components[surface.component]).y;
+        if gain != 0.0 {
+            sides[usize::from(y < 0.0)].push(gain);
+        }
+    }
+    let [right, left] = sides;
+    let is_opposite = !left.is_empty() && right.iter().all(|one| left.iter().all(|other| one * other < 0.0));
+    if is_opposite && !right.is_empty() { Mirroring::Opposite } else { Mirroring::Same }
 }
 
 pub fn controls(written: &Written, moved: &Moved) -> String {
@@ -92,20 +111,14 @@ fn one(written: &Written, control: &Control, (mirroring, role): (Mirroring, Opti
     text += &format!(
         "[[control]]\nname = \"{}\"\ndescription = \"{}\"\npositive = \"{}\"\nmirror = \"{mirror}\"\n",
         control.name,
-        control.label.replace(['"', '\\'], "_"),
+        control.label.replace(|letter: char| matches!(letter, '"' | '\\') || letter.is_control(), "_"),
         positive(control, (mirroring, role))
     );
     if let Some(role) = role {
         text += &format!("trim = \"{}\"\n", role.name());
     }
     let limits = control.limits.map(|limit| limit.map(f64::to_degrees));
-    let fits = match limits {
-        [Some(low), Some(high)] => {
-            low < high && (-90.0..=90.0).contains(&low) && (-90.0..=90.0).contains(&high)
-        }
-        _ => false,
-    };
-    if let ([Some(low), Some(high)], true) = (limits, fits) {
+    if let [Some(low), Some(high)] = limits {
         text += &format!("minimum_deg = {}\nmaximum_deg = {}\n", number(low), number(high));
     }
     text + "\n"

@@ -2,6 +2,7 @@
 
 mod component;
 mod control;
+mod joint;
 mod law;
 mod surface;
 
@@ -60,6 +61,7 @@ pub fn file(written: &Written) -> String {
             text += &component::text(written, place, &moved);
         }
     }
+    text += &joint::joints(written);
     text += &engines(written);
     text += &watched(written);
     text.trim_end().to_owned() + "\n"
@@ -67,8 +69,13 @@ pub fn file(written: &Written) -> String {
 
 fn top(written: &Written) -> String {
     let support = if written.is_clamped { "clamped" } else { "free" };
+    let model = if written.structure.joints.is_empty() {
+        "model = \"geometrically_exact\"\n".to_owned()
+    } else {
+        comment(joint::WHY_EXACT) + "model = \"exact\"\n"
+    };
     let mut text = format!(
-        "format = 1\nname = {}\nsupport = \"{support}\"\nmode_basis = \"bending_torsion\"\nmodel = \"geometrically_exact\"\n",
+        "format = 1\nname = {}\nsupport = \"{support}\"\nmode_basis = \"bending_torsion\"\n{model}",
         toml::Value::String(written.name.to_owned())
     );
     text += &beside(&format!("airspeed_m_s = {}", number(written.airspeed.0)), &written.airspeed.1);
@@ -125,7 +132,18 @@ fn watched(written: &Written) -> String {
         let at = number(written.root(place));
         format!("[[cut]]\nname = \"{}\"\ncomponent = \"{name}\"\nat = {at}\n\n", sided(name, "root"))
     };
-    places.iter().map(station).chain(places.iter().map(cut)).collect()
+    let within = written.structure.elements_in_loops();
+    let (in_loops, free): (Vec<&usize>, Vec<&usize>) =
+        places.iter().partition(|place| within[**place].contains(&true));
+    let mut text: String = places.iter().map(station).chain(free.into_iter().map(cut)).collect();
+    if !in_loops.is_empty() {
+        let names: Vec<&str> = in_loops.into_iter().map(|&place| written.names[place].as_str()).collect();
+        text += &comment(&format!(
+            "No [[cut]] at the root of {}: within a loop no summation gives its loads.",
+            names.join(", ")
+        ));
+    }
+    text
 }
 
 impl Written<'_> {

@@ -1,0 +1,77 @@
+"""What `flexair import nastran` writes swings as a frame of finite elements that reads the same deck by pyNastran (frames.py)."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from frames import Frame
+from pyNastran.bdf.bdf import BDF
+
+ROOT = Path(__file__).parents[2]
+FLEXAIR = os.environ.get("FLEXAIR", str(ROOT / "target/release/flexair"))
+
+# A swept wing in pieces whose sections are skew and whose neutral axis is apart from the shear centre, with offsets, a mass and a rod below it.
+SKEW = """MAT1,1,7.+10,,.3,2700.
+PBEAM,1,1,.004,2.-5,8.-5,2.5-5,5.-5
++
++,0.,0.
++,.05,-.02,,,.04,-.06
+PBAR,2,1,.003,1.-5,6.-5,4.-5
++
++,,,-1.2-5
+PROD,3,1,3.-4
+SPC1,1,123456,1
+GRID,50,,.2,.3,-1.2
+RBE2,50,1,123456,50
+CROD,60,3,50,13
+CONM2,70,20,,15.,.2,0.,.05
++,.4,.02,.6,-.01,.03,.9
+""" + "".join(
+    f"GRID,{grid},,{0.08 * (grid - 1):.4f},{0.35 * (grid - 1):.4f},{0.02 * (grid - 1):.4f}\n" for grid in range(1, 21)
+) + "".join(
+    f"{'CBEAM' if grid < 11 else 'CBAR'},{grid},{1 if grid < 11 else 2},{grid},{grid + 1},.1,0.,1.\n" for grid in range(1, 20)
+)
+
+# The same without the clamp and the rod: springs about the basic axes hold its root.
+SPRUNG = SKEW.replace("SPC1,1,123456,1\n", "CBUSH,80,80,1,,,,,0\nPBUSH,80,K,,,,4.+5,2.+6,3.+5\n").replace("CROD,60,3,50,13\n", "")
+
+
+def both(deck, folder, code=0, **held):
+    """Frequencies of the file, rad/s, by `describe`; of the frame, clamped; what the file says. The import ends with a code: 2, with a report, where springs
+    along axes are rigid."""
+    file = folder / "aircraft.toml"
+    run = subprocess.run([FLEXAIR, "import", "nastran", deck, "--output", file], capture_output=True, text=True)
+    assert run.returncode == code, run.stdout + run.stderr
+    # A frame stretches too.
+    written = file.read_text()
+    file.write_text(written.replace('mode_basis = "bending_torsion"', 'mode_basis = "full"'))
+    run = subprocess.run([FLEXAIR, "describe", file, "--modes", "12", "--json", "-"], capture_output=True, text=True, check=True)
+    ours = np.array(sorted(mode["angular_frequency"] for mode in json.loads(run.stdout)["modes"]))
+    model = BDF(debug=None)
+    model.read_bdf(str(deck), punch="BEGIN BULK" not in deck.read_text())
+    return ours, Frame(model).frequencies(**held), written
+
+
+def agree(ours, theirs):
+    """Twelve frequencies to 1e-3, as fine as the elements are (3e-4 with the deck's struts of four); the first four to 1e-4."""
+    assert len(ours) == 12
+    assert ours / theirs[:12] == pytest.approx(1, abs=1e-3)
+    assert ours[:4] / theirs[:4] == pytest.approx(1, abs=1e-4)
+
+
+def test_a_braced_wing_swings_as_its_frame(tmp_path):
+    ours, theirs, written = both(ROOT / "examples/nastran/braced.bdf", tmp_path, clamped=1)
+    assert "symmetric = true" in written and 'model = "exact"' in written and written.count("\n[[joint]]") == 1
+    agree(ours, theirs)
+
+
+@pytest.mark.parametrize("text, held", [(SKEW, {}), (SPRUNG, {"components": range(3), "code": 2})], ids=["clamped", "sprung"])
+def test_skew_sections_offset_axes_rods_and_springs_swing_as_their_frame(tmp_path, text, held):
+    deck = tmp_path / "deck.bdf"
+    deck.write_text(text)
+    ours, theirs, written = both(deck, tmp_path, clamped=1, **held)
+    assert "EI_yz_N_m2" in written and "tension_axis_y_m" in written
+    agree(ours, theirs)
