@@ -134,9 +134,8 @@ enum Command {
 /// Options of `flexair package`.
 #[derive(Args)]
 struct PackageOptions {
-    /// The aircraft file (TOML)
-    #[arg(long, value_name = "FILE", default_value_os_t = workspace::aircraft())]
-    aircraft: PathBuf,
+    #[command(flatten)]
+    aircraft: aircraft_file::AircraftFile,
 
     #[command(flatten)]
     interfaces: interfaces::Interfaces,
@@ -229,7 +228,17 @@ fn at_home(home: &Home, command: &str, option: Arg) -> Arg {
     if is_named_so || default == Some(workspace::aircraft()) {
         let home = home.clone();
         let help = option.get_help().map(ToString::to_string).unwrap_or_default();
-        let parser = PathBufValueParser::new().try_map(move |given| home.aircraft(given));
+        let parser = PathBufValueParser::new().try_map(move |given| {
+            let own = given.with_extension("toml");
+            let found = home.aircraft(given)?;
+            if own.is_file() && !same_file::is_same_file(&own, &found).unwrap_or(true) {
+                let (name, own) = (found.file_stem().unwrap_or_default().display(), own.display());
+                terminal::note(&format!(
+                    "note: {name} is the aircraft that comes with flexair; the file here is {own}"
+                ));
+            }
+            Ok::<_, home::NoSuchAircraft>(found)
+        });
         return option.value_parser(parser).help(format!("{help}, or a name that `flexair aircraft` lists"));
     }
     let Some(default) = default else { return option };

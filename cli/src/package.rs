@@ -86,12 +86,12 @@ fn package(options: PackageOptions, home: &Home, audience: &Audience) -> Result<
     let outputs = places(&interfaces, options.output.as_deref(), &usual)?;
     let libraries = options.binary.iter().map(|(_, library)| library.as_path());
     let paths: Vec<&Path> = outputs.iter().map(PathBuf::as_path).collect();
-    refuse_overwriting(&paths, libraries.chain([options.aircraft.as_path()]))?;
-    let aircraft = diagnostics::read_aircraft(&options.aircraft)?;
+    refuse_overwriting(&paths, libraries.chain([options.aircraft.path()]))?;
+    let aircraft = diagnostics::read_aircraft(options.aircraft.path())?;
 
     let mut package = Package {
         interface: Interface::USUAL,
-        aircraft: options.aircraft,
+        aircraft: options.aircraft.path().to_owned(),
         mode_count: ModeCount::asked_or_usual(options.modes, ReducedModel::USUAL_MODES),
         load_modes: options.load_modes,
         starts: options.set,

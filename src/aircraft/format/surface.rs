@@ -116,7 +116,7 @@ pub static FLAP: Field = Field {
     kind: Kind::Table(&FLAP_TABLE),
     unit: "",
     absent: Absent::Nothing,
-    sentence: "`{ lift_slope_per_rad, hinge }`: a flap at the trailing edge",
+    sentence: "`{ lift_slope_per_rad, hinge }`, and `moment_slope` or `drag` where they are known: a flap at the trailing edge",
 };
 pub static MOVES: Field = Field {
     name: "control",
@@ -170,7 +170,7 @@ pub static FLAP_DRAG: Field = law(
     Kind::Law(&FLAP_DRAG_COEFFICIENT, &FORMS),
     "",
     Absent::Number(0.0),
-    "k per rad²: the flap turned by δ adds kδ² to CD0; a law where airbrakes and ailerons share a surface",
+    "drag by the square of the angle, k per rad²: the flap turned by δ adds kδ² to CD0 (in linear models 2kδ of the trim's δ is the slope). A law, `{ per_element = [0.2, 1.6, 0.2] }`, where airbrakes and ailerons share a surface",
 );
 
 static MOVE: Table = Table {

@@ -38,7 +38,7 @@ impl Structure {
         }
         let mut left = MOST_SHARES;
         for lump in lumps.into_iter().chain(of_elements) {
-            self.spread((&spreads, tree), lump, (DEEPEST, &mut left), remarks);
+            self.spread((&spreads, tree), &lump, (DEEPEST, &mut left), remarks);
         }
     }
 
@@ -46,7 +46,7 @@ impl Structure {
     fn spread(
         &mut self,
         (spreads, tree): (&BTreeMap<usize, &Spread>, &Tree),
-        lump: Lump,
+        lump: &Lump,
         (depth, left): (usize, &mut usize),
         remarks: &mut Remarks,
     ) {
@@ -55,7 +55,7 @@ impl Structure {
         let is_possible = |spread: &&Spread| !is_carried && depth > 0 && spread.carriers.len() <= *left;
         let of_body = body.and_then(|body| spreads.get(&body).copied());
         let Some(spread) = of_body.filter(is_possible) else {
-            self.hang(&lump, remarks);
+            self.hang(lump, remarks);
             return;
         };
         *left -= spread.carriers.len();
@@ -72,7 +72,7 @@ impl Structure {
             let share = weight / whole;
             let (mass, inertia) = (share * lump.mass, lump.inertia * share);
             let part = Lump { grid, mass, inertia, ..lump.clone() };
-            self.spread((spreads, tree), part, (depth - 1, left), remarks);
+            self.spread((spreads, tree), &part, (depth - 1, left), remarks);
         }
     }
 
