@@ -18,8 +18,10 @@ use crate::terminal;
 #[command(
     after_help = "Mistakes are shown with their lines, all at once, and nothing else is printed: the exit code is 1. Otherwise the aircraft is described as \
 `flexair describe` does, with what is unusual at the end: mass by area, frequencies, static margin, volumes of tails and fins, ratios of \
-stiffnesses, radii of gyration against the aircraft's size, elements without strips, a trim that is beyond limits or not to be found. The exit code \
-is 2 where anything is unusual and 0 where nothing is. An unusual aircraft flies all the same.
+stiffnesses, radii of gyration against the aircraft's size, elements without strips, controls that turn the aircraft against what is said of them, \
+moments of sections and flaps, what turns in engines, nodes in one place without a joint, a trim that is beyond limits or not to be found. The exit code \
+is 2 where anything is unusual and 0 where nothing is; options that cannot be read end with 2 as well, and print nothing on standard output. An unusual \
+aircraft flies all the same.
 
 Example: in a script that goes on only where all is well
   flexair check my-aircraft.toml > described.txt && flexair package --aircraft my-aircraft.toml"

@@ -36,6 +36,14 @@ impl Table {
         self.fields.iter().chain(self.former).any(|field| field.name == name)
     }
 
+    /// The field of which a name has all but the unit: `temperature_offset_K`.
+    pub(super) fn with_unit(&self, name: &str) -> Option<&'static str> {
+        let is_unit = |rest: &str| rest.starts_with('_') && rest.len() > 1;
+        let names = self.fields.iter().map(|field| field.name);
+        let meant = names.filter(|known| !name.is_empty() && known.strip_prefix(name).is_some_and(is_unit));
+        meant.min_by_key(|known| known.len())
+    }
+
     /// Whether it has this field, not just one of the same name, or had it.
     pub(super) fn has(&self, field: &Field) -> bool {
         self.fields.iter().chain(self.former).any(|known| std::ptr::eq(*known, field))

@@ -8,9 +8,10 @@ use super::document::Located;
 use super::error::{Place, Problem, Report};
 use super::expand::Assembly;
 use super::format::allowed::FLIGHT_SPEED;
+use super::format::places::{ANGULAR_MOMENTUM, TORQUE, TRIM_SHARE};
 use super::geometry::Side;
 use super::model::{Aircraft, Attachment, Beam, Engine, MassBay, Support};
-use super::schema::FileSpec;
+use super::schema::{EngineSpec, FileSpec};
 
 /// Controls, components (mirror images among them), engines, stations and cuts have names of their own.
 pub(super) fn names(file: &FileSpec, report: &Report) {
@@ -101,8 +102,9 @@ pub(super) fn symmetry(assembly: &Assembly, file: &FileSpec, report: &Report) {
             (Some(_), _) => {}
             (None, None) => complain(&spec.name.place, format!("the engine \"{name}\"")),
             (None, Some(other)) => {
-                let (found, allowed) = odd_engines(engine, other);
-                report.add(Problem::NotSymmetric, &spec.name.place, found, allowed);
+                for OddEngine { place, found, allowed } in odd_engines((engine, spec), other) {
+                    report.add(Problem::NotSymmetric, place, found, allowed);
+                }
             }
         }
     }
@@ -120,33 +122,44 @@ pub(super) fn trim_shares(aircraft: &Aircraft, file: &FileSpec, report: &Report)
 
 /// Whether engines that are mirror images by their places are so by what they do: axes of rotation turn the other way in a mirror.
 fn run_mirrored(one: &Engine, other: &Engine) -> bool {
-    same(one.torque, -other.torque)
-        && same(one.angular_momentum, -other.angular_momentum)
-        && same(one.trim_share, other.trim_share)
+    what_runs(one).into_iter().zip(image_of(what_runs(other))).all(|(one, image)| same(one, image))
 }
 
-/// What is found and what is allowed where they are not.
-fn odd_engines(one: &Engine, other: &Engine) -> (String, String) {
-    let (field, found, image, allowed) = if !same(one.torque, -other.torque) {
-        ("torque_m", one.torque, other.torque, -other.torque)
-    } else if !same(one.angular_momentum, -other.angular_momentum) {
-        ("angular_momentum_kg_m2_s", one.angular_momentum, other.angular_momentum, -other.angular_momentum)
-    } else {
-        ("trim_share", one.trim_share, other.trim_share, other.trim_share)
-    };
-    let name = &one.name;
-    if one.name == other.name {
-        let found = format!(
-            "found {field} = {found} of the engine \"{name}\" in the plane y = 0, while symmetric = true"
-        );
-        return (found, "0 is allowed there, or symmetric = false".to_owned());
-    }
-    let found = format!(
-        "found {field} = {found} of the engine \"{name}\", and {image} of its mirror image \"{}\", while symmetric = true",
-        other.name
-    );
-    // 0 and not −0.
-    (found, format!("{} is allowed, or symmetric = false", allowed + 0.0))
+/// Torque, angular momentum, share of the thrust.
+fn what_runs(engine: &Engine) -> [f64; 3] {
+    [engine.torque, engine.angular_momentum, engine.trim_share]
+}
+
+/// Seen in a mirror; 0 and not −0.
+fn image_of([torque, angular_momentum, trim_share]: [f64; 3]) -> [f64; 3] {
+    [0.0 - torque, 0.0 - angular_momentum, trim_share]
+}
+
+/// A field of an engine that is no mirror image: what is found and what is allowed.
+struct OddEngine<'s> {
+    place: &'s Place,
+    found: String,
+    allowed: String,
+}
+
+/// Everything in which an engine is no mirror image of another, or of itself.
+fn odd_engines<'s>((one, spec): (&Engine, &'s EngineSpec), other: &Engine) -> Vec<OddEngine<'s>> {
+    let places = [&spec.torque.place, &spec.angular_momentum.place, &spec.trim_share.place];
+    let fields = [&TORQUE, &ANGULAR_MOMENTUM, &TRIM_SHARE].map(|field| field.name).into_iter().zip(places);
+    let numbers = what_runs(one).into_iter().zip(what_runs(other)).zip(image_of(what_runs(other)));
+    let odd = fields.zip(numbers).filter(|(_, ((found, _), image))| !same(*found, *image));
+    odd.map(|((field, place), ((found, of_other), image))| {
+        let found = format!("found {field} = {found} of the engine \"{}\"", one.name);
+        let (found, allowed) = if one.name == other.name {
+            (format!("{found} in the plane y = 0"), "0 is allowed there".to_owned())
+        } else {
+            let found = format!("{found}, and {of_other} of its mirror image \"{}\"", other.name);
+            (found, format!("{image} is allowed"))
+        };
+        let [found, allowed] = [found + ", while symmetric = true", allowed + ", or symmetric = false"];
+        OddEngine { place, found, allowed }
+    })
+    .collect()
 }
 
 /// The image of each part, if it has one: itself or another, each taken once.

@@ -269,7 +269,9 @@ impl<'r, 't> Table<'r, 't> {
         for key in table.keys().filter(|key| !format.knows(key.get_ref())) {
             let field = join(&place.field, key.get_ref());
             let found = format!("found the unknown field \"{}\"", key.get_ref());
-            let allowed = format!("allowed here: {}", format.names());
+            let meant = format.with_unit(key.get_ref());
+            let meant = meant.map_or(String::new(), |name| format!("did you mean \"{name}\"? "));
+            let allowed = format!("{meant}allowed here: {}", format.names());
             report.add(Problem::UnknownField, &Place { span: key.span(), field }, found, allowed);
         }
         Table { table, place, format, report }
@@ -285,6 +287,12 @@ impl<'r, 't> Table<'r, 't> {
     /// The number of a field, or that which holds where the field is left out.
     pub(super) fn number(&self, field: &Field) -> f64 {
         self.optional(field).and_then(|value| value.number()).unwrap_or(field.absent.number())
+    }
+
+    /// The same with its place: that of the table where the field is left out.
+    pub(super) fn located_number(&self, field: &Field) -> Located<f64> {
+        let place = self.optional(field).map(|value| value.place);
+        Located { value: self.number(field), place: place.unwrap_or_else(|| self.place.within(field.name)) }
     }
 
     /// The whole number of a field, or that which holds where the field is left out.

@@ -376,7 +376,9 @@ fn attach(name: &Located<String>, along: &Along, placed: &[Placed], report: &Rep
 fn engine(spec: &EngineSpec, placed: &[Placed], report: &Report) -> Option<Engine> {
     let attachment = attach(&spec.component, &spec.along, placed, report)?;
     let name = spec.name.value.clone();
-    let EngineSpec { offset, direction, torque, angular_momentum, trim_share, .. } = *spec;
+    let EngineSpec { offset, direction, ref torque, ref angular_momentum, ref trim_share, .. } = *spec;
+    let [torque, angular_momentum, trim_share] =
+        [torque, angular_momentum, trim_share].map(|field| field.value);
     Some(Engine { name, attachment, offset, direction, torque, angular_momentum, trim_share })
 }
 

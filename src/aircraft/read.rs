@@ -324,9 +324,9 @@ fn read_engine(table: &Table) -> Option<EngineSpec> {
         along: along?,
         offset: table.vector(&places::THRUST_OFFSET),
         direction: direction?,
-        torque: table.number(&places::TORQUE),
-        angular_momentum: table.number(&places::ANGULAR_MOMENTUM),
-        trim_share: table.number(&places::TRIM_SHARE),
+        torque: table.located_number(&places::TORQUE),
+        angular_momentum: table.located_number(&places::ANGULAR_MOMENTUM),
+        trim_share: table.located_number(&places::TRIM_SHARE),
     })
 }
 

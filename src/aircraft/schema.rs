@@ -233,9 +233,9 @@ pub(super) struct EngineSpec {
     pub(super) along: Along,
     pub(super) offset: Vector3<f64>,
     pub(super) direction: Vector3<f64>,
-    pub(super) torque: f64,
-    pub(super) angular_momentum: f64,
-    pub(super) trim_share: f64,
+    pub(super) torque: Located<f64>,
+    pub(super) angular_momentum: Located<f64>,
+    pub(super) trim_share: Located<f64>,
 }
 
 pub(super) struct StationSpec {

@@ -136,12 +136,18 @@ impl PlantSettings {
     /// That an engine with a share of the thrust runs.
     fn check_thrust(&self, model: &ReducedModel) -> Result<(), SettingError> {
         let Some(failed) = self.condition.manoeuvre().failed_engine else { return Ok(()) };
-        let mut others = model.engines.iter().enumerate().filter(|(engine, _)| *engine != failed);
-        if model.support == Support::Clamped || others.any(|(_, engine)| engine.trim_share > 0.0) {
+        let pushes_beside = |failed: usize| {
+            let mut engines = model.engines.iter().enumerate();
+            engines.any(|(engine, of)| engine != failed && of.trim_share > 0.0)
+        };
+        if model.support == Support::Clamped || pushes_beside(failed) {
             return Ok(());
         }
-        let allowed = "one beside which another has a `trim_share` above 0";
-        refuse("condition.failed_engine", failed + 1, allowed)
+        let named = |engine: usize| format!("{} ({})", engine + 1, model.engines[engine].name);
+        let others: Vec<String> =
+            (0..model.engines.len()).filter(|&engine| pushes_beside(engine)).map(named).collect();
+        let allowed = format!("{}: beside it another has a `trim_share` above 0", others.join(", "));
+        refuse("condition.failed_engine", named(failed), &allowed)
     }
 
     /// The flight to be trimmed.

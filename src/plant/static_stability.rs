@@ -22,7 +22,7 @@ use super::trim::Trim;
 /// let plant = Plant::under(&jet, &settings)?;
 /// let stability = plant.static_stability(&plant.trim(&settings.trim_condition())?)?;
 /// let chord = aircraft.reference_lengths().ok_or("the jet has strips")?.chord; // m
-/// assert!((stability.margin(chord) - 0.0987).abs() < 1e-4);
+/// assert!((stability.margin(chord) - 0.1029).abs() < 1e-4);
 /// assert!(stability.neutral_point() < stability.centre_of_mass.x); // x is forward
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

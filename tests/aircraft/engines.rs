@@ -77,6 +77,21 @@ fn with_symmetric_an_engine_in_the_plane_turns_nothing() {
 }
 
 #[test]
+fn what_is_odd_of_an_engine_is_all_told_where_it_stands() {
+    let turning = "torque_m = 0.2\nangular_momentum_kg_m2_s = 90";
+    let text = with_engines(turning, turning);
+    let error = Aircraft::parse(&text, "jet.toml").unwrap_err();
+    let told: Vec<_> =
+        error.diagnostics().iter().map(|d| (d.field.as_str(), &text[d.span.clone()])).collect();
+    let expected =
+        ["left", "right"].map(|_| [("torque_m", "0.2"), ("angular_momentum_kg_m2_s", "90")]).concat();
+    assert_eq!(told.len(), expected.len(), "{told:?}");
+    for ((field, value), (ending, expected)) in told.into_iter().zip(expected) {
+        assert!(field.ends_with(ending) && value == expected, "{field}: {value}");
+    }
+}
+
+#[test]
 fn some_engine_has_thrust_in_trims() {
     is_refused_with(
         &with_engines("trim_share = 0", "trim_share = 0"),

@@ -237,7 +237,7 @@ fn engines_have_the_thrust_of_a_trim_by_their_shares() {
     let settings = PlantSettings { condition: failed, ..PlantSettings::of(&jet()) };
     let refused = Simulation::new(with_shares([1.0, 0.0]), &settings.into(), 0.0).unwrap_err().to_string();
     assert!(
-        refused.contains("condition.failed_engine: found 1") && refused.contains("trim_share"),
+        refused.contains("condition.failed_engine: found 1 (left), allowed is 2 (right): beside it another has a `trim_share`"),
         "{refused}"
     );
 }

@@ -6,7 +6,9 @@ use flexible_aircraft::flight::Settings;
 use flexible_aircraft::plant::{LimitExceeded, StaticStability};
 use flexible_aircraft::structure::ReducedModel;
 use flexible_aircraft::symmetry::Plants;
+use nalgebra::Vector3;
 
+use super::senses;
 use crate::flown;
 
 /// An aircraft in a flight condition.
@@ -19,6 +21,8 @@ pub struct Balance {
     pub margin: Option<Margin>,
     /// What is odd about the trim, for people: that there is none, or what of it is beyond the limits of the aircraft.
     pub odd: Option<String>,
+    /// What each control does at once, rad/s² by rad about body axes, where that can be found.
+    pub senses: Option<Vec<Vector3<f64>>>,
 }
 
 /// Static stability without dimensions.
@@ -42,7 +46,8 @@ impl Balance {
             margin: stability.margin(lengths.chord),
             lift_slope: stability.lift_slope_coefficient(lengths.area),
         });
-        Balance { condition, stability, margin, odd }
+        let senses = (model.support == Support::Free).then(|| senses::of(model, &settings.plant)).flatten();
+        Balance { condition, stability, margin, odd, senses }
     }
 }
 

@@ -22,9 +22,10 @@ mod facts;
 pub mod frame;
 pub mod json;
 pub mod modes;
+mod senses;
 pub mod surfaces;
 pub mod text;
-mod warnings;
+pub mod warnings;
 
 use balance::Balance;
 use facts::Facts;

@@ -7,7 +7,11 @@ use flexible_aircraft::Aircraft;
 use flexible_aircraft::aircraft::{Strip, Support};
 use nalgebra::Vector3;
 
+mod controls;
+mod engines;
 mod gyration;
+mod meetings;
+mod sections;
 mod tails;
 
 use super::balance::Balance;
@@ -19,11 +23,13 @@ use crate::numbers::{Plain, short};
 /// Static margins of aircraft that people fly, in chords.
 const MARGINS: RangeInclusive<f64> = 0.0..=0.5;
 
-/// Lowest frequencies of airframes, Hz.
-const LOWEST_FREQUENCIES: RangeInclusive<f64> = 0.2..=50.0;
+/// Lowest frequencies of airframes by their span, m/s: 10 of an aircraft that flies by the sun, 45 of a sailplane, 70 of one with engines, 180 of a
+/// stiff small wing. Likenesses of other sizes have the same. Wings and sections on springs of wind tunnels may be softer.
+const LOWEST_FREQUENCIES: RangeInclusive<f64> = 3.0..=500.0;
+const LOWEST_OF_CLAMPED: RangeInclusive<f64> = 1.0..=500.0;
 
-/// Wing loadings, kg/m²: those that fly by the sun in the stratosphere have 2 to 5.
-const LOADINGS: RangeInclusive<f64> = 2.0..=1000.0;
+/// Wing loadings, kg/m²: models that fly in halls have 0.5 to 1, those that fly by the sun in the stratosphere 2 to 5.
+pub const LOADINGS: RangeInclusive<f64> = 0.5..=1000.0;
 
 /// Stiffness in the surface by that out of it.
 const LEAST_STIFFNESS_RATIO: f64 = 0.5;
@@ -42,19 +48,34 @@ pub fn find(aircraft: &Aircraft, facts: &Facts, balance: &Balance, modes: &[Natu
     let components = 0..aircraft.components.len();
     let mut warnings: Vec<String> = balance.odd.iter().cloned().collect();
     warnings.extend(balance.margin.as_ref().and_then(|margin| static_margin(margin.margin)));
-    warnings.extend(modes.iter().map(NaturalMode::frequency).reduce(f64::min).and_then(lowest_frequency));
+    warnings.extend(modes.iter().map(NaturalMode::frequency).reduce(f64::min).and_then(|frequency| {
+        let size = reach(aircraft);
+        let span = facts.reference.map_or((size[1] - size[0]).amax(), |lengths| lengths.span);
+        lowest_frequency(frequency, span, aircraft.support)
+    }));
     if aircraft.support == Support::Free {
         warnings.extend(wing_loading(facts));
         warnings.extend(centre_of_mass(aircraft, facts));
         warnings.extend(tails::volumes(aircraft, facts));
         warnings.extend(gyration::inertia(aircraft, facts));
+        warnings.extend(aircraft.engines.iter().flat_map(|engine| engines::turning(engine, facts)));
+        let does = balance.senses.iter().flatten();
+        warnings.extend(
+            aircraft
+                .controls
+                .iter()
+                .zip(does)
+                .filter_map(|(control, does)| controls::contradiction(control, does)),
+        );
     }
     warnings.extend(reference_lengths(aircraft));
+    warnings.extend(meetings::unjoined(aircraft));
     for component in components {
         warnings.extend(massless(aircraft, component));
         warnings.extend(stiffness_ratio(aircraft, component));
         warnings.extend(chord_step(aircraft, component));
         warnings.extend(lift_slope(aircraft, component));
+        warnings.extend(sections::moments(aircraft, component));
         warnings.extend(gap(aircraft, component));
     }
     warnings.extend((0..aircraft.controls.len()).filter_map(|control| idle_control(aircraft, control)));
@@ -73,13 +94,14 @@ fn static_margin(margin: f64) -> Option<String> {
     }
 }
 
-fn lowest_frequency(frequency: f64) -> Option<String> {
-    let is_usual = LOWEST_FREQUENCIES.contains(&frequency);
-    (!is_usual).then(|| {
+fn lowest_frequency(frequency: f64, span: f64, support: Support) -> Option<String> {
+    let usual = if support == Support::Free { LOWEST_FREQUENCIES } else { LOWEST_OF_CLAMPED };
+    (!usual.contains(&(frequency * span))).then(|| {
+        let [low, high] = [usual.start(), usual.end()].map(|speed| short(speed / span));
         format!(
-            "the lowest frequency of the structure is {} Hz, usual is {}: are stiffnesses in N m² and masses in kg?",
+            "the lowest frequency of the structure is {} Hz, usual is {low} to {high} Hz at a span of {} m: are stiffnesses in N m² and masses in kg?",
             short(frequency),
-            range(&LOWEST_FREQUENCIES, "Hz")
+            short(span)
         )
     })
 }

@@ -35,5 +35,6 @@ pub fn design(basis: &Basis) -> Design {
         cut.extend(fin);
     }
     let engines = engines::engines(&basis.mounts);
-    Design { controls: controls::of(kind), components, engines, watched, cut }
+    let joined_tail = tails::joined(basis);
+    Design { controls: controls::of(kind), components, engines, watched, cut, joined_tail }
 }

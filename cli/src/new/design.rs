@@ -9,6 +9,13 @@ pub struct Design {
     pub watched: Vec<String>,
     /// Names and components of cuts at roots.
     pub cut: Vec<String>,
+    pub joined_tail: Option<JoinedTail>,
+}
+
+/// A tail in one piece, in place of one in halves.
+pub struct JoinedTail {
+    /// From the root of the right half, m: in the plane of symmetry.
+    pub tip: [f64; 3],
 }
 
 pub struct Control {

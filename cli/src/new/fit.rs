@@ -1,16 +1,16 @@
 //! What rules do not say is found with the library: the file is written, read, trimmed, and written again, until the wing has
 //! its frequency, the aircraft its static margin, the body is level and the elevator at rest.
 
-use flexible_aircraft::aircraft::{Aircraft, AircraftFileError};
+use flexible_aircraft::aircraft::Aircraft;
 use flexible_aircraft::plant::PlantSettings;
 use flexible_aircraft::structure::{
     ModalBasis, ModeCount, ModeFamily, ModeKind, ModeMotion, ReducedModel, Structure,
 };
 use flexible_aircraft::symmetry::Plants;
 
-use super::Error;
 use super::basis::{Basis, Unknowns};
 use super::build;
+use super::failure::Failure;
 use super::kind::Kind;
 use super::planform::flap_share;
 use super::quantity::STATIC_MARGIN;
@@ -67,6 +67,9 @@ const MOMENT_PER_DEGREE: f64 = 0.008;
 /// No aerofoil has a greater zero-lift moment: elevons that need it do nothing.
 const MOST_MOMENT: f64 = 0.5;
 
+/// A surface that stands at a greater angle stalls, degrees: a search that comes there finds nothing.
+const MOST_INCIDENCE: f64 = 30.0;
+
 impl Found {
     /// For people.
     pub fn told(&self) -> String {
@@ -84,8 +87,8 @@ impl Found {
 /// Finds it all.
 ///
 /// # Errors
-/// When it cannot be found: the library says why.
-pub fn fit(name: &str, sizing: &Sizing) -> Result<Fitted, Error> {
+/// When it cannot be found.
+pub fn fit(name: &str, sizing: &Sizing) -> Result<Fitted, Failure> {
     let mut unknowns = Unknowns::first(sizing);
     let mut slope = Slope { latest: None, value: MOMENT_PER_DEGREE };
     let mut latest = String::new();
@@ -98,11 +101,25 @@ pub fn fit(name: &str, sizing: &Sizing) -> Result<Fitted, Error> {
         }
         latest = found.told();
         improve(&mut unknowns, &found, (&basis, &mut slope));
-        if sizing.kind == Kind::FlyingWing && unknowns.relief.abs() > MOST_MOMENT {
-            break;
-        }
+        check(&unknowns, sizing)?;
     }
-    Err(Error::NotFound(latest))
+    Err(Failure::Restless(latest))
+}
+
+/// That what is to be tried next is an aircraft that people would build.
+fn check(unknowns: &Unknowns, sizing: &Sizing) -> Result<(), Failure> {
+    let Unknowns { incidence, relief, load, .. } = *unknowns;
+    let turned = |part, angle: f64| {
+        let is_usual = angle.abs() <= MOST_INCIDENCE;
+        if is_usual { Ok(()) } else { Err(Failure::Turned { part, angle }) }
+    };
+    turned("wing", incidence)?;
+    match sizing.kind {
+        Kind::FlyingWing if !(relief.abs() <= MOST_MOMENT) => return Err(Failure::Moment(relief)),
+        Kind::FlyingWing | Kind::WingOnWall => {}
+        _ => turned("tail", relief)?,
+    }
+    if load.abs() <= sizing.span { Ok(()) } else { Err(Failure::Payload(load)) }
 }
 
 fn is_near(found: &Found, sizing: &Sizing) -> bool {
@@ -154,16 +171,16 @@ impl Slope {
 }
 
 /// What the library says of a file.
-fn look(text: &str, basis: &Basis) -> Result<Found, Error> {
-    let aircraft = Aircraft::parse(text, "the new file")?;
-    let structure = Structure::new(&aircraft)?;
-    let modes = ModalBasis::with(&structure, ModeCount::Usual(MODES), ModeKind::All)?;
+fn look(text: &str, basis: &Basis) -> Result<Found, Failure> {
+    let aircraft = Aircraft::parse(text, "the new file").map_err(refused)?;
+    let structure = Structure::new(&aircraft).map_err(refused)?;
+    let modes = ModalBasis::with(&structure, ModeCount::Usual(MODES), ModeKind::All).map_err(refused)?;
     let motions = ModeMotion::of_modes(&structure, &modes.shapes);
-    let model = ReducedModel::of_basis(&structure, modes)?;
+    let model = ReducedModel::of_basis(&structure, modes).map_err(refused)?;
     let settings =
         PlantSettings { mode_count: MODES.min(model.natural_modes()), ..PlantSettings::of(&model) };
-    let frequency = bending(&modes::name(&aircraft, &model.modes, &motions, &settings))
-        .ok_or_else(|| Error::NotFound(format!("none that bends the wing among its {MODES} lowest modes")))?;
+    let frequency =
+        bending(&modes::name(&aircraft, &model.modes, &motions, &settings)).ok_or(Failure::Unbent(MODES))?;
     let flight = match basis.sizing.kind {
         Kind::WingOnWall => None,
         _ => Some(flight(&aircraft, (&model, &settings), basis)?),
@@ -183,13 +200,12 @@ fn flight(
     aircraft: &Aircraft,
     (model, settings): (&ReducedModel, &PlantSettings),
     basis: &Basis,
-) -> Result<Flight, Error> {
-    let plants = Plants::under(model, settings).map_err(|error| Error::Flight(error.to_string()))?;
-    let trimmed =
-        plants.trim(&settings.trim_condition()).map_err(|error| Error::Flight(error.to_string()))?;
+) -> Result<Flight, Failure> {
+    let plants = Plants::under(model, settings).map_err(refused)?;
+    let trimmed = plants.trim(&settings.trim_condition()).map_err(|_| Failure::NoTrim)?;
     let plant = plants.half().filter(|_| trimmed.form.is_symmetric()).unwrap_or(plants.whole());
     let trim = trimmed.trim();
-    let stability = plant.static_stability(trim).map_err(|error| Error::Flight(error.to_string()))?;
+    let stability = plant.static_stability(trim)?;
     let chord = aircraft.reference_lengths().map_or(basis.sizing.wing.mean_chord(), |lengths| lengths.chord);
     Ok(Flight {
         margin: stability.margin(chord),
@@ -202,8 +218,7 @@ fn flight(
     })
 }
 
-impl From<AircraftFileError> for Error {
-    fn from(error: AircraftFileError) -> Self {
-        Error::Aircraft(Box::new(error))
-    }
+/// Of rules that are at fault, for what they make is an aircraft.
+fn refused(error: impl std::error::Error) -> Failure {
+    Failure::Refused(error.to_string())
 }

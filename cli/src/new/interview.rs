@@ -6,9 +6,9 @@ use std::ops::RangeInclusive;
 
 use clap::ValueEnum;
 
-use super::Error;
 use super::kind::Kind;
 use super::quantity::{Quantity, to_three_digits};
+use super::{Error, Given};
 use crate::numbers::{Plain, short};
 
 /// A number of the aircraft and where it comes from.
@@ -29,21 +29,25 @@ pub struct Terminal<'t> {
 /// Collects the numbers of an aircraft, one after the other.
 pub struct Interview<'t> {
     terminal: Option<Terminal<'t>>,
+    /// What was given by options, and then by answers too.
+    pub given: Given,
+    /// Whether anything was answered.
+    pub is_answered: bool,
     pub choices: Vec<Choice>,
 }
 
 impl<'t> Interview<'t> {
-    /// That asks on a terminal, or nowhere.
-    pub fn new(terminal: Option<Terminal<'t>>) -> Self {
-        Interview { terminal, choices: Vec::new() }
+    /// That asks on a terminal, or nowhere, for what is not given.
+    pub fn new(terminal: Option<Terminal<'t>>, given: Given) -> Self {
+        Interview { terminal, given, is_answered: false, choices: Vec::new() }
     }
 
     /// The kind of aircraft.
     ///
     /// # Errors
     /// When it is not given and nobody can be asked.
-    pub fn kind(&mut self, given: Option<Kind>) -> Result<Kind, Error> {
-        if let Some(kind) = given {
+    pub fn kind(&mut self) -> Result<Kind, Error> {
+        if let Some(kind) = self.given.kind {
             return Ok(kind);
         }
         if let Some(terminal) = &mut self.terminal {
@@ -58,20 +62,17 @@ impl<'t> Interview<'t> {
         }
         let read = |answer: &str| Kind::from_str(answer, true).map_err(|_| Kind::options());
         let answer = self.ask("kind", Kind::Conventional.option(), read)?;
-        let answer = answer.ok_or_else(|| Error::NoKind(Kind::options()))?;
-        Ok(answer.unwrap_or(Kind::Conventional))
+        let kind = answer.ok_or_else(|| Error::NoKind(Kind::options()))?.unwrap_or(Kind::Conventional);
+        self.given.kind = Some(kind);
+        Ok(kind)
     }
 
     /// A number: given, or answered, or else the default with its reason.
     ///
     /// # Errors
     /// When what is given is not allowed.
-    pub fn number(
-        &mut self,
-        quantity: &Quantity,
-        given: Option<f64>,
-        (default, reason): (f64, String),
-    ) -> Result<f64, Error> {
+    pub fn number(&mut self, quantity: &Quantity, (default, reason): (f64, String)) -> Result<f64, Error> {
+        let given = *(quantity.of)(&mut self.given);
         check(quantity, given)?;
         let Quantity { label, unit, .. } = *quantity;
         let is_allowed = |number: &f64| quantity.allowed.contains(number);
@@ -82,6 +83,7 @@ impl<'t> Interview<'t> {
             Some(number) => Some(number),
             None => self.ask(&format!("{label}, {unit}"), short(default), read)?.flatten(),
         };
+        *(quantity.of)(&mut self.given) = chosen;
         let number = chosen.unwrap_or(default);
         let assumed = chosen.is_none().then_some(reason);
         self.choices.push(Choice { label, value: format!("{} {unit}", short(number)), assumed });
@@ -92,12 +94,8 @@ impl<'t> Interview<'t> {
     ///
     /// # Errors
     /// When what is given is not allowed.
-    pub fn engines(
-        &mut self,
-        given: Option<usize>,
-        allowed: &RangeInclusive<usize>,
-        default: usize,
-    ) -> Result<usize, Error> {
+    pub fn engines(&mut self, allowed: &RangeInclusive<usize>, default: usize) -> Result<usize, Error> {
+        let given = self.given.engines;
         let text = if allowed.start() == allowed.end() {
             format!("{} of this kind", allowed.start())
         } else {
@@ -114,6 +112,7 @@ impl<'t> Interview<'t> {
             None if allowed.start() == allowed.end() => None,
             None => self.ask("engines", default, read)?.flatten(),
         };
+        self.given.engines = chosen;
         let assumed = chosen.is_none().then(|| "usual of the kind".to_owned());
         let count = chosen.unwrap_or(default);
         self.choices.push(Choice { label: "engines", value: count.to_string(), assumed });
@@ -133,7 +132,10 @@ impl<'t> Interview<'t> {
             let answer = terminal.line()?;
             match (answer.trim(), read(answer.trim())) {
                 ("", _) => return Ok(Some(None)),
-                (_, Ok(answer)) => return Ok(Some(Some(answer))),
+                (_, Ok(answer)) => {
+                    self.is_answered = true;
+                    return Ok(Some(Some(answer)));
+                }
                 (found, Err(allowed)) => terminal.say(&format!("  found {found}, allowed is {allowed}\n"))?,
             }
         }
@@ -182,7 +184,7 @@ mod tests {
     fn answered<T>(answers: &str, ask: impl FnOnce(&mut Interview) -> T) -> (T, String) {
         let (mut answers, mut questions) = (answers.as_bytes(), Vec::new());
         let terminal = Terminal { answers: &mut answers, questions: &mut questions };
-        let found = ask(&mut Interview::new(Some(terminal)));
+        let found = ask(&mut Interview::new(Some(terminal), Given::default()));
         (found, String::from_utf8(questions).unwrap())
     }
 
@@ -190,7 +192,8 @@ mod tests {
     fn enter_takes_the_default_and_a_wrong_answer_is_asked_again() {
         let (numbers, asked) = answered("\nlong\n500\n12.5\n", |interview| {
             let default = || (11.0, "usual".to_owned());
-            let numbers = [0, 1].map(|_| interview.number(&SPAN, None, default()).unwrap());
+            let numbers = [0, 1].map(|_| interview.number(&SPAN, default()).unwrap());
+            assert_eq!((interview.given.span, interview.is_answered), (Some(12.5), true));
             assert_eq!([0, 1].map(|place| interview.choices[place].assumed.is_some()), [true, false]);
             numbers
         });
@@ -204,7 +207,7 @@ mod tests {
 
     #[test]
     fn kinds_are_listed_and_known_in_any_case() {
-        let (kind, asked) = answered("biplane\nFlying-Wing\n", |interview| interview.kind(None).unwrap());
+        let (kind, asked) = answered("biplane\nFlying-Wing\n", |interview| interview.kind().unwrap());
         assert_eq!(kind, Kind::FlyingWing);
         assert!(asked.contains("  t-tail        Tail on top of the fin"), "{asked}");
         assert!(
@@ -215,21 +218,23 @@ mod tests {
 
     #[test]
     fn what_is_given_is_not_asked_and_answers_that_end_are_an_error() {
-        let (mass, asked) =
-            answered("", |interview| interview.number(&MASS, Some(5.0), (1.0, String::new())).unwrap());
+        let (mass, asked) = answered("", |interview| {
+            interview.given.mass = Some(5.0);
+            interview.number(&MASS, (1.0, String::new())).unwrap()
+        });
         assert_eq!((mass, asked.as_str()), (5.0, ""));
-        let (ended, _) = answered("", |interview| interview.engines(None, &(0..=2), 1).unwrap_err());
+        let (ended, _) = answered("", |interview| interview.engines(&(0..=2), 1).unwrap_err());
         assert!(matches!(ended, Error::NoAnswer));
     }
 
     #[test]
     fn without_a_terminal_nothing_is_asked_and_the_kind_is_needed() {
-        let mut interview = Interview::new(None);
-        assert!(matches!(interview.kind(None), Err(Error::NoKind(_))));
-        assert_eq!(interview.number(&SPAN, None, (11.0, "usual".to_owned())).unwrap(), 11.0);
-        let refused = interview.number(&SPAN, Some(f64::NAN), (11.0, String::new())).unwrap_err().to_string();
+        let of = |span, engines| Interview::new(None, Given { span, engines, ..Given::default() });
+        assert!(matches!(of(None, None).kind(), Err(Error::NoKind(_))));
+        assert_eq!(of(None, None).number(&SPAN, (11.0, "usual".to_owned())).unwrap(), 11.0);
+        let refused = of(Some(f64::NAN), None).number(&SPAN, (11.0, String::new())).unwrap_err().to_string();
         assert_eq!(refused, "--span: found NaN m, allowed is 0.5 to 100 m");
-        let refused = interview.engines(Some(9), &(0..=8), 1).unwrap_err().to_string();
+        let refused = of(None, Some(9)).engines(&(0..=8), 1).unwrap_err().to_string();
         assert_eq!(refused, "--engines: found 9, allowed is 0 to 8 of this kind");
     }
 }

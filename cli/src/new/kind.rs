@@ -20,7 +20,7 @@ pub enum Kind {
     Canard,
     /// Wing with elevons and winglets, engine at the rear
     FlyingWing,
-    /// Two booms that carry fins and a tail between them, engine at the rear of a pod
+    /// Two booms that carry fins and half a tail each between them, engine at the rear of a pod
     TwinBoom,
     /// Slender wing, T-tail, no engine
     Sailplane,
@@ -52,7 +52,7 @@ pub struct Usual {
     /// In the flight that it is trimmed for.
     pub lift_coefficient: f64,
     /// Of the whole aircraft by the wing's area [Raymer table 12.3, C_fe S_wet/S: a light single 0.0055 × 4, a jet
-    /// 0.0026 × 6, a sailplane 0.003 × 3].
+    /// 0.0026 × 6; of a sailplane, which has no row there, 0.003 × 3 is our own].
     pub profile_drag: f64,
     /// First bending frequency times span, m/s: 70 is 6.4 Hz of a light single of 11 m and 2 Hz of an airliner of 35 m, 45 is 3 Hz
     /// of a sailplane of 15 m.

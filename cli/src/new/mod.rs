@@ -4,12 +4,10 @@ use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use flexible_aircraft::aircraft::AircraftFileError;
-use flexible_aircraft::structure::StructureError;
 use flexible_aircraft_packaging::FileError;
 
 use crate::files::{Drafts, STANDARD, named};
-use crate::numbers::{fixed, short};
+use crate::numbers::{Plain, fixed, short};
 use crate::terminal;
 
 mod basis;
@@ -18,6 +16,7 @@ mod build;
 mod controls;
 mod design;
 mod engines;
+mod failure;
 mod fit;
 mod interview;
 mod kind;
@@ -30,6 +29,7 @@ mod tails;
 mod text;
 mod wing;
 
+use failure::NotFound;
 use fit::Fitted;
 use interview::{Interview, Terminal};
 use kind::Kind;
@@ -65,7 +65,7 @@ pub struct NewOptions {
 }
 
 /// What of an aircraft is given.
-#[derive(Args)]
+#[derive(Args, Clone, Debug, Default)]
 pub struct Given {
     /// What it looks like
     #[arg(long, value_enum)]
@@ -126,17 +126,7 @@ pub enum Error {
     #[error("the terminal cannot be read or written: {0}")]
     Terminal(#[source] io::Error),
     #[error("{0}")]
-    Aircraft(Box<AircraftFileError>),
-    #[error(transparent)]
-    Structure(#[from] StructureError),
-    #[error("such an aircraft does not fly: {0}")]
-    Flight(String),
-    #[error(
-        "such an aircraft was not found to fly level with a static margin of {margin}; the last that was tried had {0}. Allowed are numbers nearer to what is \
-         usual, which `flexair new` takes where they are not given",
-        margin = quantity::STATIC_MARGIN
-    )]
-    NotFound(String),
+    NotFound(Box<NotFound>),
     #[error(transparent)]
     File(#[from] FileError),
 }
@@ -149,8 +139,15 @@ pub fn run(options: &NewOptions) -> Result<(), Error> {
         return Err(Error::Exists(file.to_owned()));
     }
     let drafts = Drafts::new(Some(file).filter(|_| !is_standard))?;
-    let sizing = sizing(options)?;
-    let Fitted { text, found } = fit::fit(&name(file, &sizing), &sizing)?;
+    let (mut answers, mut questions) = (io::stdin().lock(), io::stderr());
+    let is_asked = !options.no_questions && answers.is_terminal() && questions.is_terminal();
+    let terminal = is_asked.then_some(Terminal { answers: &mut answers, questions: &mut questions });
+    let mut interview = Interview::new(terminal, options.given.clone());
+    let (sizing, Fitted { text, found }) = made(file, &mut interview).inspect_err(|_| {
+        if interview.is_answered {
+            terminal::note(&again(file, options.force, &interview.given));
+        }
+    })?;
     let report = report(file, &sizing, &found);
     if is_standard {
         terminal::note(&report);
@@ -160,12 +157,25 @@ pub fn run(options: &NewOptions) -> Result<(), Error> {
     Ok(terminal::print(&report)?)
 }
 
-/// The main numbers, asked for where somebody can answer.
-fn sizing(options: &NewOptions) -> Result<Sizing, Error> {
-    let (mut answers, mut questions) = (io::stdin().lock(), io::stderr());
-    let is_asked = !options.no_questions && answers.is_terminal() && questions.is_terminal();
-    let terminal = is_asked.then_some(Terminal { answers: &mut answers, questions: &mut questions });
-    Sizing::new(&options.given, Interview::new(terminal))
+/// The aircraft of an interview.
+fn made(file: &Path, interview: &mut Interview) -> Result<(Sizing, Fitted), Error> {
+    let sizing = Sizing::new(interview)?;
+    let fitted = fit::fit(&name(file, &sizing), &sizing);
+    let fitted = fitted.map_err(|failure| Error::NotFound(NotFound::of(failure, &interview.given)))?;
+    Ok((sizing, fitted))
+}
+
+/// What was answered as a command that asks no more.
+fn again(file: &Path, is_forced: bool, given: &Given) -> String {
+    let mut command = format!("flexair new {}", quoted(file));
+    command.extend(given.kind.map(|kind| format!(" --kind {}", kind.option())));
+    for quantity in &quantity::ALL {
+        let number = *(quantity.of)(&mut given.clone());
+        command.extend(number.map(|number| format!(" {} {}", quantity.option, Plain(number))));
+    }
+    command.extend(given.engines.map(|engines| format!(" --engines {engines}")));
+    command += if is_forced { " --force --no-questions" } else { " --no-questions" };
+    format!("What was given and answered, to change a number and run again:\n  {command}\n")
 }
 
 /// For people: that of the file, with what it is.
@@ -203,6 +213,9 @@ fn report(file: &Path, sizing: &Sizing, found: &fit::Found) -> String {
             short(sizing.altitude)
         );
     }
+    if sizing.kind == Kind::TwinBoom {
+        text += &format!("\n\n{} The end of the file says how to join them.", text::HALVES);
+    }
     text += "\n\nThe file says how the rest was found.";
     if file == Path::new(STANDARD) {
         return text;
@@ -212,4 +225,29 @@ fn report(file: &Path, sizing: &Sizing, found: &fit::Found) -> String {
     text + " Next:"
         + &next.concat()
         + &format!("\nEditors complete and mark the file after:\n  flexair schema --output {}\n", schema)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_given_is_one_command_for_a_shell() {
+        let given = Given {
+            kind: Some(Kind::FlyingWing),
+            span: Some(3.0),
+            sweep: Some(-4.5),
+            engines: Some(0),
+            bending_frequency: Some(1e-7),
+            ..Given::default()
+        };
+        let command = again(Path::new("it's mine.toml"), true, &given);
+        assert!(
+            command.ends_with(
+                "\n  flexair new 'it'\\''s mine.toml' --kind flying-wing --span 3 --sweep -4.5 --bending-frequency 1e-7 --engines 0 \
+                 --force --no-questions\n"
+            ),
+            "{command}"
+        );
+    }
 }

@@ -2,6 +2,7 @@
 
 use std::ops::RangeInclusive;
 
+use super::Given;
 use crate::numbers::{Plain, short};
 
 /// A number that describes an aircraft.
@@ -15,25 +16,41 @@ pub struct Quantity {
     pub allowed: RangeInclusive<f64>,
     /// Why, where other numbers decide.
     pub because: &'static str,
+    /// Where it is given.
+    pub of: fn(&mut Given) -> &mut Option<f64>,
 }
 
-pub const SPAN: Quantity = of("--span", "span", "m", 0.5..=100.0);
-pub const ROOT_CHORD: Quantity = of("--root-chord", "chord at the root", "m", 0.01..=40.0);
-pub const TIP_CHORD: Quantity = of("--tip-chord", "chord at the tip", "m", 0.005..=40.0);
-pub const SWEEP: Quantity = of("--sweep", "sweep of the quarter chord", "deg", -20.0..=40.0);
-pub const DIHEDRAL: Quantity = of("--dihedral", "dihedral", "deg", -10.0..=15.0);
-pub const MASS: Quantity = of("--mass", "mass", "kg", 0.01..=1e6);
-pub const ALTITUDE: Quantity = of("--altitude", "altitude", "m", -500.0..=30000.0);
-pub const AIRSPEED: Quantity = of("--airspeed", "true airspeed", "m/s", 2.0..=250.0);
-pub const FREQUENCY: Quantity = of("--bending-frequency", "first bending of the wing", "Hz", 0.05..=200.0);
+pub const SPAN: Quantity = quantity("--span", "span", "m", 0.5..=100.0, |given| &mut given.span);
+pub const ROOT_CHORD: Quantity =
+    quantity("--root-chord", "chord at the root", "m", 0.01..=40.0, |given| &mut given.root_chord);
+pub const TIP_CHORD: Quantity =
+    quantity("--tip-chord", "chord at the tip", "m", 0.005..=40.0, |given| &mut given.tip_chord);
+pub const SWEEP: Quantity =
+    quantity("--sweep", "sweep of the quarter chord", "deg", -20.0..=40.0, |given| &mut given.sweep);
+pub const DIHEDRAL: Quantity =
+    quantity("--dihedral", "dihedral", "deg", -10.0..=15.0, |given| &mut given.dihedral);
+pub const MASS: Quantity = quantity("--mass", "mass", "kg", 0.01..=1e6, |given| &mut given.mass);
+pub const ALTITUDE: Quantity =
+    quantity("--altitude", "altitude", "m", -500.0..=30000.0, |given| &mut given.altitude);
+pub const AIRSPEED: Quantity =
+    quantity("--airspeed", "true airspeed", "m/s", 2.0..=250.0, |given| &mut given.airspeed);
+pub const FREQUENCY: Quantity =
+    quantity("--bending-frequency", "first bending of the wing", "Hz", 0.05..=200.0, |given| {
+        &mut given.bending_frequency
+    });
 
-const fn of(
+/// All of them, in the order in which they are asked for.
+pub const ALL: [Quantity; 9] =
+    [SPAN, ROOT_CHORD, TIP_CHORD, SWEEP, DIHEDRAL, MASS, ALTITUDE, AIRSPEED, FREQUENCY];
+
+const fn quantity(
     option: &'static str,
     label: &'static str,
     unit: &'static str,
     allowed: RangeInclusive<f64>,
+    of: fn(&mut Given) -> &mut Option<f64>,
 ) -> Quantity {
-    Quantity { option, label, unit, allowed, because: "" }
+    Quantity { option, label, unit, allowed, because: "", of }
 }
 
 impl Quantity {
@@ -76,8 +93,9 @@ pub const TAPERS: [f64; 2] = [0.1, 1.0];
 /// Lift coefficients of trims: nothing stalls in this program, the aircraft that is meant does.
 pub const LIFT_COEFFICIENTS: [f64; 2] = [0.1, 1.3];
 
-/// The highest Mach number: the air is incompressible in this program.
-pub const MOST_MACH: f64 = 0.65;
+/// The highest Mach number: the air is incompressible in this program, and above this `flexair` warns of trims.
+pub const MOST_MACH: f64 = 0.7;
 
-/// How many bends a second a wing may have by what is usual of its span.
+/// How many bends a second a wing may have by what is usual of its span: its frequency times its span is then 9 to 350 m/s, which
+/// is not unusual to `flexair check`.
 pub const FREQUENCY_RATIOS: [f64; 2] = [0.2, 5.0];

@@ -1,7 +1,7 @@
 //! Tails, canards, fins and winglets.
 
 use super::basis::Basis;
-use super::design::{Component, Move, Part, Structure, Surface};
+use super::design::{Component, JoinedTail, Move, Part, Structure, Surface};
 use super::kind::Kind;
 use super::planform::{Planform, SECTION_DRAG};
 use super::quantity::in_three_digits;
@@ -16,6 +16,9 @@ const STIFFER: f64 = 3.0;
 const ELEMENTS: usize = 6;
 
 pub const HINGE: f64 = 0.68;
+
+/// By which each half of a tail between booms ends before the plane of symmetry, of its length: halves that are not joined do not touch.
+const SLIT: f64 = 0.01;
 
 /// What lifts fore or aft, without its side.
 pub fn name(kind: Kind) -> &'static str {
@@ -39,7 +42,10 @@ pub fn kept_lift(basis: &Basis) -> f64 {
 
 fn tail(basis: &Basis) -> Option<Component> {
     let kind = basis.sizing.kind;
-    let planform = basis.layout.tail?;
+    let mut planform = basis.layout.tail?;
+    if kind == Kind::TwinBoom {
+        planform.length *= 1.0 - SLIT;
+    }
     let name = name(kind);
     let at = |component: &str| Some((component.to_owned(), 1.0));
     let (parent, inward) = match kind {
@@ -67,7 +73,7 @@ fn tail(basis: &Basis) -> Option<Component> {
     let mut comment = format!("{}; tail and fin: {}", area_of(&planform, 2.0), basis.layout.tail_rule);
     if inward {
         tip[1] = -tip[1];
-        comment += ". The halves meet in the plane of symmetry and are not joined there";
+        comment += ". The halves end just before the plane of symmetry and are not joined; how to join them stands at the end";
     }
     let surface = Surface {
         incidence: [basis.unknowns.relief; 2],
@@ -82,6 +88,13 @@ fn tail(basis: &Basis) -> Option<Component> {
         comment,
         ..lifting(basis, (&format!("{name}_right"), parent, tip), (&planform, mass, 0.0), surface)
     })
+}
+
+/// Of a tail between booms, what makes one piece of its halves; none of others.
+pub fn joined(basis: &Basis) -> Option<JoinedTail> {
+    let planform = basis.layout.tail.filter(|_| basis.sizing.kind == Kind::TwinBoom)?;
+    let [x, y, z] = planform.tip(ELASTIC_AXIS);
+    Some(JoinedTail { tip: [x, -y, z] })
 }
 
 /// The fin, that on the right boom, or the right winglet.

@@ -1,6 +1,6 @@
 //! An aircraft as a file: its tables in TOML with what is said of them.
 
-use super::design::{Component, Control, Design, Engine, Part, Place, Structure, Surface};
+use super::design::{Component, Control, Design, Engine, JoinedTail, Part, Place, Structure, Surface};
 use super::interview::Choice;
 use super::kind::Kind;
 use super::quantity::STATIC_MARGIN;
@@ -43,7 +43,28 @@ pub fn file(name: &str, sizing: &Sizing, design: &Design) -> String {
             end(component, "root")
         );
     }
+    text += &design.joined_tail.as_ref().map_or(String::new(), of_joined_tail);
     text.trim_end().to_owned() + "\n"
+}
+
+/// What is told of a tail in halves, in the file and on the terminal.
+pub const HALVES: &str = "The halves of the tail are not joined: its antisymmetric modes are softer than those of a tail in one piece.";
+
+/// How to join the halves of a tail.
+fn of_joined_tail(tail: &JoinedTail) -> String {
+    let how = "For one piece take away the comment signs below, give htail_right the axis that stands there, write model = \"exact\" above, for the \
+               geometrically exact level flies no loop, and take out the cuts at the roots of wing and booms, for loads within a loop are no outputs.";
+    let block = [
+        &format!("axis_m = [[0, 0, 0], {}]", vector(&tail.tip)),
+        "",
+        "[[joint]]",
+        "component = \"htail_right\"",
+        "at = 1",
+        "joined_to = { component = \"htail_left\", at = 1 }",
+        "rotations = \"fixed\"",
+    ];
+    let block = block.map(|line| format!("# {line}").trim_end().to_owned() + "\n");
+    part("joint") + &comment(&format!("{HALVES} {how}")) + "#\n" + &block.concat()
 }
 
 /// What an end of a component is called: that of `wing_right` `wing_tip_right`.

@@ -14,8 +14,9 @@ fn the_jet_is_described_with_its_static_margin_and_modes() {
         "Generic business jet",
         "reference chord 3.73073 m, area 87.1975 m², span 24.86 m, of wing_right and wing_left",
         "level flight, 127 m/s, 7620 m",
-        // The prototype's number, on the digits of the table.
-        "static margin 0.0987 of the chord",
+        // In steady flow [theory: linearisation.static-margin]: `static_margin.rs` of the verification has it against closed forms, and alike
+        // for 0, 2, 5, 8 inflow states; below it is 0.10295.
+        "static margin 0.1029 of the chord",
         "wing bending, first, symmetric",
     ] {
         assert!(printed.contains(said), "{said}: {printed}");
@@ -25,7 +26,7 @@ fn the_jet_is_described_with_its_static_margin_and_modes() {
     let json = std::fs::read_to_string(folder.path().join("out/jet.json")).unwrap();
     let json: Value = serde_json::from_str(&json).unwrap();
     let margin = json["stability"]["static_margin"].as_f64().unwrap();
-    assert!((margin - 0.09872).abs() < 5e-6, "{margin}");
+    assert!((margin - 0.10295).abs() < 5e-6, "{margin}");
     let number = |path: &str| json.pointer(path).and_then(Value::as_f64).unwrap();
     let lever = number("/stability/centre_of_mass/0") - number("/stability/neutral_point");
     assert!((lever - margin * number("/reference/chord")).abs() < 1e-9);
@@ -48,9 +49,12 @@ fn frequencies_and_margin_are_those_of_the_stiffness_that_is_set() {
         assert!(found.status.success(), "{}", text(&found.stderr));
         serde_json::from_slice(&found.stdout).unwrap()
     };
-    let [nominal, tenth] = ["", "--set stiffness_scale=0.1"].map(json);
-    let margin = tenth["stability"]["static_margin"].as_f64().unwrap();
-    assert!((margin - 0.11348).abs() < 5e-6, "{margin}");
+    let [nominal, tenth, without_wake] =
+        ["", "--set stiffness_scale=0.1", "--set stiffness_scale=0.1 --set inflow_states=0"].map(json);
+    let [margin, other] =
+        [&tenth, &without_wake].map(|json| json["stability"]["static_margin"].as_f64().unwrap());
+    // In steady flow [theory: linearisation.static-margin], by the verification's `static_margin.rs`; wakes have nothing to do with it.
+    assert!((margin - 0.11710).abs() < 5e-6 && (margin - other).abs() < 1e-6, "{margin} {other}");
     let [one, other] = [&nominal, &tenth].map(|json| json["modes"][0]["frequency"].as_f64().unwrap());
     assert!((one / other - 10_f64.sqrt()).abs() < 1e-9);
 }
@@ -84,7 +88,7 @@ fn a_warning_says_what_is_unusual_and_is_no_failure() {
     assert!(found.status.success(), "{}", text(&found.stderr));
     let printed = text(&found.stdout);
     for warning in [
-        "warning: the static margin is 0.995",
+        "warning: the static margin is 1.038",
         "warning: [reference] chord_m is 0.37, the wing has 3.73073: usual is about that",
     ] {
         assert!(printed.contains(warning), "{warning}: {printed}");

@@ -26,9 +26,10 @@ fn columns(table: &str, names: &[&str]) -> Vec<Vec<f64>> {
     (0..names.len()).map(|column| rows.iter().map(|row| row[column]).collect()).collect()
 }
 
-/// Writes, describes and flies an aircraft of a kind in three spans, m; the second is shaken too.
+/// Writes, describes and flies an aircraft of a kind in three spans, m; the second is shaken too. Then one whose wing carries so little, kg, that
+/// the air that it moves weighs more than it does.
 #[track_caller]
-fn check_kind(kind: &str, spans: [f64; 3]) {
+fn check_kind(kind: &str, spans: [f64; 3], light: Option<[f64; 2]>) {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     for (size, span) in spans.into_iter().enumerate() {
@@ -46,12 +47,61 @@ fn check_kind(kind: &str, spans: [f64; 3]) {
             "{written}"
         );
         check_described(folder, (kind, &file, span));
-        check_flight(folder, (kind, &file));
+        check_flight(folder, (kind, &file), 2e-3);
         check_senses(folder, (kind, &file));
         if size == 1 {
             check_flutter(folder, (&file, &written));
+            check_margin(folder, (&file, &written));
         }
     }
+    if let Some([span, mass]) = light {
+        let printed = quietly(folder, &format!("new light.toml --kind {kind} --span {span} --mass {mass}"));
+        assert!(printed.contains("static margin"), "{printed}");
+        let written = std::fs::read_to_string(folder.join("light.toml")).unwrap();
+        check_described(folder, (kind, "light.toml", span));
+        check_flight(folder, (kind, "light.toml"), 2e-3);
+        check_senses(folder, (kind, "light.toml"));
+        check_margin(folder, ("light.toml", &written));
+    }
+}
+
+/// The static margin without what computes it: as it is found in flight, where the elevator of trims at two airspeeds goes with the lift by as much as
+/// the margin is great, and goes with the place of the payload. The rigid aircraft, whose margin airspeeds leave as it is; drag and
+/// thrust turn too: what is found differs by up to 0.02. And inflow states change nothing.
+#[track_caller]
+fn check_margin(folder: &Path, (file, written): (&str, &str)) {
+    if !written.contains("payload") {
+        return;
+    }
+    let place = written.find("placed for the static margin\nat_m = ").unwrap();
+    let place = place + written[place..].find("at_m = ").unwrap() + "at_m = ".len();
+    let end = place + written[place..].find('\n').unwrap();
+    let at: f64 = written[place..end].parse().unwrap();
+    let described = |file: &str, states: usize| -> [f64; 3] {
+        let line = format!("describe {file} --set model=rigid --set inflow_states={states} --json -");
+        let described: Value = serde_json::from_str(&text(&run(folder, &line).stdout)).unwrap();
+        ["/stability/static_margin", "/stability/centre_of_mass/0", "/reference/chord"]
+            .map(|path| described.pointer(path).and_then(Value::as_f64).unwrap())
+    };
+    let [[margin, x, chord], [unsteady, _, _]] = [0, 5].map(|states| described(file, states));
+    let moved = format!("{}{}{}", &written[..place], at + 0.1 * chord, &written[end..]);
+    std::fs::write(folder.join("moved.toml"), moved).unwrap();
+    let [_, moved_x, _] = described("moved.toml", 0);
+    assert!((margin - unsteady).abs() < 1e-6, "{file}: {margin} {unsteady}");
+    let airspeed = written.lines().find_map(|line| line.strip_prefix("airspeed_m_s = ")).unwrap();
+    let airspeed: f64 = airspeed.parse().unwrap();
+    let slope = |file: &str| {
+        let elevator = [1.0, 1.1].map(|ratio| {
+            let line = format!("trim {file} --set model=rigid --speed {} --json -", ratio * airspeed);
+            let trims: Value = serde_json::from_str(&text(&run(folder, &line).stdout)).unwrap();
+            trims["trims"][0]["elevator"].as_f64().unwrap()
+        });
+        elevator[1] - elevator[0]
+    };
+    let [slope, moved_slope] = [file, "moved.toml"].map(slope);
+    // K/K' = slope/slope', K' = K + (x' - x)/c.
+    let found = (moved_x - x) / chord * slope / (moved_slope - slope);
+    assert!((found - margin).abs() < 0.02, "{file}: {found} {margin}");
 }
 
 /// No warning, the static margin that is aimed at, the usual frequency.
@@ -81,9 +131,10 @@ fn bending(described: &Value) -> f64 {
     modes.iter().find(is_it).unwrap()["frequency"].as_f64().unwrap()
 }
 
-/// Ten seconds with an elevator doublet, or a flap's: the nose goes down first, what it does stays small and has nearly gone in the end.
+/// Ten seconds with an elevator doublet, or a flap's: the nose goes down first, what it does stays small and has nearly gone in the end. It pitches by
+/// so much at least, rad.
 #[track_caller]
-fn check_flight(folder: &Path, (kind, file): (&str, &str)) {
+fn check_flight(folder: &Path, (kind, file): (&str, &str), least: f64) {
     let is_free = kind != "wing-on-wall";
     let (control, watched) = match kind {
         "wing-on-wall" => ("flap", "deflection.wing_tip.up"),
@@ -100,7 +151,7 @@ fn check_flight(folder: &Path, (kind, file): (&str, &str)) {
     let early = times.iter().position(|time| *time >= 0.55).unwrap();
     if is_free {
         assert!(away(&values[early]) < 0.0, "{file}: {}", away(&values[early]));
-        assert!((2e-3..0.05).contains(&far), "{file}: {far}");
+        assert!((least..0.05).contains(&far), "{file}: {far}");
         assert!(left < 0.005, "{file}: {left}");
     } else {
         assert!(away(&values[early]) > 0.0 && far > 1e-6 && left < 0.01 * far, "{file}: {far} {left}");
@@ -142,42 +193,93 @@ fn check_flutter(folder: &Path, (file, written): (&str, &str)) {
 
 #[test]
 fn conventional_aircraft_fly_as_they_are_written() {
-    check_kind("conventional", [3.0, 11.0, 45.0]);
+    check_kind("conventional", [3.0, 11.0, 45.0], Some([3.0, 2.0]));
 }
 
 #[test]
 fn aircraft_with_a_t_tail_fly_as_they_are_written() {
-    check_kind("t-tail", [3.0, 12.0, 35.0]);
+    check_kind("t-tail", [3.0, 12.0, 35.0], Some([3.0, 2.2]));
 }
 
 #[test]
 fn aircraft_with_a_v_tail_fly_as_they_are_written() {
-    check_kind("v-tail", [3.0, 10.0, 35.0]);
+    check_kind("v-tail", [3.0, 10.0, 35.0], Some([3.0, 1.5]));
 }
 
 #[test]
 fn canards_fly_as_they_are_written() {
-    check_kind("canard", [3.0, 10.0, 30.0]);
+    check_kind("canard", [3.0, 10.0, 30.0], Some([3.0, 2.2]));
 }
 
 #[test]
 fn flying_wings_fly_as_they_are_written() {
-    check_kind("flying-wing", [3.0, 12.0, 50.0]);
+    check_kind("flying-wing", [3.0, 12.0, 50.0], Some([3.0, 2.0]));
 }
 
 #[test]
 fn twin_booms_fly_as_they_are_written() {
-    check_kind("twin-boom", [3.0, 11.0, 40.0]);
+    check_kind("twin-boom", [3.0, 11.0, 40.0], Some([3.0, 2.0]));
 }
 
 #[test]
 fn sailplanes_fly_as_they_are_written() {
-    check_kind("sailplane", [3.0, 18.0, 30.0]);
+    check_kind("sailplane", [3.0, 18.0, 30.0], Some([15.0, 20.0]));
 }
 
 #[test]
 fn wings_on_walls_stand_as_they_are_written() {
-    check_kind("wing-on-wall", [1.0, 5.0, 30.0]);
+    check_kind("wing-on-wall", [1.0, 5.0, 30.0], None);
+}
+
+/// Slender wings of little weight in thin air.
+#[test]
+fn what_flies_by_the_sun_is_written_at_30_to_80_metres() {
+    let folder = tempfile::tempdir().unwrap();
+    for (span, mass) in [(30, 80), (80, 500)] {
+        let line = format!(
+            "new {span}.toml --kind sailplane --span {span} --mass {mass} --altitude 18000 --engines 1"
+        );
+        quietly(folder.path(), &line);
+        let file = format!("{span}.toml");
+        let checked = run(folder.path(), &format!("check {file}"));
+        assert_eq!(checked.status.code(), Some(0), "{}", text(&checked.stdout));
+        check_described(folder.path(), ("sailplane", &file, f64::from(span)));
+        // The doublet of 0.4 s is short for what is so large: 1.6e-3 rad at 80 m.
+        check_flight(folder.path(), ("sailplane", &file), 5e-4);
+        check_margin(folder.path(), (&file, &std::fs::read_to_string(folder.path().join(&file)).unwrap()));
+    }
+}
+
+/// What the end of the file of a twin boom says is true: its tail in one piece flies, and its antisymmetric modes are stiffer.
+#[test]
+fn the_tail_of_a_twin_boom_can_be_joined_as_its_file_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let printed = quietly(folder.path(), "new halves.toml --kind twin-boom");
+    assert!(printed.contains("The halves of the tail are not joined"), "{printed}");
+    let written = std::fs::read_to_string(folder.path().join("halves.toml")).unwrap();
+    let (halves, block) = written.split_once("# axis_m = ").unwrap();
+    let (axis, joint) = block.split_once("#\n").unwrap();
+    let mut joined = halves.replace("\"geometrically_exact\"", "\"exact\"") + &joint.replace("# ", "");
+    let tail = joined.find("name = \"htail_right\"").unwrap();
+    let from = tail + joined[tail..].find("axis_m").unwrap();
+    let to = from + joined[from..].find('\n').unwrap();
+    joined.replace_range(from..to, &format!("axis_m = {}", axis.trim_end()));
+    for root in ["wing_root_right", "wing_root_left", "boom_root_right", "boom_root_left"] {
+        let from = joined.find(&format!("[[cut]]\nname = \"{root}\"")).unwrap();
+        let to = from + joined[from..].find("at = 0\n").unwrap() + "at = 0\n".len();
+        joined.replace_range(from..to, "");
+    }
+    std::fs::write(folder.path().join("joined.toml"), joined).unwrap();
+    let lowest = |file: &str| {
+        let checked = run(folder.path(), &format!("check {file} --json -"));
+        assert_eq!(checked.status.code(), Some(0), "{}", text(&checked.stderr));
+        let described: Value = serde_json::from_slice(&checked.stdout).unwrap();
+        let modes = described["modes"].as_array().unwrap().clone();
+        let is_it = |mode: &&Value| mode["family"] == "antisymmetric";
+        modes.iter().find(is_it).unwrap()["frequency"].as_f64().unwrap()
+    };
+    let [halves, joined] = ["halves.toml", "joined.toml"].map(lowest);
+    assert!(joined > 1.05 * halves, "{halves} {joined}");
 }
 
 /// Every number by an option, and none of them in the way of another.
@@ -232,7 +334,16 @@ fn what_is_not_allowed_is_told_with_what_is_and_nothing_is_written() {
         ),
         (
             "--kind canard --mass 100000",
-            "--mass and the wing's area: found 12500 kg/m2, allowed is what flies",
+            "--mass: found 100000 kg, allowed is 4.0299 to 7980 kg with this wing, for 0.5 to 1000 kg/m2",
+        ),
+        (
+            "--kind canard --mass 7000 --altitude 20000",
+            "--mass and the wing's area: found 877 kg/m2, allowed is what flies",
+        ),
+        // Not the search's own numbers, of a file that nobody has.
+        (
+            "--kind sailplane --span 100 --bending-frequency 0.1",
+            "--bending-frequency: found 0.1 Hz, and no such aircraft: ",
         ),
         ("--kind sailplane --airspeed 5", "--airspeed: found 5 m/s, allowed is 24."),
         (

@@ -1,0 +1,75 @@
+//! Nodes in one place that nothing joins: components form a tree, and those that only meet do not touch.
+
+use flexible_aircraft::Aircraft;
+
+/// Nodes that a joint may join are at most this far apart, m.
+const APART: f64 = 1e-3;
+
+/// A pair of components with nodes in one place, the first of their nodes; of mirrored pairs one.
+pub fn unjoined(aircraft: &Aircraft) -> Vec<String> {
+    let components = &aircraft.components;
+    let mut told: Vec<[usize; 2]> = Vec::new();
+    let mut warnings = Vec::new();
+    for one in 0..components.len() {
+        for other in one + 1..components.len() {
+            let pair = [one, other];
+            let image = pair.map(|component| components[component].image.unwrap_or(component));
+            let is_told = told.contains(&image) || told.contains(&[image[1], image[0]]);
+            let meeting = if is_told { None } else { meeting(aircraft, pair) };
+            if let Some(places) = meeting {
+                told.push(pair);
+                warnings.push(text(aircraft, pair, places));
+            }
+        }
+    }
+    warnings
+}
+
+/// Where along two components nodes are in one place that are neither one nor joined, as fractions of their lengths.
+fn meeting(aircraft: &Aircraft, pair: [usize; 2]) -> Option<[f64; 2]> {
+    let [ones, others] = pair.map(|component| &aircraft.components[component].nodes);
+    let pairs = ones.iter().flat_map(|&one| others.iter().map(move |&other| [one, other]));
+    let is_near = |&[one, other]: &[usize; 2]| (aircraft.nodes[one] - aircraft.nodes[other]).norm() <= APART;
+    let meeting = pairs.into_iter().filter(is_near).find(|nodes| !are_one(aircraft, *nodes))?;
+    let mut places = [0.0; 2];
+    for ((place, component), node) in places.iter_mut().zip(pair).zip(meeting) {
+        *place = fraction(aircraft, component, node);
+    }
+    Some(places)
+}
+
+/// Whether two nodes are the same, or joints join them, be it by others in the same place.
+fn are_one(aircraft: &Aircraft, [one, other]: [usize; 2]) -> bool {
+    let mut reached = vec![one];
+    let mut next = 0;
+    while next < reached.len() {
+        for joint in &aircraft.joints {
+            let [from, to] = joint.nodes();
+            for (from, to) in [(from, to), (to, from)] {
+                if from == reached[next] && !reached.contains(&to) {
+                    reached.push(to);
+                }
+            }
+        }
+        next += 1;
+    }
+    reached.contains(&other)
+}
+
+/// Of a component's length at one of its nodes.
+fn fraction(aircraft: &Aircraft, component: usize, node: usize) -> f64 {
+    let nodes = &aircraft.components[component].nodes;
+    let lengths = nodes.windows(2).map(|pair| (aircraft.nodes[pair[1]] - aircraft.nodes[pair[0]]).norm());
+    let inboard = nodes.iter().position(|other| *other == node).unwrap_or(0);
+    let whole: f64 = lengths.clone().sum();
+    lengths.take(inboard).sum::<f64>() / whole
+}
+
+fn text(aircraft: &Aircraft, pair: [usize; 2], places: [f64; 2]) -> String {
+    let [one, other] = pair.map(|component| aircraft.components[component].name.as_str());
+    let [at, other_at] = places.map(crate::numbers::short);
+    format!(
+        "{one} at {at} and {other} at {other_at} of their lengths are in one place and do not touch, usual is a [[joint]] there: component = \"{one}\", \
+         at = {at}, joined_to = {{ component = \"{other}\", at = {other_at} }}"
+    )
+}
