@@ -102,7 +102,12 @@ pub(super) fn symmetry(assembly: &Assembly, file: &FileSpec, report: &Report) {
             (Some(_), _) => {}
             (None, None) => complain(&spec.name.place, format!("the engine \"{name}\"")),
             (None, Some(other)) => {
-                for OddEngine { place, found, allowed } in odd_engines((engine, spec), other) {
+                let odd = odd_engines((engine, spec), other);
+                if odd.is_empty() {
+                    // The other one is the image of a third.
+                    complain(&spec.name.place, format!("the engine \"{name}\""));
+                }
+                for OddEngine { place, found, allowed } in odd {
                     report.add(Problem::NotSymmetric, place, found, allowed);
                 }
             }

@@ -64,7 +64,8 @@ mod tests {
         let component = &schema["properties"]["component"]["items"];
         assert_eq!(component["additionalProperties"], false);
         assert!(component["required"].as_array().unwrap().contains(&"axis_m".into()), "{component:#}");
-        let hinge = component.pointer("/properties/surface/items/properties/flap/properties/hinge").unwrap();
+        let hinge =
+            component.pointer("/properties/surface/items/properties/flap/properties/hinge/oneOf/0").unwrap();
         assert_eq!((&hinge["exclusiveMinimum"], &hinge["exclusiveMaximum"]), (&0.0.into(), &1.0.into()));
     }
 }
