@@ -37,9 +37,12 @@ pub fn field(table: &Table, field: &Field) -> Value {
     schema
 }
 
-/// A sentence that begins and ends like one.
+/// A sentence that begins and ends like one; a symbol at its beginning, as c_mα, stays as it is.
 pub fn sentence(text: &str) -> String {
     let mut letters = text.chars();
+    if text.chars().nth(1) == Some('_') {
+        return format!("{text}.");
+    }
     let first = letters.next().map(char::to_uppercase).into_iter().flatten();
     format!("{}.", first.chain(letters).collect::<String>())
 }
