@@ -49,7 +49,7 @@ fn evaluate(
 ) -> Vec<u64> {
     let mut equations = if in_plane {
         let (model, edge_on) = jet_in_plane();
-        EquationsOfMotion::in_plane(&options(model), &edge_on, &configuration(fidelity))
+        EquationsOfMotion::in_plane(&options(model), &edge_on, &configuration(fidelity)).unwrap()
     } else {
         EquationsOfMotion::new(&options(jet().select(&[0, 1, 2, 3, 4])), &configuration(fidelity)).unwrap()
     };

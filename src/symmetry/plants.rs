@@ -4,7 +4,7 @@
 //! and half its rigid motion. As soon as something acts on one side alone, the whole aircraft takes over for good.
 
 use crate::aircraft::Support;
-use crate::equations::{ClosesLoop, Configuration, Controls, EquationsOfMotion};
+use crate::equations::{ClosesLoop, Configuration, Controls};
 use crate::math::{ROUNDING, are_alike};
 use crate::plant::{
     Course, LimitedTrimError, Outputs, Packaged, PackagedStrip, Plant, PlantSettings, SettingError, Trim,
@@ -74,19 +74,14 @@ impl Plants {
     ) -> Result<Self, ClosesLoop> {
         let reduced = model.in_use(modes);
         let half = SymmetricHalf::find(&reduced);
+        let whole = Plant::of_modes(model, configuration, modes)?;
         let halve = |half: &SymmetricHalf| {
             let strips = half.stands_for.iter().map(|&strip| PackagedStrip::of(&reduced, strip));
-            let packaged = Packaged {
-                mode_count: model.modes.len(),
-                cut_count: model.cuts.len(),
-                modes: modes.among(&half.modes),
-                strips: strips.collect(),
-            };
+            let (modes, packaged) = (modes.among(&half.modes), Packaged::whole(model, modes));
+            let packaged = Packaged { modes, strips: strips.collect(), ..packaged };
             Ok(Plant::of_equations(half.equations(configuration)?, &half.model, packaged))
         };
         let halved = half.as_ref().map(halve).transpose()?;
-        let equations = EquationsOfMotion::new(&reduced, configuration)?;
-        let whole = Plant::of_equations(equations, &reduced, Packaged::whole(model, modes));
         let halving = half.zip(halved.as_ref()).map(|(half, halved)| Halving {
             unfolding: Unfolding::new(&half, halved.layout(), whole.layout()),
             engines: half.engines,
