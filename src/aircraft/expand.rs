@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 
-use super::components::component_named;
+use super::components::{BESIDE_A_HINGE, component_named, nodes_allowed};
 use super::control::Mirroring;
 use super::cuts;
 use super::document::Located;
@@ -248,17 +248,14 @@ fn root(
     };
     let parent = &placed[index];
     let Some(node) = parent.line.node_at(at.value) else {
-        let elements = parent.line.elements();
         let found = format!("found {}, where \"{}\" has no node", at.value, name.value);
-        let allowed =
-            format!("the fraction of one of its {} nodes is allowed, 0 and 1 among them", elements + 1);
+        let allowed = nodes_allowed(parent.line.fractions(), at.value);
         report.add(Problem::Disconnected, &at.place, found, allowed);
         return None;
     };
     if node == 0 && parent.is_hinged {
         let found = format!("found the root of \"{}\", where a hinge is", name.value);
-        let allowed = "a node beyond the hinge is allowed, or what that component hangs on";
-        report.add(Problem::Disconnected, &at.place, found, allowed);
+        report.add(Problem::Disconnected, &at.place, found, BESIDE_A_HINGE);
         return None;
     }
     if side == Side::AsWritten {

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::components::at_node;
 use super::coupling::Coupling;
 use super::document::Located;
 use super::error::{Place, Problem, Report};
@@ -150,8 +151,12 @@ impl Line {
 
     /// The node at a fraction of the length, if one is there.
     pub(super) fn node_at(&self, fraction: f64) -> Option<usize> {
-        let distance = fraction * self.length();
-        self.distances.iter().position(|node| (node - distance).abs() < 1e-9 * self.length())
+        at_node(self.fractions(), fraction)
+    }
+
+    /// Of the length at which nodes are, from 0 to 1.
+    pub(super) fn fractions(&self) -> impl Iterator<Item = f64> {
+        self.distances.iter().map(|node| node / self.length())
     }
 
     /// Places along the axis, the elements counted from 0 at the root.

@@ -2,7 +2,7 @@
 //!
 //! A joint is written once: where its components have mirror images it is there on both sides.
 
-use super::components::component_named;
+use super::components::{BESIDE_A_HINGE, at_node, component_named, nodes_allowed};
 use super::error::{Place, Problem, Report};
 use super::fidelity::Fidelity;
 use super::model::{Aircraft, Joint, JointEnd};
@@ -10,9 +10,6 @@ use super::schema::{FileSpec, JointEndSpec, JointSpec};
 
 /// Joined nodes may be this far apart, m.
 const APART: f64 = 1e-3;
-
-/// A place is that of a node within this share of the component's length.
-const AT_NODE: f64 = 1e-9;
 
 /// Nodes nearer to the plane y = 0 are in it, m.
 const IN_PLANE: f64 = 1e-9;
@@ -70,14 +67,20 @@ fn node(end: &JointEndSpec, aircraft: &Aircraft, report: &Report) -> Option<Node
     let component = component_named(&end.component, names, report)?;
     let distances = aircraft.distances(&aircraft.components[component]);
     let length = distances[distances.len() - 1];
-    let node = distances.iter().position(|node| (node - end.at.value * length).abs() < AT_NODE * length);
+    let fractions = || distances.iter().map(|node| node / length);
+    let node = at_node(fractions(), end.at.value);
     if node.is_none() {
         let found = format!("found {}, where \"{}\" has no node", end.at.value, end.component.value);
-        let count = distances.len();
-        let allowed = format!("the fraction of one of its {count} nodes is allowed, 0 and 1 among them");
+        let allowed = nodes_allowed(fractions(), end.at.value);
         report.add(Problem::Disconnected, &end.at.place, found, allowed);
     }
-    Some((component, node?))
+    let node = node?;
+    if node == 0 && aircraft.beams[aircraft.components[component].first_beam].hinge.is_some() {
+        let found = format!("found the root of \"{}\", where a hinge is", end.component.value);
+        report.add(Problem::Disconnected, &end.at.place, found, BESIDE_A_HINGE);
+        return None;
+    }
+    Some((component, node))
 }
 
 /// Whether two nodes can be joined.

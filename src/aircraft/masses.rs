@@ -119,29 +119,35 @@ fn squared(v: Vector3<f64>) -> Vector3<f64> {
     v.component_mul(&v)
 }
 
+/// What the moments of a body are like.
+pub(super) const MOMENTS_ALLOWED: &str =
+    "moments are allowed of which none is negative or greater than the sum of the others";
+
+/// A share of the greatest moment that is rounding.
+const ROUNDED: f64 = 1e-9;
+
 /// Complains about the first inertia that no body has; true when all are in order.
 pub(super) fn check_inertia(bays: &[LocatedBay], report: &Report) -> bool {
     for (bay, place) in bays {
-        if let Err(moments) = principal_moments(&bay.inertia) {
+        if let Err(moments) = principal_moments(&bay.inertia, 0.0) {
             let found = format!("found the principal moments of inertia {moments} kg m²");
-            let allowed =
-                "moments are allowed of which none is negative or greater than the sum of the others";
-            report.add(Problem::UnphysicalInertia, place, found, allowed);
+            report.add(Problem::UnphysicalInertia, place, found, MOMENTS_ALLOWED);
             return false;
         }
     }
     true
 }
 
-/// The error is the text of the moments when they break the triangle inequality.
-fn principal_moments(inertia: &Matrix3<f64>) -> Result<(), String> {
+/// The error is the text of the moments when they break the triangle inequality by more than a share of the greatest and what else of
+/// them is rounding.
+pub(super) fn principal_moments(inertia: &Matrix3<f64>, rounding: f64) -> Result<(), String> {
     let Some(eigen) = SymmetricEigen::try_new(*inertia, f64::EPSILON, 100) else {
         return Err("that cannot be computed,".to_owned());
     };
     let mut moments: [f64; 3] = eigen.eigenvalues.into();
     moments.sort_by(f64::total_cmp);
     let [least, middle, greatest] = moments;
-    let slack = 1e-9 * greatest.abs();
+    let slack = ROUNDED * greatest.abs() + rounding;
     if least >= -slack && greatest <= least + middle + slack {
         return Ok(());
     }

@@ -5,10 +5,14 @@
 use nalgebra::{Cholesky, DMatrix, Matrix3, Matrix6, Vector3};
 
 use super::coupling::Coupling;
+use super::masses::{MOMENTS_ALLOWED, principal_moments};
 use super::schema::MatrixSpec;
 
 /// Scaled to ones on its diagonal, the least eigenvalue of a matrix that counts as positive definite.
 const DEFINITE: f64 = 1e-12;
+
+/// What the mass of a section is like.
+const FORM_ALLOWED: &str = "the mass of a rigid section is allowed: [[μ 1, −μ c×], [μ c×, J]]";
 
 /// Departures from the form of a rigid section's mass, relative to its largest entries of the kind, that are rounding.
 const ROUNDED: f64 = 1e-6;
@@ -87,16 +91,17 @@ pub(super) struct SectionMass {
 }
 
 impl SectionMass {
-    /// Of a matrix of this form; the error says what is not.
-    pub(super) fn of(matrix: &Matrix6<f64>) -> Result<Self, &'static str> {
+    /// Of a matrix of this form, with an inertia about its centre that a body can have; the error says what is not, and what is allowed.
+    pub(super) fn of(matrix: &Matrix6<f64>) -> Result<Self, [String; 2]> {
+        let other = |fault: &str| Err([fault.to_owned(), FORM_ALLOWED.to_owned()]);
         let block = |row: usize, column: usize| matrix.fixed_view::<3, 3>(row, column).into_owned();
         let (masses, arms, about_axis) = (block(0, 0), block(3, 0), block(3, 3));
         let mass = masses.trace() / 3.0;
         if mass <= 0.0 {
-            return Err("no mass in its first three diagonals");
+            return other("no mass in its first three diagonals");
         }
         if (masses - Matrix3::identity() * mass).amax() > ROUNDED * mass {
-            return Err("masses that are not alike in all directions");
+            return other("masses that are not alike in all directions");
         }
         let centre = Vector3::new(
             arms[(2, 1)] - arms[(1, 2)],
@@ -106,9 +111,15 @@ impl SectionMass {
         let cross = centre.cross_matrix();
         let size = (mass * about_axis.trace().abs()).sqrt().max(arms.amax());
         if (arms - cross * mass).amax() > ROUNDED * size {
-            return Err("first moments that are those of no centre of mass");
+            return other("first moments that are those of no centre of mass");
         }
-        Ok(SectionMass { mass, centre, inertia: about_axis + cross * cross * mass })
+        let inertia = about_axis + cross * cross * mass;
+        // What is carried to the centre is rounded by what it was about the axis.
+        principal_moments(&inertia, ROUNDED * about_axis.amax()).map_err(|moments| {
+            let fault = format!("the principal moments of inertia {moments} kg m about its centre");
+            [fault, MOMENTS_ALLOWED.to_owned()]
+        })?;
+        Ok(SectionMass { mass, centre, inertia })
     }
 }
 
@@ -217,10 +228,13 @@ mod tests {
         let refused = |change: fn(&mut Matrix6<f64>)| {
             let mut matrix = matrix;
             change(&mut matrix);
-            SectionMass::of(&matrix).unwrap_err()
+            SectionMass::of(&matrix).unwrap_err()[0].clone()
         };
         assert!(refused(|matrix| matrix[(1, 1)] = 11.0).contains("alike"));
         assert!(refused(|matrix| matrix[(3, 0)] = 1.0).contains("no centre"));
         assert!(refused(|matrix| *matrix *= -1.0).contains("no mass"));
+        // More about x than about y and z together, and less than nothing.
+        assert!(refused(|matrix| matrix[(3, 3)] += 0.01).contains("principal moments"));
+        assert!(refused(|matrix| matrix[(4, 4)] -= 1.0).contains("principal moments"));
     }
 }

@@ -33,6 +33,10 @@ pub(super) fn read_sections(table: &Table) -> Option<(NamedLaws, SectionSpec)> {
             exclude(table, &section::BOX_FIELD, component::STIFFNESSES.into_iter());
             (Some(Vec::new()), tube.map(|tube| StiffnessSource::Box(Box::new(tube))))
         }
+        (None, None) if component::STIFFNESSES.iter().all(|field| table.optional(field).is_none()) => {
+            table.either(&component::SOURCES);
+            (None, None)
+        }
         (None, None) => {
             let law = |field: &Field| Some((field.name, table.required(field).and_then(|v| Law::read(&v))?));
             (component::STIFFNESSES.map(law).into_iter().collect(), Some(StiffnessSource::Laws))

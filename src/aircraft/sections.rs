@@ -36,20 +36,20 @@ pub(super) fn of_elements(spec: &ComponentSpec, line: &Line, laws: &Laws) -> Opt
             Some(tubes.iter().map(|sizes| sizes.stiffness(tube.young, tube.shear)).collect())
         }
         StiffnessSource::Matrices(matrices) => {
-            let section = |s: f64| {
-                SectionStiffness::condensed(&matrix_at(matrices, s)).or_else(|| {
-                    // What is between two that are positive definite is so too.
-                    let faulty =
-                        matrices.iter().find(|m| SectionStiffness::condensed(&m.matrix.value).is_none());
-                    let place = &faulty.unwrap_or(&matrices[0]).matrix.place;
-                    not_positive_definite(
-                        place,
-                        "a matrix by which some strain has no energy, or a negative one",
-                        laws,
-                    )
-                })
+            let faulty = matrices.iter().find(|m| SectionStiffness::condensed(&m.matrix.value).is_none());
+            let refuse = |place: &Place| {
+                let found = "a matrix by which some strain has no energy, or a negative one";
+                not_positive_definite(place, found, laws)
             };
-            middles.iter().map(|middle| section(middle.s)).collect()
+            match faulty {
+                Some(faulty) => refuse(&faulty.matrix.place),
+                // What is between two that are positive definite is so too, but for rounding.
+                None => {
+                    let section = |s: f64| SectionStiffness::condensed(&matrix_at(matrices, s));
+                    let sections = middles.iter().map(|middle| section(middle.s));
+                    sections.collect::<Option<_>>().or_else(|| refuse(&matrices[0].matrix.place))
+                }
+            }
         }
     };
     let mut sections = sections?;
@@ -141,14 +141,9 @@ fn box_bays(
 fn matrix_bays(spec: &ComponentSpec, line: &Line, laws: &Laws) -> Option<Vec<LocatedBay>> {
     let masses = &spec.section.masses;
     for mass in masses {
-        if let Err(fault) = SectionMass::of(&mass.matrix.value) {
-            let allowed = "the mass of a rigid section is allowed: [[μ 1, −μ c×], [μ c×, J]]";
-            laws.report.add(
-                Problem::UnphysicalInertia,
-                &mass.matrix.place,
-                format!("found {fault}"),
-                allowed,
-            );
+        if let Err([fault, allowed]) = SectionMass::of(&mass.matrix.value) {
+            let found = format!("found {fault}");
+            laws.report.add(Problem::UnphysicalInertia, &mass.matrix.place, found, allowed);
             return None;
         }
     }

@@ -225,7 +225,7 @@ mod tests {
             temperature_offset: 0.0,
             tunnel_flow: Vector3::zeros(),
         };
-        let equations = EquationsOfMotion::new(&model, &configuration);
+        let equations = EquationsOfMotion::new(&model, &configuration).unwrap();
         let (layout, kinematics) = (equations.layout(), K::new(&model, &[]));
         let mut state: Vec<f64> = (0..layout.len()).map(|place| 10.0 * libm::sin(place as f64)).collect();
         let velocities = layout.velocities_of(&state);

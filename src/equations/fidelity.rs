@@ -24,7 +24,36 @@ pub struct Terms {
     pub superposed_strains: bool,
 }
 
+/// A level that knows no loops, for a model in which a joint closes one.
+///
+/// [theory: geometrically-exact.sections, limits-of-validity.loops]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("model: found {found}, allowed is {allowed}: {joint} closes a loop")]
+pub struct ClosesLoop {
+    /// Name of the level.
+    pub found: &'static str,
+    /// Names of the levels that fly loops.
+    pub allowed: String,
+    /// One of the joints, in words.
+    pub joint: String,
+}
+
 impl Fidelity {
+    /// That equations of this level can be those of a model with such joints.
+    ///
+    /// # Errors
+    /// Of the geometrically exact level, when there is a joint.
+    pub(crate) fn flies(self, joints: &[String]) -> Result<(), ClosesLoop> {
+        match (self, joints.first()) {
+            (Fidelity::GeometricallyExact, Some(joint)) => Err(ClosesLoop {
+                found: self.name(),
+                allowed: Fidelity::OF_THESIS.map(Fidelity::name).join(", "),
+                joint: joint.clone(),
+            }),
+            _ => Ok(()),
+        }
+    }
+
     /// The table of [theory: equations-of-motion.levels].
     pub fn terms(self) -> Terms {
         let (deformed_mass, deformed_forcing, cubic_energy, quartic_energy) = match self {

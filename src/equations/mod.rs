@@ -15,7 +15,7 @@
 //!     inflow_states: 2,
 //!     temperature_offset: 0.0,
 //!     tunnel_flow: Vector3::zeros(),
-//! });
+//! })?;
 //! let mut state = vec![0.0; equations.layout().len()];
 //! state[equations.layout().attitude()][0] = 1.0; // level, at rest, not deformed
 //! let (mut rates, mut workspace) = (vec![0.0; state.len()], Workspace::new(&equations));
@@ -49,7 +49,7 @@ mod workspace;
 pub(crate) use centre_of_mass::CentreOfMass;
 pub use controls::Controls;
 pub use cuts::SectionLoads;
-pub use fidelity::{Fidelity, Terms};
+pub use fidelity::{ClosesLoop, Fidelity, Terms};
 pub use layout::StateLayout;
 pub use mechanics::Mechanics;
 pub use of_motion::{Configuration, EquationsOfMotion};

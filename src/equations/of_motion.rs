@@ -15,7 +15,7 @@ use crate::structure::{
 };
 
 use super::cuts::Cuts;
-use super::fidelity::{Fidelity, Terms};
+use super::fidelity::{ClosesLoop, Fidelity, Terms};
 use super::layout::StateLayout;
 use super::propulsion::Engines;
 use super::station_loads::StationLoads;
@@ -74,14 +74,31 @@ pub struct EquationsOfMotion {
 
 impl EquationsOfMotion {
     /// The equations for a reduced model, all of whose modes take part unless it is to be rigid.
-    pub fn new(model: &ReducedModel, configuration: &Configuration) -> Self {
+    ///
+    /// # Errors
+    /// When the level is geometrically exact and the model's joints close loops.
+    pub fn new(model: &ReducedModel, configuration: &Configuration) -> Result<Self, ClosesLoop> {
+        configuration.fidelity.flies(&model.joints)?;
+        Ok(EquationsOfMotion::of_chosen(model, configuration))
+    }
+
+    /// The same, of a level that is known to fly the model.
+    pub(crate) fn of_chosen(model: &ReducedModel, configuration: &Configuration) -> Self {
         EquationsOfMotion::with_freedom(model, &[], configuration, RigidFreedom::All)
     }
 
     /// The equations of motion in the mirror plane, of a model that stays its own mirror image, and of strips that such
     /// motion meets edge-on: a third of the work.
-    pub fn in_plane(model: &ReducedModel, edge_on: &[ReducedStrip], configuration: &Configuration) -> Self {
-        EquationsOfMotion::with_freedom(model, edge_on, configuration, RigidFreedom::InPlane)
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn in_plane(
+        model: &ReducedModel,
+        edge_on: &[ReducedStrip],
+        configuration: &Configuration,
+    ) -> Result<Self, ClosesLoop> {
+        configuration.fidelity.flies(&model.joints)?;
+        Ok(EquationsOfMotion::with_freedom(model, edge_on, configuration, RigidFreedom::InPlane))
     }
 
     /// The equations with what a free support leaves free.

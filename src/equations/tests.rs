@@ -49,9 +49,9 @@ fn evaluate(
 ) -> Vec<u64> {
     let mut equations = if in_plane {
         let (model, edge_on) = jet_in_plane();
-        EquationsOfMotion::in_plane(&options(model), &edge_on, &configuration(fidelity))
+        EquationsOfMotion::in_plane(&options(model), &edge_on, &configuration(fidelity)).unwrap()
     } else {
-        EquationsOfMotion::new(&options(jet().select(&[0, 1, 2, 3, 4])), &configuration(fidelity))
+        EquationsOfMotion::new(&options(jet().select(&[0, 1, 2, 3, 4])), &configuration(fidelity)).unwrap()
     };
     equations.take_arch(arch);
     let mut state: Vec<f64> = (0..equations.layout().len()).map(|i| libm::sin(i as f64)).collect();
@@ -85,7 +85,7 @@ fn steering_gives_the_same_bits_as_a_new_evaluation() {
     let models = [jet.clone(), with_options(jet)];
     for (fidelity, model) in LEVELS.into_iter().flat_map(|fidelity| models.each_ref().map(|m| (fidelity, m)))
     {
-        let equations = EquationsOfMotion::new(model, &configuration(fidelity));
+        let equations = EquationsOfMotion::new(model, &configuration(fidelity)).unwrap();
         let mut state: Vec<f64> = (0..equations.layout().len()).map(|i| libm::sin(i as f64)).collect();
         state[equations.layout().velocity().start] = 127.0;
         let (mut rates, mut workspace) = (vec![0.0; state.len()], Workspace::new(&equations));
@@ -109,7 +109,7 @@ fn counted_multiplications_grow_by_the_same_number_with_every_group_of_strips() 
     let count = |groups: usize| {
         let strips = model.strips.iter().filter(|strip| strip.flap.is_none()).take(groups * LANES);
         let model = ReducedModel { strips: strips.cloned().collect(), ..model.clone() };
-        let equations = EquationsOfMotion::new(&model, &configuration(Fidelity::Exact));
+        let equations = EquationsOfMotion::new(&model, &configuration(Fidelity::Exact)).unwrap();
         let mut state = vec![0.0; equations.layout().len()];
         state[equations.layout().attitude().start] = 1.0;
         state[equations.layout().velocity().start] = 127.0;

@@ -1,6 +1,7 @@
 //! A setting of a plant that is outside its range.
 
 use crate::air::OutOfRange;
+use crate::equations::ClosesLoop;
 
 /// A setting that is outside its range.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -12,6 +13,13 @@ pub struct SettingError {
     pub found: String,
     /// What is allowed.
     pub allowed: String,
+}
+
+impl From<ClosesLoop> for SettingError {
+    fn from(ClosesLoop { found, allowed, joint }: ClosesLoop) -> Self {
+        let allowed = format!("{allowed}: {joint} closes a loop");
+        SettingError { setting: "model".to_owned(), found: found.to_owned(), allowed }
+    }
 }
 
 impl From<OutOfRange> for SettingError {

@@ -102,11 +102,7 @@ impl PlantSettings {
         self.check(model.support)?;
         self.condition.check(model.support, model.engines.len())?;
         self.check_thrust(model)?;
-        if let (Fidelity::GeometricallyExact, Some(joint)) = (self.fidelity, model.joints.first()) {
-            let others = Fidelity::OF_THESIS.map(Fidelity::name).join(", ");
-            let allowed = format!("{others}: {joint} closes a loop");
-            return refuse("model", self.fidelity.name(), &allowed);
-        }
+        self.fidelity.flies(&model.joints)?;
         if self.fidelity == Fidelity::Rigid {
             return Ok(ModesInUse::chosen(&[]));
         }
@@ -222,7 +218,7 @@ fn refuse<T>(setting: &str, found: impl Display, allowed: &str) -> Result<T, Set
 impl Plant {
     /// Of a whole aircraft before any parameter is set, but with all its modes.
     pub(crate) fn of_all_modes(model: &ReducedModel) -> Self {
-        Plant::new(model, &PlantSettings::of(model).configuration(model.support))
+        Plant::of_chosen(model, &PlantSettings::of(model).configuration(model.support))
     }
 
     /// That of a whole aircraft under some settings.
@@ -231,6 +227,6 @@ impl Plant {
     /// When a setting is out of range.
     pub fn under(model: &ReducedModel, settings: &PlantSettings) -> Result<Self, SettingError> {
         let modes = settings.choose_modes(model)?;
-        Ok(Plant::of_modes(model, &settings.configuration(model.support), &modes))
+        Ok(Plant::of_modes(model, &settings.configuration(model.support), &modes)?)
     }
 }

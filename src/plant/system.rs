@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 
 use crate::air::{Air, FrozenGust};
 use crate::aircraft::{Control, Support};
-use crate::equations::{Configuration, Controls, EquationsOfMotion, StateLayout, Workspace};
+use crate::equations::{ClosesLoop, Configuration, Controls, EquationsOfMotion, StateLayout, Workspace};
 use crate::structure::{ModesInUse, ReducedModel, ReducedStation};
 
 use super::air_data::AirData;
@@ -81,11 +81,19 @@ impl PackagedStrip {
 impl Plant {
     /// Of a whole aircraft, all of whose modes take part unless it is to be rigid.
     ///
-    /// Nothing is refused here: of a model with joints that is to be geometrically exact, joined nodes part at large deflections.
-    /// [`under`](Self::under) refuses that.
-    pub fn new(model: &ReducedModel, configuration: &Configuration) -> Self {
-        let modes: Vec<usize> = (0..model.modes.len()).collect();
-        Plant::of_modes(model, configuration, &ModesInUse::chosen(&modes))
+    /// # Errors
+    /// When the level is geometrically exact and the model's joints close loops.
+    pub fn new(model: &ReducedModel, configuration: &Configuration) -> Result<Self, ClosesLoop> {
+        configuration.fidelity.flies(&model.joints)?;
+        Ok(Plant::of_chosen(model, configuration))
+    }
+
+    /// The same, of a level that is known to fly the model.
+    pub(crate) fn of_chosen(model: &ReducedModel, configuration: &Configuration) -> Self {
+        let modes = ModesInUse::chosen(&(0..model.modes.len()).collect::<Vec<_>>());
+        let reduced = model.in_use(&modes);
+        let equations = EquationsOfMotion::of_chosen(&reduced, configuration);
+        Plant::of_equations(equations, &reduced, Packaged::whole(model, &modes))
     }
 
     /// What a coordinate is when it moves or turns some strip by about 1 m or 1 rad.
@@ -94,10 +102,17 @@ impl Plant {
     }
 
     /// Of a whole aircraft with some of its modes, all others held at rest.
-    pub fn of_modes(model: &ReducedModel, configuration: &Configuration, modes: &ModesInUse) -> Self {
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn of_modes(
+        model: &ReducedModel,
+        configuration: &Configuration,
+        modes: &ModesInUse,
+    ) -> Result<Self, ClosesLoop> {
         let reduced = model.in_use(modes);
-        let equations = EquationsOfMotion::new(&reduced, configuration);
-        Plant::of_equations(equations, &reduced, Packaged::whole(model, modes))
+        let equations = EquationsOfMotion::new(&reduced, configuration)?;
+        Ok(Plant::of_equations(equations, &reduced, Packaged::whole(model, modes)))
     }
 
     /// Of equations of a model of which that is packaged.

@@ -64,7 +64,7 @@ pub(super) struct AnalysedSpeed {
 impl Motions<'_> {
     fn trimmed(&self, airspeed: f64) -> Result<(Plant, Trim), Box<TrimError>> {
         let settings = PlantSettings { airspeed, ..*self.settings };
-        let plant = Plant::new(self.model, &settings.configuration(self.model.support));
+        let plant = Plant::of_chosen(self.model, &settings.configuration(self.model.support));
         let plant = plant.carrying(self.loads.clone());
         let trim = plant.trim(&settings.trim_condition())?;
         Ok((plant, trim))

@@ -4,7 +4,7 @@
 
 use nalgebra::{DMatrix, DVector, SVector};
 
-use crate::aircraft::{Aircraft, Attachment};
+use crate::aircraft::{Aircraft, Attachment, ModeBasis};
 
 use super::beam::{BeamGeometry, axial_stiffness};
 use super::nodal::{NodalMap, NodalRow};
@@ -29,7 +29,10 @@ impl<'a> Structure<'a> {
     /// # Errors
     /// When a bay's inertia is unphysical.
     pub fn new(aircraft: &'a Aircraft) -> Result<Self, StructureError> {
-        let geometry = aircraft.beams.iter().map(|beam| BeamGeometry::new(aircraft, beam)).collect();
+        let rigid = aircraft.mode_basis == ModeBasis::BendingTorsion;
+        let beams = aircraft.beams.iter().zip(aircraft.elements_in_loops());
+        let geometry =
+            beams.map(|(beam, in_loop)| BeamGeometry::new(aircraft, beam, rigid && !in_loop)).collect();
         Ok(Structure { aircraft, geometry, particles: particles(aircraft)? })
     }
 

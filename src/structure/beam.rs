@@ -9,7 +9,7 @@
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
-use crate::aircraft::{Aircraft, Beam, ModeBasis};
+use crate::aircraft::{Aircraft, Beam};
 
 use super::eccentric::Eccentric;
 use super::hinged::Hinged;
@@ -72,8 +72,8 @@ pub struct Gradients {
 }
 
 impl BeamGeometry {
-    /// Geometry of element `beam` of `aircraft`.
-    pub fn new(aircraft: &Aircraft, beam: &Beam) -> Self {
+    /// Geometry of element `beam` of `aircraft`, whose modes have it axially rigid or not: its hinge balances it as it is there.
+    pub fn new(aircraft: &Aircraft, beam: &Beam, axially_rigid: bool) -> Self {
         let [first, second] = beam.nodes;
         let origin = aircraft.nodes[first];
         let axis = aircraft.nodes[second] - origin;
@@ -91,7 +91,7 @@ impl BeamGeometry {
         let curvatures = [0.0, 1.0].map(|fraction| geometry.local_gradients(fraction));
         geometry.eccentric = Eccentric::of(beam, length, curvatures.each_ref()).map(Box::new);
         if let Some(hinge) = &beam.hinge {
-            let axial = axial_stiffness(beam, aircraft.mode_basis == ModeBasis::BendingTorsion);
+            let axial = axial_stiffness(beam, axially_rigid);
             geometry.hinged = Hinged::of(hinge, &geometry.stiffness(beam, axial)).map(Box::new);
         }
         geometry

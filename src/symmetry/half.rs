@@ -10,7 +10,7 @@
 use nalgebra::Vector3;
 
 use crate::aircraft::{Support, TrimRole};
-use crate::equations::{Configuration, EquationsOfMotion};
+use crate::equations::{ClosesLoop, Configuration, EquationsOfMotion};
 use crate::math::{are_alike, largest};
 use crate::structure::{ModeFamily, ModeShapes, ReducedEngine, ReducedModel, ReducedStrip};
 
@@ -84,7 +84,10 @@ impl SymmetricHalf {
     }
 
     /// The equations of symmetric motion, under controls that act alike on both sides and without wind from the side.
-    pub fn equations(&self, configuration: &Configuration) -> EquationsOfMotion {
+    ///
+    /// # Errors
+    /// When the level is geometrically exact and the model's joints close loops.
+    pub fn equations(&self, configuration: &Configuration) -> Result<EquationsOfMotion, ClosesLoop> {
         EquationsOfMotion::in_plane(&self.model, &self.edge_on, configuration)
     }
 }

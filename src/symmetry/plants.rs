@@ -4,7 +4,7 @@
 //! and half its rigid motion. As soon as something acts on one side alone, the whole aircraft takes over for good.
 
 use crate::aircraft::Support;
-use crate::equations::{Configuration, Controls, EquationsOfMotion};
+use crate::equations::{ClosesLoop, Configuration, Controls};
 use crate::math::{ROUNDING, are_alike};
 use crate::plant::{
     Course, LimitedTrimError, Outputs, Packaged, PackagedStrip, Plant, PlantSettings, SettingError, Trim,
@@ -64,27 +64,30 @@ pub struct Trimmed {
 
 impl Plants {
     /// Of a model with these of its modes.
-    pub fn new(model: &ReducedModel, configuration: &Configuration, modes: &ModesInUse) -> Self {
+    ///
+    /// # Errors
+    /// When the level is geometrically exact and the model's joints close loops.
+    pub fn new(
+        model: &ReducedModel,
+        configuration: &Configuration,
+        modes: &ModesInUse,
+    ) -> Result<Self, ClosesLoop> {
         let reduced = model.in_use(modes);
         let half = SymmetricHalf::find(&reduced);
-        let halved = half.as_ref().map(|half| {
+        let whole = Plant::of_modes(model, configuration, modes)?;
+        let halve = |half: &SymmetricHalf| {
             let strips = half.stands_for.iter().map(|&strip| PackagedStrip::of(&reduced, strip));
-            let packaged = Packaged {
-                mode_count: model.modes.len(),
-                cut_count: model.cuts.len(),
-                modes: modes.among(&half.modes),
-                strips: strips.collect(),
-            };
-            Plant::of_equations(half.equations(configuration), &half.model, packaged)
-        });
-        let equations = EquationsOfMotion::new(&reduced, configuration);
-        let whole = Plant::of_equations(equations, &reduced, Packaged::whole(model, modes));
+            let (modes, packaged) = (modes.among(&half.modes), Packaged::whole(model, modes));
+            let packaged = Packaged { modes, strips: strips.collect(), ..packaged };
+            Ok(Plant::of_equations(half.equations(configuration)?, &half.model, packaged))
+        };
+        let halved = half.as_ref().map(halve).transpose()?;
         let halving = half.zip(halved.as_ref()).map(|(half, halved)| Halving {
             unfolding: Unfolding::new(&half, halved.layout(), whole.layout()),
             engines: half.engines,
             controls: half.controls,
         });
-        Plants { plants: Forms::new(whole, halved), halving }
+        Ok(Plants { plants: Forms::new(whole, halved), halving })
     }
 
     /// Of a model under some settings.
@@ -93,7 +96,7 @@ impl Plants {
     /// When a setting is out of range.
     pub fn under(model: &ReducedModel, settings: &PlantSettings) -> Result<Self, SettingError> {
         let modes = settings.choose_modes(model)?;
-        Ok(Plants::new(model, &settings.configuration(model.support), &modes))
+        Ok(Plants::new(model, &settings.configuration(model.support), &modes)?)
     }
 
     /// The plant of each form.

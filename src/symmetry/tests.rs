@@ -64,12 +64,12 @@ fn with_lifting_body(mut model: ReducedModel) -> ReducedModel {
 fn half_moves_as(whole_model: &ReducedModel) {
     let half = SymmetricHalf::find(whole_model).unwrap();
     for fidelity in Fidelity::ALL {
-        let mut whole = EquationsOfMotion::new(whole_model, &configuration(fidelity));
+        let mut whole = EquationsOfMotion::new(whole_model, &configuration(fidelity)).unwrap();
         let mut controls = whole.neutral_controls();
         (controls.angles[ELEVATOR], controls.angles[AILERON_SYMMETRIC]) = (-0.2, 0.05);
         controls.thrust.fill(2e4);
         (controls.wind, controls.wind_rate) = (Vector3::new(3.0, 0.0, -4.0), Vector3::new(1.0, 0.0, 2.0));
-        let mut halved = half.equations(&configuration(fidelity));
+        let mut halved = half.equations(&configuration(fidelity)).unwrap();
         // Every station has its mirror image.
         let load = StationLoad { force: Vector3::new(900.0, 0.0, -3e3), moment: Vector3::new(0.0, 2e3, 0.0) };
         let loads = StationLoads::new(vec![load; whole_model.stations.len()]);

@@ -57,7 +57,7 @@ fn component_between_nodes() {
     assert_messages(
         &[("component = \"fuselage\", at = 1", "component = \"fuselage\", at = 0.5")],
         &[
-            "small.toml:54:46: component.fin.attached_to.at: found 0.5, where \"fuselage\" has no node; the fraction of one of its 4 nodes is allowed, 0 and 1 among them",
+            "small.toml:54:46: component.fin.attached_to.at: found 0.5, where \"fuselage\" has no node; the fraction of one of its 4 nodes is allowed, 0 and 1 among them (0.6666666666666666 is the nearest)",
         ],
     );
 }

@@ -97,7 +97,23 @@ fn what_cannot_be_joined_is_refused_by_name() {
         [
             "joint[1].joined_to.at",
             "found 0.51, where \"wing_right\" has no node",
-            "the fraction of one of its 9 nodes is allowed, 0 and 1 among them",
+            "the fraction of one of its 9 nodes is allowed, 0 and 1 among them (0.5 is the nearest)",
+        ],
+    );
+    // Before a hinge is what its component hangs on: a joint of the root would not be one of what turns.
+    assert_refused(
+        &[
+            ("EA_N = 3e7", "hinge = { axis = [1, 0, 0], stiffness_N_m_per_rad = 1e3 }\nEA_N = 3e7"),
+            (
+                "component = \"strut_right\"\nat = 1\njoined_to = { component = \"wing_right\", at = 0.5 }",
+                "component = \"strut_right\"\nat = 0\njoined_to = { component = \"body\", at = 0 }",
+            ),
+        ],
+        Problem::Disconnected,
+        [
+            "joint[1].at",
+            "found the root of \"strut_right\", where a hinge is",
+            "a node beyond the hinge is allowed, or what that component hangs on",
         ],
     );
     assert_refused(

@@ -206,6 +206,28 @@ fn what_no_section_is_like_is_refused() {
     let mass = matrix([4.0, 4.0, 4.0, 0.5, 0.1, 0.1], &[(3, 4, 4.0 * 0.6)]);
     let (problem, _) = complaint(&format!("{STIFFNESSES}section_mass = [{{ matrix = {mass} }}]"));
     assert_eq!(problem, Problem::UnphysicalInertia);
+    // However long the elements: what an element is as a rod has no part in it.
+    let mass = matrix([4.0, 4.0, 4.0, 1.0, 0.01, 0.01], &[]);
+    let (problem, text) = complaint(&format!("{STIFFNESSES}section_mass = [{{ matrix = {mass} }}]"));
+    assert_eq!(problem, Problem::UnphysicalInertia);
+    assert_eq!(
+        text,
+        "component.right.section_mass[1].matrix: found the principal moments of inertia 0.01000, 0.01000, 1.00000 kg m about its centre; \
+         moments are allowed of which none is negative or greater than the sum of the others"
+    );
+}
+
+#[test]
+fn each_matrix_has_to_be_one_of_a_section_wherever_elements_have_their_middles() {
+    let at = |at: f64, torsion: f64| {
+        format!("{{ at = {at}, matrix = {} }}", matrix([1e7, 3e6, 2e6, 2e4, 5e4, 8e5], &[(4, 5, torsion)]))
+    };
+    let (problem, text) = complaint(&format!("section_stiffness = [{}, {}]", at(0.0, 0.0), at(1.0, 3.3e4)));
+    assert_eq!(problem, Problem::NotPositiveDefinite);
+    assert!(
+        text.starts_with("component.right.section_stiffness[2].matrix: found a matrix by which"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -230,6 +252,9 @@ fn two_ways_to_say_it_a_wall_too_thick_and_places_out_of_order_are_refused() {
     let (problem, text) = complaint("GJ_N_m2 = 2e4\nEI_y_N_m2 = 5e4\nEI_z_N_m2 = 8e5\n");
     assert_eq!(problem, Problem::MissingField);
     assert!(text.contains("EA_N"), "{text}");
+    let (problem, text) = complaint("");
+    assert_eq!(problem, Problem::MissingField);
+    assert!(text.ends_with("exactly one of EA_N, section_stiffness, box is allowed"), "{text}");
 }
 
 #[test]

@@ -8,10 +8,12 @@ pub mod plain_loads;
 pub mod plain_points;
 pub mod plain_sections;
 pub mod planar;
+pub mod redescribed;
 pub mod response;
 pub mod ritz;
 pub mod rod;
 pub mod strip;
+pub mod wash_out;
 
 use std::path::Path;
 use std::sync::{Arc, OnceLock};

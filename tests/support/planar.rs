@@ -50,7 +50,7 @@ pub fn plant(model: &ReducedModel, fidelity: Fidelity) -> Plant {
         temperature_offset: 0.0,
         tunnel_flow: Vector3::zeros(),
     };
-    Plant::new(model, &configuration)
+    Plant::new(model, &configuration).unwrap()
 }
 
 /// Parts in which the load grows: Newton's method does not always lead from straight to far bent in one.

@@ -68,7 +68,7 @@ impl PrescribedStrip {
             shapes: ModeShapes::default(),
         };
         alter(&mut strip);
-        let equations = EquationsOfMotion::new(&model(strip), &configuration(inflow_states));
+        let equations = EquationsOfMotion::new(&model(strip), &configuration(inflow_states)).unwrap();
         let mut state = vec![0.0; equations.layout().len()];
         state[equations.layout().attitude().start] = 1.0;
         state[equations.layout().velocity().start] = SPEED;

@@ -15,7 +15,7 @@ use super::record::Record;
 fn in_vacuum(fidelity: Fidelity) -> Plant {
     let jet = jet();
     let model = ReducedModel { gravity: 0.0, strips: Vec::new(), ..jet.select(&(0..12).collect::<Vec<_>>()) };
-    Plant::new(&model, &soft(fidelity))
+    Plant::new(&model, &soft(fidelity)).unwrap()
 }
 
 /// Tip motions of metres, `size` times as fast and far, rates of half a radian per second.

@@ -72,7 +72,7 @@ fn momentum(model: &ReducedModel, instant: &Instant) -> Vector3<f64> {
 /// The jet with twelve modes of both families at one-tenth stiffness in steady inflow.
 fn soft_jet(fidelity: Fidelity) -> (ReducedModel, Plant) {
     let model = jet().select(&(0..12).collect::<Vec<_>>());
-    let plant = Plant::new(&model, &soft(fidelity));
+    let plant = Plant::new(&model, &soft(fidelity)).unwrap();
     (model, plant)
 }
 

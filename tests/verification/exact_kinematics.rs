@@ -60,7 +60,7 @@ fn slack() -> Configuration {
 /// Largest differences of J, of S and of X of the stations, by unit loads on them, over the largest of each; and how far a tip
 /// bends, m.
 fn rows_apart(model: &ReducedModel, seed: u64) -> ([f64; 3], f64) {
-    let plant = Plant::new(model, &slack());
+    let plant = Plant::new(model, &slack()).unwrap();
     let [q, _] = coordinates(seed);
     let state = level(&plant, &[q.clone(), vec![0.0; 12]]);
     let (mut apart, mut size, mut far) = ([0.0_f64; 3], [0.0_f64; 3], 0.0_f64);
@@ -97,7 +97,7 @@ fn rows_apart(model: &ReducedModel, seed: u64) -> ([f64; 3], f64) {
 
 /// Largest differences of what accelerometers and gyros at the stations measure in violent motion, over the largest of each.
 fn sensors_apart(model: &ReducedModel, seed: u64) -> [f64; 2] {
-    let plant = Plant::new(model, &soft(Fidelity::GeometricallyExact));
+    let plant = Plant::new(model, &soft(Fidelity::GeometricallyExact)).unwrap();
     let layout = *plant.layout();
     let state = {
         let mut state = random_state(plant.equations(), seed);
@@ -158,7 +158,7 @@ fn rows_velocities_and_biases_are_those_of_the_plain_recursion() {
 /// Kinetic energy, momentum and angular momentum of the bodies on all sections, each by itself: largest differences, over the size
 /// of each.
 fn bodies_apart(model: &ReducedModel, seed: u64) -> [f64; 3] {
-    let equations = EquationsOfMotion::new(model, &soft(Fidelity::GeometricallyExact));
+    let equations = EquationsOfMotion::new(model, &soft(Fidelity::GeometricallyExact)).unwrap();
     let (layout, state) = (*equations.layout(), random_state(&equations, seed));
     let motion = equations.motion(&state);
     let (q, q_dot) = (&state[layout.coordinates()], &state[layout.coordinate_rates()]);
@@ -247,7 +247,7 @@ fn every_row_is_that_of_the_lagrangian_of_its_mass_matrix() {
         "Jet with 12 modes at one-tenth stiffness, GE, 10 random states: what is left of a row, relative to its largest term",
         "Boltzmann–Hamel equations of ½νᵀM̂ν − U with derivatives of M̂ by differences",
     );
-    let equations = EquationsOfMotion::new(&in_vacuum(), &soft(Fidelity::GeometricallyExact));
+    let equations = EquationsOfMotion::new(&in_vacuum(), &soft(Fidelity::GeometricallyExact)).unwrap();
     let all: Vec<Vec<f64>> =
         (0..10).map(|seed| residuals(&equations, &random_state(&equations, seed))).collect();
     for (name, range) in [("force", 0..3), ("moment", 3..6), ("generalised", 6..18)] {

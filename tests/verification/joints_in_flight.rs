@@ -4,10 +4,12 @@
 use std::sync::Arc;
 
 use flexible_aircraft::aircraft::{Aircraft, Attachment, Fidelity};
+use flexible_aircraft::equations::{Configuration, EquationsOfMotion};
 use flexible_aircraft::flight::{Inputs, Settings, Simulation};
 use flexible_aircraft::plant::{ModeSelection, Outputs, Plant, PlantSettings};
+use flexible_aircraft::stability::Sweep;
 use flexible_aircraft::structure::{ModeFamily, ReducedModel};
-use flexible_aircraft::symmetry::SymmetricHalf;
+use flexible_aircraft::symmetry::{Plants, SymmetricHalf};
 use nalgebra::Vector3;
 
 use crate::support::angles;
@@ -118,4 +120,39 @@ fn geometrically_exact_flight_of_a_loop_is_refused_by_the_name_of_its_joint() {
     let expected = "model: found geometrically_exact, allowed is exact, consistently_linearised, inconsistent, \
                     ruthlessly_linearised, rigid: the joint of \"strut_right\" at 1 and \"wing_right\" at 0.5 closes a loop";
     assert!(refused.contains(expected), "{refused}");
+}
+
+#[test]
+fn no_way_to_equations_leads_to_geometrically_exact_ones_of_a_loop() {
+    let [model, _] = models();
+    let settings = PlantSettings { fidelity: Fidelity::GeometricallyExact, ..PlantSettings::of(&model) };
+    let configuration = settings.configuration(model.support);
+    let modes = PlantSettings::of(&model).choose_modes(&model).unwrap();
+    let half = SymmetricHalf::find(&model).unwrap();
+    let refused = [
+        EquationsOfMotion::new(&model, &configuration).err(),
+        EquationsOfMotion::in_plane(&model, &[], &configuration).err(),
+        half.equations(&configuration).err(),
+        Plant::new(&model, &configuration).err(),
+        Plant::of_modes(&model, &configuration, &modes).err(),
+        Plants::new(&model, &configuration, &modes).err(),
+    ];
+    let by_settings = [
+        settings.choose_modes(&model).err(),
+        Plant::under(&model, &settings).err(),
+        Plants::under(&model, &settings).err(),
+        Sweep::new(&model, &settings, &[settings.airspeed]).err(),
+    ];
+    let words = refused.map(|refused| refused.unwrap().to_string());
+    let by_settings = by_settings.map(|refused| refused.unwrap().to_string());
+    let closes = "the joint of \"strut_right\" at 1 and \"wing_right\" at 0.5 closes a loop";
+    assert!(words[0].ends_with(closes), "{}", words[0]);
+    assert!(
+        words.iter().chain(&by_settings).all(|message| *message == words[0]),
+        "{words:?} {by_settings:?}"
+    );
+    // What has no loop flies, and so does a loop at another level.
+    let alone = ReducedModel { joints: Vec::new(), ..(*model).clone() };
+    assert!(Plant::new(&alone, &configuration).is_ok());
+    assert!(Plant::new(&model, &Configuration { fidelity: Fidelity::Exact, ..configuration }).is_ok());
 }

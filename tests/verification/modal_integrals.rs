@@ -50,7 +50,7 @@ pub fn jet_and_particles(fidelity: Fidelity) -> (EquationsOfMotion, Particles) {
     });
     let particles = Particles(particles.collect());
     let model = ReducedModel::new(&aircraft, 12).unwrap();
-    (EquationsOfMotion::new(&model, &soft(fidelity)), particles)
+    (EquationsOfMotion::new(&model, &soft(fidelity)).unwrap(), particles)
 }
 
 /// A state of large amplitude: tip motions of metres, all rates up to 1 rad/s, in any attitude.

@@ -17,7 +17,7 @@ use super::strip_loads::disturbed;
 fn the_load_factor_at_the_centre_of_mass_is_that_of_the_momentum() {
     let model = jet().select(&(0..12).collect::<Vec<_>>());
     for fidelity in [Fidelity::Exact, Fidelity::Inconsistent, Fidelity::GeometricallyExact] {
-        let plant = Plant::new(&model, &soft(fidelity));
+        let plant = Plant::new(&model, &soft(fidelity)).unwrap();
         for seed in 0..3 {
             let (state, controls) = disturbed(plant.equations(), seed);
             let mut rates = vec![0.0; state.len()];

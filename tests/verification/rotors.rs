@@ -68,7 +68,7 @@ fn a_free_gyrostat_precesses_at_the_rate_of_the_closed_form() {
         model.integrals.inertia = Matrix3::from_diagonal(&Vector3::new(axial, transverse, transverse));
         model.engines.truncate(1);
         model.engines[0].angular_momentum = momentum;
-        let equations = EquationsOfMotion::new(&model, &soft(Fidelity::Rigid));
+        let equations = EquationsOfMotion::new(&model, &soft(Fidelity::Rigid)).unwrap();
         let mut state = vec![0.0; equations.layout().len()];
         let (rate, attitude) = (equations.layout().rate(), equations.layout().attitude());
         state[attitude.start] = 1.0;
@@ -161,7 +161,7 @@ fn energy_and_angular_momentum_are_kept_with_propellers_that_turn() {
     for (fidelity, steps) in
         [(Fidelity::Exact, 10_000), (Fidelity::Inconsistent, 10_000), (Fidelity::GeometricallyExact, 4000)]
     {
-        let equations = EquationsOfMotion::new(&model, &soft(fidelity));
+        let equations = EquationsOfMotion::new(&model, &soft(fidelity)).unwrap();
         let layout = *equations.layout();
         let start = || {
             let mut state = vec![0.0; layout.len()];
@@ -188,7 +188,8 @@ fn energy_and_angular_momentum_are_kept_with_propellers_that_turn() {
         record.rounding(&format!("{fidelity:?}: angular momentum"), 1e-9, drift);
         // What turns changes the motion.
         let still =
-            EquationsOfMotion::new(&ReducedModel { engines: Vec::new(), ..model.clone() }, &soft(fidelity));
+            EquationsOfMotion::new(&ReducedModel { engines: Vec::new(), ..model.clone() }, &soft(fidelity))
+                .unwrap();
         let mut other = start();
         fly(&still, &mut other, (2.0, steps));
         let apart = layout.rate().map(|i| (state[i] - other[i]).abs()).fold(0.0, f64::max);
@@ -304,7 +305,7 @@ fn a_propeller_pitches_the_aircraft_that_yaws() {
     let rates = |momentum: f64| {
         let model = propeller_jet(momentum, 0.0).select(&[]);
         let configuration = Configuration { inflow_states: 0, ..soft(Fidelity::Rigid) };
-        let equations = EquationsOfMotion::new(&model, &configuration);
+        let equations = EquationsOfMotion::new(&model, &configuration).unwrap();
         let mut state = vec![0.0; equations.layout().len()];
         state[equations.layout().attitude().start] = 1.0;
         state[equations.layout().velocity().start] = 127.0;

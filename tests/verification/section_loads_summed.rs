@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use flexible_aircraft::aircraft::Aircraft;
+use flexible_aircraft::aircraft::{Aircraft, Hinge, Spring};
 use flexible_aircraft::equations::{Controls, EquationsOfMotion, Fidelity};
 use flexible_aircraft::math::Attitude;
 use flexible_aircraft::plant::{Plant, PlantSettings, PointLoad};
@@ -201,7 +201,7 @@ fn section_loads_are_the_plain_sum_of_all_that_acts_outboard() {
     });
     let shapes = shapes(&aircraft, ReducedModel::USUAL_MODES).select_columns(&modes);
     for fidelity in Fidelity::ALL.into_iter().filter(|fidelity| *fidelity != Fidelity::Rigid) {
-        let plant = Plant::new(&model, &soft(fidelity));
+        let plant = Plant::new(&model, &soft(fidelity)).unwrap();
         for cut in ["wing_root_right", "wing_mid_right"] {
             let mut largest = [0.0_f64; 2];
             for seed in 0..5 {
@@ -237,6 +237,46 @@ fn section_loads_are_the_plain_sum_of_all_that_acts_outboard() {
             difference((&aircraft, &wing, &shapes), "root", &plant, fidelity, &(state, controls), &[]);
         record.rounding(&format!("very flexible wing, {fidelity:?}, root: force"), 1e-13, found[0]);
         record.rounding(&format!("very flexible wing, {fidelity:?}, root: moment"), 1e-13, found[1]);
+    }
+    record.finish();
+}
+
+#[test]
+fn section_loads_at_hinged_roots_are_the_plain_sum_too() {
+    let mut record = Record::new(
+        "section-loads-hinged",
+        "The same, the jet's wings on springs about three axes at their roots, softer than the wings, twelve modes",
+        "as above",
+    );
+    let mut aircraft = read("generic-business-jet.toml");
+    for component in ["wing_right", "wing_left"] {
+        let root = aircraft.beams.iter_mut().find(|beam| beam.component == component).unwrap();
+        let springs = [(Vector3::x(), 2e7), (Vector3::y(), 1e7), (Vector3::z(), 8e7)];
+        let springs = springs.map(|(axis, stiffness)| Spring { axis, stiffness });
+        root.hinge = Some(Hinge { springs: springs.to_vec() });
+    }
+    let model = ReducedModel::new(&aircraft, 12).unwrap();
+    let shapes = shapes(&aircraft, 12);
+    // The springs turn the roots by much of what the wings do.
+    let root = aircraft.beams.iter().position(|beam| beam.component == "wing_right").unwrap();
+    let structure = Structure::new(&aircraft).unwrap();
+    let angles = structure.geometry[root]
+        .springs()
+        .iter()
+        .map(|(angle, _)| structure.apply_row(root, angle, &shapes).amax());
+    assert!(angles.fold(0.0, f64::max) > 1e-3);
+    for fidelity in Fidelity::ALL.into_iter().filter(|fidelity| *fidelity != Fidelity::Rigid) {
+        let plant = Plant::new(&model, &soft(fidelity)).unwrap();
+        for cut in ["wing_root_right", "wing_mid_right"] {
+            let mut largest = [0.0_f64; 2];
+            for seed in 0..5 {
+                let disturbed = disturbed(plant.equations(), seed);
+                let found = difference((&aircraft, &model, &shapes), cut, &plant, fidelity, &disturbed, &[]);
+                largest = [0, 1].map(|i| largest[i].max(found[i]));
+            }
+            record.rounding(&format!("{fidelity:?}, {cut}: force"), 1e-13, largest[0]);
+            record.rounding(&format!("{fidelity:?}, {cut}: moment"), 1e-13, largest[1]);
+        }
     }
     record.finish();
 }

@@ -15,7 +15,7 @@ use super::record::Record;
 #[test]
 fn the_mass_matrix_of_the_undeformed_jet_is_that_of_the_modal_integrals() {
     let model = jet().select(&(0..12).collect::<Vec<_>>());
-    let equations = EquationsOfMotion::new(&model, &soft(Fidelity::GeometricallyExact));
+    let equations = EquationsOfMotion::new(&model, &soft(Fidelity::GeometricallyExact)).unwrap();
     let mass = equations.exact_mass_matrix(&vec![0.0; equations.layout().len()]);
     let integrals = &model.integrals;
     // Relative to the largest entry of each block.

@@ -90,7 +90,7 @@ impl<'a> Spinning<'a> {
             temperature_offset: 0.0,
             tunnel_flow: Vector3::zeros(),
         };
-        let equations = EquationsOfMotion::new(model, &configuration);
+        let equations = EquationsOfMotion::new(model, &configuration).unwrap();
         let workspace = Workspace::new(&equations);
         Spinning { model, base, equations, workspace, deformed: fidelity.terms().deformed_mass }
     }

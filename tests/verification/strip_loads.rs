@@ -39,7 +39,7 @@ fn aircraft(altered: bool) -> ReducedModel {
 
 /// The equations of a model in steady inflow at one-tenth stiffness.
 fn equations(model: &ReducedModel, fidelity: Fidelity) -> EquationsOfMotion {
-    EquationsOfMotion::new(model, &soft(fidelity))
+    EquationsOfMotion::new(model, &soft(fidelity)).unwrap()
 }
 
 /// A flight with sections turned by up to about 1 rad, and controls and wind that act everywhere.

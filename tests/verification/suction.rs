@@ -144,9 +144,9 @@ fn yaw_of_ailerons(suction: f64) -> f64 {
         tunnel_flow: Vector3::zeros(),
     };
     // The same state for every suction.
-    let trimmed = Plant::new(&jet(), &configuration);
+    let trimmed = Plant::new(&jet(), &configuration).unwrap();
     let trim = trimmed.trim(&Settings::of(&jet()).plant.trim_condition()).unwrap();
-    let equations = EquationsOfMotion::new(&with_camber(suction, 0.0), &configuration);
+    let equations = EquationsOfMotion::new(&with_camber(suction, 0.0), &configuration).unwrap();
     let (sin, cos) = libm::sincos(trim.point.pitch);
     let mut controls = trim.controls.clone();
     let mut yaw = |aileron: f64| {
@@ -196,7 +196,7 @@ fn powers(model: &ReducedModel, seed: u64) -> [f64; 3] {
     let mut next = random(seed);
     let settings = soft(Fidelity::GeometricallyExact);
     let [with_strips, without] = [model.clone(), ReducedModel { strips: Vec::new(), ..model.clone() }]
-        .map(|model| EquationsOfMotion::new(&model, &settings));
+        .map(|model| EquationsOfMotion::new(&model, &settings).unwrap());
     let layout = with_strips.layout();
     let mut state = vec![0.0; layout.len()];
     state[layout.position().end - 1] = -7620.0;

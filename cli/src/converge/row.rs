@@ -85,7 +85,8 @@ impl Row {
 impl Trimmed {
     /// Of a model all of whose modes take part.
     fn new(model: &ReducedModel, settings: &PlantSettings) -> Result<Self, String> {
-        let plant = Plant::new(model, &settings.configuration(model.support));
+        let plant =
+            Plant::new(model, &settings.configuration(model.support)).map_err(|error| error.to_string())?;
         let trim = plant.trim(&settings.trim_condition()).map_err(|error| error.to_string())?;
         let outputs = plant.outputs_at(&trim.state, &trim.controls, &mut plant.workspace());
         let displacements = plant.strip_displacements(&trim.state);
