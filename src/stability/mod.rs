@@ -5,7 +5,7 @@
 //! At each airspeed of a range the aircraft is trimmed and [linearised](crate::plant::StateMatrix). Its
 //! roots are told apart by following each from speed to speed, never by sorting them: `condensed` eliminates
 //! the wake from the eigenvalue problem and finds a root near a known one, `continuation` follows a root with
-//! steps as small as its shape demands, `tracks` does so over the range and finds where roots become unstable,
+//! steps as small as its shape demands, `between` has the motion between two airspeeds, `tracks` follows all over the range and finds where roots become unstable,
 //! `losses` where the equilibrium that is linearised is lost, `unstable` lists every speed that has an unstable root. `flight_modes` names those of
 //! one trim, or from one trim to the next.
 //! A tool for the desk: everything here allocates.
