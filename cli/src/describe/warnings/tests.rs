@@ -118,7 +118,7 @@ fn moments_are_those_of_aerofoils() {
 fn engines_turn_as_much_as_their_aircraft_can_carry() {
     // A Cessna 172's propeller: 18 kg, 1.9 m, 250 rad/s; J = 0.7, η = 0.8.
     let mut single = read("light-single");
-    let (inertia, torque) = (18.0 * 1.9 * 1.9 / 12.0, 0.7 / (std::f64::consts::TAU * 0.8) * 1.9);
+    let (inertia, torque) = (18.0 * 1.9 * 1.9 / 12.0, 0.7 / (TAU * 0.8) * 1.9);
     single.engines[0].angular_momentum = inertia * 250.0;
     single.engines[0].torque = -torque;
     let facts = facts(&single);
