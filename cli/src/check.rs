@@ -42,7 +42,8 @@ pub struct CheckOptions {
 /// Why an aircraft cannot be described.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    #[error(transparent)]
+    // Not transparent: whoever reports it finds the mistakes among its sources, and shows their lines.
+    #[error("{0}")]
     Aircraft(#[from] AircraftFileError),
     #[error(transparent)]
     Flown(#[from] flown::Error),

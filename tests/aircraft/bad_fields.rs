@@ -112,7 +112,7 @@ fn a_field_without_its_unit_is_guessed() {
     assert_messages(
         &[("\nsupport = ", "\ntemperature_offset = 10\nsupport = ")],
         &[
-            "small.toml:3:1: temperature_offset: found the unknown field \"temperature_offset\"; did you mean \"temperature_offset_K\"? allowed here: format, name, gravity_m_s2, support, mode_basis, model, inflow_states, airspeed_m_s, altitude_m, temperature_offset_K, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, basis, reference, limits, control, component, joint, engine, station, cut",
+            "small.toml:4:1: temperature_offset: found the unknown field \"temperature_offset\"; did you mean \"temperature_offset_K\"? allowed here: format, name, gravity_m_s2, support, mode_basis, model, inflow_states, airspeed_m_s, altitude_m, temperature_offset_K, density_kg_m3, temperature_K, mount_attitude_deg, symmetric, basis, reference, limits, control, component, joint, engine, station, cut",
         ],
     );
 }
