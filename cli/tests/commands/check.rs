@@ -42,7 +42,9 @@ fn mistakes_are_all_shown_with_their_lines_and_end_with_1() {
     let checked = run(folder.path(), "check wrong.toml --json wrong.json");
     assert_eq!((checked.status.code(), checked.stdout.len()), (Some(1), 0));
     let errors = text(&checked.stderr);
-    for mistake in ["airspeed_m_s: found 1270", "found the unknown field \"elments\"", " --> wrong.toml:", "^^^"] {
+    for mistake in
+        ["airspeed_m_s: found 1270", "found the unknown field \"elments\"", " --> wrong.toml:", "^^^"]
+    {
         assert!(errors.contains(mistake), "{mistake}: {errors}");
     }
     assert!(!folder.path().join("wrong.json").exists());
