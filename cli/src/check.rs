@@ -20,7 +20,7 @@ use crate::terminal;
 `flexair describe` does, with what is unusual at the end: mass by area, frequencies, static margin, volumes of tails and fins, ratios of \
 stiffnesses, radii of gyration against the aircraft's size, elements without strips, controls that turn the aircraft against what is said of them, \
 moments of sections and flaps, what turns in engines, nodes in one place without a joint, a trim that is beyond limits or not to be found. The exit code \
-is 2 where anything is unusual and 0 where nothing is; options that cannot be read end with 2 as well, and print nothing on standard output. An unusual \
+is 2 where anything is unusual and 0 where nothing is; options that cannot be read end with 1. An unusual \
 aircraft flies all the same.
 
 Example: in a script that goes on only where all is well

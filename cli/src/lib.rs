@@ -276,6 +276,9 @@ const USAGE: u8 = 2;
 /// What a command ends with that did what was asked and has something to say of it.
 const REMARKS: u8 = 2;
 
+/// The commands that may end so: a command line of theirs that is not right ends as a failure does.
+const REMARKING: [&str; 2] = ["check", "import"];
+
 /// How a command ended, or the report of why it did not do what was asked.
 fn ended<T: Into<Outcome>, E: diagnostics::Report>(result: Result<T, E>) -> Result<Outcome, String> {
     result.map(Into::into).map_err(|error| error.report())
@@ -284,13 +287,16 @@ fn ended<T: Into<Outcome>, E: diagnostics::Report>(result: Result<T, E>) -> Resu
 /// Does what a command line asks for, the program's name first, and returns what the program should end with.
 pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8 {
     stop_when_asked();
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let may_remark = arguments.get(1).is_some_and(|command| REMARKING.iter().any(|name| command == name));
     let matches = command_line(home).try_get_matches_from(arguments);
     let command = match matches.and_then(|matches| CommandLine::from_arg_matches(&matches)) {
         Ok(CommandLine { command }) => command,
         Err(error) => {
             // Nobody is left who could be told that it failed.
             let _ = error.print();
-            return if error.use_stderr() { USAGE } else { SUCCESS };
+            let usage = if may_remark { FAILURE } else { USAGE };
+            return if error.use_stderr() { usage } else { SUCCESS };
         }
     };
     let outcome = match command {

@@ -115,7 +115,9 @@ fn check(unknowns: &Unknowns, sizing: &Sizing) -> Result<(), Failure> {
     };
     turned("wing", incidence)?;
     match sizing.kind {
-        Kind::FlyingWing if relief.is_nan() || relief.abs() > MOST_MOMENT => return Err(Failure::Moment(relief)),
+        Kind::FlyingWing if relief.is_nan() || relief.abs() > MOST_MOMENT => {
+            return Err(Failure::Moment(relief));
+        }
         Kind::FlyingWing | Kind::WingOnWall => {}
         _ => turned("tail", relief)?,
     }

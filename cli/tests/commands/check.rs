@@ -33,6 +33,16 @@ fn what_is_unusual_is_said_and_ends_with_2() {
 }
 
 #[test]
+fn options_that_cannot_be_read_end_with_1_where_2_has_another_meaning() {
+    let folder = tempfile::tempdir().unwrap();
+    for line in ["check", "check light-single --sped 3", "import nastran stick.bdf --surface 1:3,chord=-1"] {
+        let refused = run(folder.path(), line);
+        assert_eq!((refused.status.code(), refused.stdout.len()), (Some(1), 0), "{line}");
+    }
+    assert_eq!(run(folder.path(), "describe light-single --sped 3").status.code(), Some(2));
+}
+
+#[test]
 fn mistakes_are_all_shown_with_their_lines_and_end_with_1() {
     let folder = tempfile::tempdir().unwrap();
     let jet = fs::read_to_string(workspace("aircraft/generic-business-jet.toml")).unwrap();
