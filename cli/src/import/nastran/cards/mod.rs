@@ -135,7 +135,7 @@ impl Reading<'_> {
                 self.keep(card, property, |cards| &mut cards.bush_properties);
             }
             "MAT1" => {
-                let material = properties::mat1(card);
+                let material = properties::mat1(card, remarks);
                 self.keep(card, material, |cards| &mut cards.materials);
             }
             name => {
@@ -204,6 +204,11 @@ impl Reading<'_> {
         let name = card.text(0).to_uppercase();
         if name == "WTMASS" {
             self.cards.mass_factor = Some(card.positive(1, "V1")?);
+            return Some(());
+        }
+        if matches!(name.as_str(), "G" | "W3" | "W4") {
+            let said = "damping of the structure is not in the deck's beams here; the parameter structural_damping is one ratio for all modes";
+            self.remarks.note(format!("PARAM {name} = {}: {said}", card.text(1)));
             return Some(());
         }
         if name == "COUPMASS" {

@@ -332,9 +332,21 @@ fn beam_rest(card: &Reader, id: i64, first: usize, remarks: &mut Remarks) -> Opt
     Some(0.5 * (at_a + at_b))
 }
 
-pub fn mat1(card: &Reader) -> Option<(i64, Material)> {
+pub fn mat1(card: &Reader, remarks: &mut Remarks) -> Option<(i64, Material)> {
     let id = card.id()?;
+    let damping = card.real_or(7, "GE", 0.0)?;
+    if damping != 0.0 {
+        let said = format!(
+            "found {damping}: damping of materials is not held; the parameter structural_damping is one ratio for all modes"
+        );
+        remarks.field((card.card, id), (7, "GE"), said);
+    }
     let [young, shear, ratio] = [card.optional(1, "E")?, card.optional(2, "G")?, card.optional(3, "NU")?];
+    if ratio.is_none() && (young.is_none() || shear.is_none()) {
+        remarks.note(format!(
+            "MAT1 {id} has one modulus and no NU: the other one is that of NU = 0 here, and 0 in Nastran"
+        ));
+    }
     let (young, shear) = match (young, shear, ratio) {
         (Some(young), Some(shear), _) => (young, shear),
         (Some(young), None, ratio) => (young, 0.5 * young / (1.0 + ratio.unwrap_or(0.0))),

@@ -233,3 +233,20 @@ fn inertias_that_no_body_has_are_mended_and_said() {
 pub fn stick_text() -> String {
     small(&stick())
 }
+
+#[test]
+fn damping_is_reported_and_a_modulus_that_is_not_given_is_noted() {
+    let text = free(&stick()).replace("2700.", "2700.,,,.02") + "PARAM,G,.03\nMAT1,9,7.+10\n";
+    let found = imported(&text);
+    let reports = reports(&found);
+    assert!(
+        reports
+            .iter()
+            .any(|report| report
+                .contains("MAT1 1, field 9 (GE): found 0.02: damping of materials is not held")),
+        "{reports:?}"
+    );
+    let notes = &found.remarks.notes;
+    assert!(notes.iter().any(|note| note.starts_with("PARAM G = .03: damping")), "{notes:?}");
+    assert!(notes.iter().any(|note| note.starts_with("MAT1 9 has one modulus and no NU")), "{notes:?}");
+}
