@@ -106,6 +106,15 @@ impl Home {
         Err(NoSuchAircraft { meant_name, instead })
     }
 
+    /// A file of the user's own in the working directory whose name would be taken for that of an aircraft that comes with the program, and
+    /// that aircraft's file.
+    pub fn namesake(&self, given: &Path) -> Option<[PathBuf; 2]> {
+        let own = given.with_extension("toml");
+        let found = self.aircraft(given.to_owned()).ok()?;
+        let is_another = own.is_file() && !same_file::is_same_file(&own, &found).unwrap_or(true);
+        is_another.then_some([own, found])
+    }
+
     /// Where a command's output goes that goes to a place in a checkout unless the user names another.
     pub fn output(&self, command: &str, in_checkout: &Path) -> PathBuf {
         let is_fmu = in_checkout == workspace::fmu();

@@ -229,15 +229,13 @@ fn at_home(home: &Home, command: &str, option: Arg) -> Arg {
         let home = home.clone();
         let help = option.get_help().map(ToString::to_string).unwrap_or_default();
         let parser = PathBufValueParser::new().try_map(move |given| {
-            let own = given.with_extension("toml");
-            let found = home.aircraft(given)?;
-            if own.is_file() && !same_file::is_same_file(&own, &found).unwrap_or(true) {
+            if let Some([own, found]) = home.namesake(&given) {
                 let (name, own) = (found.file_stem().unwrap_or_default().display(), own.display());
                 terminal::note(&format!(
                     "note: {name} is the aircraft that comes with flexair; the file here is {own}"
                 ));
             }
-            Ok::<_, home::NoSuchAircraft>(found)
+            home.aircraft(given)
         });
         return option.value_parser(parser).help(format!("{help}, or a name that `flexair aircraft` lists"));
     }

@@ -8,9 +8,6 @@ use super::fidelity::Fidelity;
 use super::model::{Aircraft, Joint, JointEnd};
 use super::schema::{FileSpec, JointEndSpec, JointSpec};
 
-/// Joined nodes may be this far apart, m.
-const APART: f64 = 1e-3;
-
 /// Nodes nearer to the plane y = 0 are in it, m.
 const IN_PLANE: f64 = 1e-9;
 
@@ -97,7 +94,7 @@ fn may_be(joint: &Joint, place: &Place, aircraft: &Aircraft, report: &Report) ->
         return false;
     }
     let apart = (aircraft.nodes[one] - aircraft.nodes[other]).norm();
-    if apart > APART {
+    if apart > Joint::REACH {
         let [from, to] = [one, other].map(|node| {
             let at = aircraft.nodes[node];
             format!("[{:.3}, {:.3}, {:.3}]", at.x, at.y, at.z)

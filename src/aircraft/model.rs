@@ -182,6 +182,11 @@ pub struct Joint {
     pub rotations: [bool; 3],
 }
 
+impl Joint {
+    /// Nodes that are joined are at most this far apart, m.
+    pub const REACH: f64 = 1e-3;
+}
+
 /// A node that is joined.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointEnd {

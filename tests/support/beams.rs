@@ -36,7 +36,30 @@ pub const MIDDLE: &[(f64, f64)] = &[(0.5, 1.0)];
 /// Half of each element's mass at either end.
 pub const ENDS: &[(f64, f64)] = &[(0.0, 0.5), (1.0, 0.5)];
 
+/// A cantilever askew in all axes, of 6 m.
+pub fn askew() -> Cantilever {
+    Cantilever {
+        axis: Vector3::new(1.0, 2.0, -2.0) / 3.0,
+        y_axis: Vector3::new(2.0, 1.0, 2.0) / 3.0,
+        length: 6.0,
+        axial: 1e6,
+        torsional: 5e3,
+        bending_y: 1e4,
+        bending_z: 4e4,
+        mass_per_length: 10.0,
+        gyration: 0.2,
+        lumps: MIDDLE,
+    }
+}
+
 impl Cantilever {
+    /// The beam in equal elements whose sections couple, with axial modes in its basis.
+    pub fn coupled(&self, elements: usize, coupling: Coupling) -> Aircraft {
+        let mut aircraft = self.aircraft(elements);
+        aircraft.beams.iter_mut().for_each(|beam| beam.coupling = coupling);
+        aircraft
+    }
+
     /// The columns are the local x, y, z axes in body axes.
     pub fn axes(&self) -> Matrix3<f64> {
         Matrix3::from_columns(&[self.axis, self.y_axis, self.axis.cross(&self.y_axis)])

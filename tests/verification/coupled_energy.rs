@@ -3,31 +3,15 @@
 //!
 //! [theory: coupled-sections.energy, coupled-sections.element, coupled-sections.higher, strain-energy.green]
 
-use flexible_aircraft::aircraft::{Aircraft, Beam, Coupling};
+use flexible_aircraft::aircraft::{Beam, Coupling};
 use flexible_aircraft::structure::{ModalBasis, StrainEnergy, Structure};
 use nalgebra::{DMatrix, DVector, Matrix2, SymmetricEigen, Vector3};
 
 use super::record::Record;
 use super::strain_energy::GAUSS_8;
-use crate::support::beams::{Cantilever, MIDDLE};
+use crate::support::beams::askew;
 use crate::support::random;
 use crate::support::redescribed::{about, turned};
-
-/// Askew in all axes.
-fn cantilever() -> Cantilever {
-    Cantilever {
-        axis: Vector3::new(1.0, 2.0, -2.0) / 3.0,
-        y_axis: Vector3::new(2.0, 1.0, 2.0) / 3.0,
-        length: 6.0,
-        axial: 1e6,
-        torsional: 5e3,
-        bending_y: 1e4,
-        bending_z: 4e4,
-        mass_per_length: 10.0,
-        gyration: 0.2,
-        lumps: MIDDLE,
-    }
-}
 
 /// All couplings at once; the two axes lie to different sides of the reference axis.
 const COUPLED: Coupling = Coupling {
@@ -37,12 +21,6 @@ const COUPLED: Coupling = Coupling {
     tension_axis: [0.12, -0.07],
     shear_centre: [-0.15, 0.09],
 };
-
-fn coupled(beam: &Cantilever, elements: usize, coupling: Coupling) -> Aircraft {
-    let mut aircraft = beam.aircraft(elements);
-    aircraft.beams.iter_mut().for_each(|beam| beam.coupling = coupling);
-    aircraft
-}
 
 /// A number along the beam with its first and second derivative, 1/m.
 type Jet = [f64; 3];
@@ -194,9 +172,9 @@ fn the_energy_of_a_coupled_section_is_that_of_four_fibres_and_of_torsion() {
         ("both, EI_yz", Coupling { bend_twist: [0.0; 2], stretch_by_twist: 0.0, ..COUPLED }),
         ("all couplings", COUPLED),
     ];
-    let beam = cantilever();
+    let beam = askew();
     for (name, coupling) in cases {
-        let aircraft = coupled(&beam, 1, coupling);
+        let aircraft = beam.coupled(1, coupling);
         let structure = Structure::new(&aircraft).unwrap();
         let energy = StrainEnergy::new(&structure, &DMatrix::identity(6, 6));
         let (mut next, mut worst) = (random(5), [0.0; 3]);
@@ -228,12 +206,12 @@ fn a_coupled_section_has_one_energy_in_all_axes_in_which_it_is_described() {
          and with both: stiffness matrix, U₂, U₃, U₄",
         "the same section in other axes",
     );
-    let beam = cantilever();
+    let beam = askew();
     let (sin, cos) = libm::sincos(0.7);
     let (z_axis, shift) = (beam.axis.cross(&beam.y_axis), [-0.21, 0.13]);
     let y_axis = beam.y_axis * cos + z_axis * sin;
     let offset = beam.y_axis * shift[0] + z_axis * shift[1];
-    let here = coupled(&beam, 4, COUPLED);
+    let here = beam.coupled(4, COUPLED);
     let structure = Structure::new(&here).unwrap();
     let shapes = ModalBasis::new(&structure, 12).unwrap().shapes;
     let (stiffness, energy) = (structure.stiffness(false), StrainEnergy::new(&structure, &shapes));

@@ -228,7 +228,7 @@ fn a_cut_at_a_hinged_root_carries_what_hangs_on_it_in_the_axes_of_what_turns() {
         let (_, alone) = at_rest(&model, fidelity, 0.0);
         record.rounding(
             &case("left root, bending"),
-            1e-9,
+            1e-14,
             left.bending / alone[cut("root_right")].bending - 1.0,
         );
     }

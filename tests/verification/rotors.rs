@@ -84,7 +84,7 @@ fn a_free_gyrostat_precesses_at_the_rate_of_the_closed_form() {
         let drift = (after.angular_momentum - before.angular_momentum).norm();
         record.rounding(
             &format!("{case}: drift of the angular momentum, the rotor's too"),
-            1e-10,
+            5e-14,
             drift / before.angular_momentum.norm(),
         );
     }
@@ -144,7 +144,7 @@ fn a_rotor_on_a_rod_whirls_at_the_frequencies_of_the_closed_form() {
             record.relative(&format!("{fidelity:?}, {sense} the rotor"), expected, 1e-8, found);
         }
         let growth = roots.iter().map(|root| root.re.abs()).fold(0.0, f64::max);
-        record.rounding(&format!("{fidelity:?}: growth, 1/s"), 1e-7, growth);
+        record.rounding(&format!("{fidelity:?}: growth, 1/s"), 1e-12, growth);
     }
     record.finish();
 }
@@ -180,12 +180,12 @@ fn energy_and_angular_momentum_are_kept_with_propellers_that_turn() {
         let energy = |mechanics: &Mechanics| mechanics.kinetic_energy + mechanics.strain_energy;
         record.rounding(
             &format!("{fidelity:?}: energy"),
-            1e-9,
+            5e-14,
             (energy(&after) / energy(&before) - 1.0).abs(),
         );
         let drift =
             (after.angular_momentum - before.angular_momentum).norm() / before.angular_momentum.norm();
-        record.rounding(&format!("{fidelity:?}: angular momentum"), 1e-9, drift);
+        record.rounding(&format!("{fidelity:?}: angular momentum"), 5e-13, drift);
         // What turns changes the motion.
         let still =
             EquationsOfMotion::new(&ReducedModel { engines: Vec::new(), ..model.clone() }, &soft(fidelity))

@@ -200,20 +200,7 @@ fn section_loads_are_the_plain_sum_of_all_that_acts_outboard() {
         moment: Vector3::new(1e4, -2e5, 4e4),
     });
     let shapes = shapes(&aircraft, ReducedModel::USUAL_MODES).select_columns(&modes);
-    for fidelity in Fidelity::ALL.into_iter().filter(|fidelity| *fidelity != Fidelity::Rigid) {
-        let plant = Plant::new(&model, &soft(fidelity)).unwrap();
-        for cut in ["wing_root_right", "wing_mid_right"] {
-            let mut largest = [0.0_f64; 2];
-            for seed in 0..5 {
-                let disturbed = disturbed(plant.equations(), seed);
-                let found =
-                    difference((&aircraft, &model, &shapes), cut, &plant, fidelity, &disturbed, &point_loads);
-                largest = [0, 1].map(|i| largest[i].max(found[i]));
-            }
-            record.rounding(&format!("jet, {fidelity:?}, {cut}: force"), 1e-13, largest[0]);
-            record.rounding(&format!("jet, {fidelity:?}, {cut}: moment"), 1e-13, largest[1]);
-        }
-    }
+    with_wings_that_swing(&mut record, "jet, ", (&aircraft, &model, &shapes), &point_loads);
     // A clamped wing that swings in still air blown at by a wind.
     let aircraft = read("very-flexible-wing.toml");
     let wing = ReducedModel::new(&aircraft, 8).unwrap();
@@ -241,6 +228,29 @@ fn section_loads_are_the_plain_sum_of_all_that_acts_outboard() {
     record.finish();
 }
 
+/// The greatest differences of five disturbed states, at each level that bends.
+fn with_wings_that_swing(
+    record: &mut Record,
+    name: &str,
+    (aircraft, model, shapes): (&Aircraft, &ReducedModel, &DMatrix<f64>),
+    point_loads: &[PointLoad],
+) {
+    for fidelity in Fidelity::ALL.into_iter().filter(|fidelity| *fidelity != Fidelity::Rigid) {
+        let plant = Plant::new(model, &soft(fidelity)).unwrap();
+        for cut in ["wing_root_right", "wing_mid_right"] {
+            let mut largest = [0.0_f64; 2];
+            for seed in 0..5 {
+                let disturbed = disturbed(plant.equations(), seed);
+                let found =
+                    difference((aircraft, model, shapes), cut, &plant, fidelity, &disturbed, point_loads);
+                largest = [0, 1].map(|i| largest[i].max(found[i]));
+            }
+            record.rounding(&format!("{name}{fidelity:?}, {cut}: force"), 1e-13, largest[0]);
+            record.rounding(&format!("{name}{fidelity:?}, {cut}: moment"), 1e-13, largest[1]);
+        }
+    }
+}
+
 #[test]
 fn section_loads_at_hinged_roots_are_the_plain_sum_too() {
     let mut record = Record::new(
@@ -265,19 +275,7 @@ fn section_loads_at_hinged_roots_are_the_plain_sum_too() {
         .iter()
         .map(|(angle, _)| structure.apply_row(root, angle, &shapes).amax());
     assert!(angles.fold(0.0, f64::max) > 1e-3);
-    for fidelity in Fidelity::ALL.into_iter().filter(|fidelity| *fidelity != Fidelity::Rigid) {
-        let plant = Plant::new(&model, &soft(fidelity)).unwrap();
-        for cut in ["wing_root_right", "wing_mid_right"] {
-            let mut largest = [0.0_f64; 2];
-            for seed in 0..5 {
-                let disturbed = disturbed(plant.equations(), seed);
-                let found = difference((&aircraft, &model, &shapes), cut, &plant, fidelity, &disturbed, &[]);
-                largest = [0, 1].map(|i| largest[i].max(found[i]));
-            }
-            record.rounding(&format!("{fidelity:?}, {cut}: force"), 1e-13, largest[0]);
-            record.rounding(&format!("{fidelity:?}, {cut}: moment"), 1e-13, largest[1]);
-        }
-    }
+    with_wings_that_swing(&mut record, "", (&aircraft, &model, &shapes), &[]);
     record.finish();
 }
 

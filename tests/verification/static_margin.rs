@@ -44,9 +44,9 @@ fn lift_slope_and_margin_of_two_planes_are_those_of_closed_forms() {
     );
     let model = model("tests/data/two-planes.toml", 12);
     let (half_wing, mass) = (6.0 * 1.5, 3000.0);
-    for (name, fidelity, stiffness, bound) in [
-        ("rigid", Fidelity::Rigid, f64::INFINITY, 1e-6),
-        ("elastic", Fidelity::Exact, 4.0 * 2.8e5 / 6.0, 1e-4),
+    for (name, fidelity, stiffness, bounds) in [
+        ("rigid", Fidelity::Rigid, f64::INFINITY, [2e-7, 2e-7]),
+        ("elastic", Fidelity::Exact, 4.0 * 2.8e5 / 6.0, [2e-5, 1e-4]),
     ] {
         let settings = PlantSettings { fidelity, ..PlantSettings::of(&model) };
         let found = of_plant(&Plant::under(&model, &settings).unwrap(), &settings);
@@ -59,10 +59,10 @@ fn lift_slope_and_margin_of_two_planes_are_those_of_closed_forms() {
         let centre = found.centre_of_mass.x;
         let margin = -(wing * (0.225 - centre) + tail * (-5.0 - centre)) / (wing + tail) / 1.5;
         let slope = (wing + tail) / (2.0 * half_wing);
-        record.rounding(&format!("{name}: margin"), bound, found.margin(1.5) / margin - 1.0);
+        record.rounding(&format!("{name}: margin"), bounds[0], found.margin(1.5) / margin - 1.0);
         record.rounding(
             &format!("{name}: C_Lα"),
-            bound,
+            bounds[1],
             found.lift_slope_coefficient(2.0 * half_wing) / slope - 1.0,
         );
     }
@@ -88,10 +88,10 @@ fn the_static_margin_knows_no_inflow_states() {
         let greatest = |quantity: &dyn Fn(&StaticStability) -> f64| {
             others.iter().map(|other| (quantity(other) - quantity(&steady)).abs()).fold(0.0, f64::max)
         };
-        record.rounding(&format!("{name}: margin"), 1e-7, greatest(&|found| found.margin(lengths.chord)));
+        record.rounding(&format!("{name}: margin"), 2e-12, greatest(&|found| found.margin(lengths.chord)));
         record.rounding(
             &format!("{name}: C_Lα"),
-            1e-6,
+            3e-11,
             greatest(&|found| found.lift_slope_coefficient(lengths.area)),
         );
     }
@@ -110,10 +110,10 @@ fn half_the_aircraft_has_the_static_margin_of_the_whole() {
         let plants = Plants::under(&jet(), &settings).unwrap();
         let [half, whole] = [plants.half().unwrap(), plants.whole()].map(|plant| of_plant(plant, &settings));
         let name = fidelity.name();
-        record.rounding(&format!("{name}: margin"), 1e-7, half.margin(3.7) - whole.margin(3.7));
-        record.rounding(&format!("{name}: lift slope"), 1e-7, half.lift_slope / whole.lift_slope - 1.0);
+        record.rounding(&format!("{name}: margin"), 3e-12, half.margin(3.7) - whole.margin(3.7));
+        record.rounding(&format!("{name}: lift slope"), 1e-11, half.lift_slope / whole.lift_slope - 1.0);
         let centre = half.centre_of_mass - whole.centre_of_mass;
-        record.rounding(&format!("{name}: centre of mass, m"), 1e-9, centre.norm());
+        record.rounding(&format!("{name}: centre of mass, m"), 1e-14, centre.norm());
     }
     record.finish();
 }

@@ -37,6 +37,21 @@ fn the_aircraft_of_the_fleet_are_listed_by_their_names() {
 }
 
 #[test]
+fn a_file_here_that_is_called_like_one_of_them_is_remarked_and_meant_by_its_whole_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let note = "note: sailplane is the aircraft that comes with flexair; the file here is sailplane.toml\n";
+    assert_eq!(text(&run(folder.path(), "trim sailplane --modes 2").stderr), "");
+    std::fs::copy(workspace("aircraft/light-single.toml"), folder.path().join("sailplane.toml")).unwrap();
+    for (name, title, said) in
+        [("sailplane", "Sailplane, 18 m", note), ("sailplane.toml", "Light single", "")]
+    {
+        let trimmed = run(folder.path(), &format!("trim {name} --modes 2"));
+        assert!(text(&trimmed.stdout).starts_with(title), "{name}: {}", text(&trimmed.stdout));
+        assert_eq!(text(&trimmed.stderr), said, "{name}");
+    }
+}
+
+#[test]
 fn each_aircraft_of_the_fleet_has_a_small_picture() {
     for name in fleet() {
         let picture = std::fs::read(workspace(&format!("docs/fleet/{name}.webp"))).unwrap();

@@ -1,9 +1,7 @@
 //! Nodes in one place that nothing joins: components form a tree, and those that only meet do not touch.
 
 use flexible_aircraft::Aircraft;
-
-/// Nodes that a joint may join are at most this far apart, m.
-const APART: f64 = 1e-3;
+use flexible_aircraft::aircraft::Joint;
 
 /// A pair of components with nodes in one place, the first of their nodes; of mirrored pairs one.
 pub fn unjoined(aircraft: &Aircraft) -> Vec<String> {
@@ -29,7 +27,8 @@ pub fn unjoined(aircraft: &Aircraft) -> Vec<String> {
 fn meeting(aircraft: &Aircraft, pair: [usize; 2]) -> Option<[f64; 2]> {
     let [ones, others] = pair.map(|component| &aircraft.components[component].nodes);
     let pairs = ones.iter().flat_map(|&one| others.iter().map(move |&other| [one, other]));
-    let is_near = |&[one, other]: &[usize; 2]| (aircraft.nodes[one] - aircraft.nodes[other]).norm() <= APART;
+    let is_near =
+        |&[one, other]: &[usize; 2]| (aircraft.nodes[one] - aircraft.nodes[other]).norm() <= Joint::REACH;
     let meeting = pairs.into_iter().filter(is_near).find(|nodes| !are_one(aircraft, *nodes))?;
     let mut places = [0.0; 2];
     for ((place, component), node) in places.iter_mut().zip(pair).zip(meeting) {

@@ -4,7 +4,7 @@
 const ROUNDED: f64 = 1e-9;
 
 /// Sine of 0.01°: axes that are nearer are one.
-const ALIGNED: f64 = 1.75e-4;
+pub const ALIGNED: f64 = 1.75e-4;
 
 /// Stiffness of a section in axes across it; names as in aircraft files. The axis of twist is the element's own.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

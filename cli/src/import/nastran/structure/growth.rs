@@ -24,7 +24,7 @@ const ONWARD_BEYOND_LINK: f64 = 0.866;
 const BESIDE: f64 = 0.05;
 
 /// Ends nearer than this share of the next element's length are one place: a rigid link there would be as stiff as rounding is fine.
-pub const SAME_PLACE: f64 = 1e-3;
+pub const NEAR_BY_LENGTH: f64 = 1e-3;
 
 /// The shortest element of the format, m.
 const SHORTEST: f64 = 1e-6;
@@ -71,7 +71,8 @@ impl<'a> Growth<'a> {
 
     fn grow(&mut self, (mut body, mut element): (usize, usize), waiting: &mut VecDeque<(usize, usize)>) {
         let beginning = self.end_at(element, body);
-        let Some((start, parent)) = self.port(body, &beginning, SAME_PLACE * self.members[element].length())
+        let Some((start, parent)) =
+            self.port(body, &beginning, NEAR_BY_LENGTH * self.members[element].length())
         else {
             return;
         };
@@ -84,7 +85,7 @@ impl<'a> Growth<'a> {
             let to = self.end_at(element, far);
             let here = chain.end();
             let gap = (from - here).norm();
-            let is_apart = gap > (SAME_PLACE * member.length()).max(SHORTEST);
+            let is_apart = gap > (NEAR_BY_LENGTH * member.length()).max(SHORTEST);
             let reach = if is_apart { from } else { here };
             let mut longer = chain.clone();
             let begins_hinged = chain.elements.is_empty() && hinge.is_some();
@@ -149,7 +150,7 @@ impl<'a> Growth<'a> {
             .max_by(|one, other| cosine(one).total_cmp(&cosine(other)));
         best.filter(|&element| {
             let gap = (self.end_at(element, body) - place).norm();
-            let is_apart = gap > SAME_PLACE * self.members[element].length();
+            let is_apart = gap > NEAR_BY_LENGTH * self.members[element].length();
             cosine(&element) >= if is_apart { ONWARD_BEYOND_LINK } else { ONWARD }
         })
     }

@@ -7,15 +7,12 @@ use nalgebra::Vector3;
 
 use super::super::members::Member;
 use super::super::mistakes::Origin;
-use super::super::stiffness::Stiffness;
+use super::super::stiffness::{ALIGNED, Stiffness};
 use super::bodies::Hinge;
 use super::pins;
 use super::rigid::{RIGID, STIFFEST, rigid};
 use super::tree::Tree;
 use super::{Component, ComponentElement, NodeRef, SAME_PLACE};
-
-/// Sine of 0.01°: axes that are nearer are one.
-const ALIGNED: f64 = 1.75e-4;
 
 /// Length of the elements there and back between O and a root that springs hold, where no component has their axes, m.
 const LINK: f64 = 1e-3;

@@ -2,7 +2,7 @@
 
 use super::super::members::Member;
 use super::super::mistakes::{Origin, Remarks};
-use super::growth::{Growth, SAME_PLACE};
+use super::growth::{Growth, NEAR_BY_LENGTH};
 use super::pins;
 use super::tree::Tree;
 use super::{NodeRef, Structure};
@@ -29,7 +29,7 @@ pub fn close(growth: &mut Growth, (tree, members): (&Tree, &[Member]), remarks: 
         let member = &members[closing.tip.0];
         let grid = member.grids[closing.tip.1];
         let tip = growth.ports[closing.own].first().copied();
-        let slack = APART.min(SAME_PLACE * member.length());
+        let slack = APART.min(NEAR_BY_LENGTH * member.length());
         let target = tip.and_then(|(place, _)| growth.port(closing.joined_to, &place, slack));
         let (Some((place, tip)), Some((at, target))) = (tip, target) else { continue };
         let gap = (place - at).norm();

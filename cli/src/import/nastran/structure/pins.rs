@@ -6,10 +6,8 @@ use nalgebra::Vector3;
 
 use super::super::members::Member;
 use super::super::mistakes::Remarks;
+use super::super::stiffness::ALIGNED;
 use super::tree::{Closing, Tree};
-
-/// Sine of 0.01°: axes that are nearer are one.
-const ALIGNED: f64 = 1.75e-4;
 
 /// Rotations about body axes that a joint shares.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use super::{Written, beside, number};
 
 /// Of a file that has joints.
 pub const WHY_EXACT: &str = "Beams form loops (see [[joint]]), which the geometrically exact level does not fly. At \"exact\" displacements are \
-    superposed, with the real EA of all beams: it is right where beams bend little, and too stiff where they bend visibly.";
+    superposed, with the real EA of all beams: it is right where beams bend little, and too stiff where they bend visibly; \"inconsistent\" has linear elastic forces.";
 
 const AXES: [&str; 3] = ["\"x\"", "\"y\"", "\"z\""];
 
