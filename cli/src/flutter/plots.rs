@@ -25,6 +25,9 @@ const GROWTH: Window = Window::new(-10.0, 10.0);
 /// The least of it.
 const LEAST_GROWTH: Window = Window::new(-0.1, 0.1);
 
+/// Where roots grow, decay is shown up to this multiple of the greatest growth: a slow spiral would be lost beside fast lags.
+const DECAY_BY_GROWTH: f64 = 5.0;
+
 /// Damping over airspeed.
 pub fn dampings(analysis: &Analysis) -> Chart {
     let curves = curves(analysis, oscillates, frequency_window(analysis), damping);
@@ -43,7 +46,12 @@ pub fn frequencies(analysis: &Analysis) -> Chart {
 pub fn aperiodic_growth(analysis: &Analysis) -> Option<Chart> {
     let is_aperiodic = |root: &Root| !oscillates(root);
     let mut curves = curves(analysis, is_aperiodic, Window::new(0.0, 1.0), |root| root.eigenvalue.re);
-    curves.retain(|curve| curve.points.iter().any(|point| point.1 >= GROWTH.min));
+    let values = || curves.iter().flat_map(|curve| curve.points.iter().map(|point| point.1));
+    let decay = match values().fold(0.0, f64::max) {
+        greatest if greatest > 0.0 => (-DECAY_BY_GROWTH * greatest).clamp(GROWTH.min, LEAST_GROWTH.min),
+        _ => GROWTH.min,
+    };
+    curves.retain(|curve| curve.points.iter().any(|point| point.1 >= decay));
     if curves.is_empty() {
         return None;
     }
@@ -52,7 +60,7 @@ pub fn aperiodic_growth(analysis: &Analysis) -> Option<Chart> {
         let growths = curve.points.iter().map(|point| point.1).filter(|growth| *growth > 0.0);
         growths.reduce(f64::min)
     };
-    let most = Window::new(GROWTH.min, curves.iter().filter_map(slowest).fold(GROWTH.max, f64::max));
+    let most = Window::new(decay, curves.iter().filter_map(slowest).fold(GROWTH.max, f64::max));
     let y = Axis::new("growth Re λ (1/s); unstable above 0", enclosing(&curves, LEAST_GROWTH, most));
     Some(chart(analysis, "growth of aperiodic roots over airspeed", y, curves, Some(Mark::Limit(0.0))))
 }
