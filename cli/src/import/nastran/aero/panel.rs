@@ -197,6 +197,7 @@ fn of_card(
         );
         return None;
     }
+    tell_boxes_without_splines(cards, &panel, remarks);
     Some(panel)
 }
 
@@ -228,6 +229,34 @@ fn edges(
             }
             good.cloned()
         }
+    }
+}
+
+/// Says that boxes which no spline moves are carried as the others are.
+fn tell_boxes_without_splines(cards: &Cards, panel: &Panel, remarks: &mut Remarks) {
+    let splines = || cards.aero.splines.iter().filter(|spline| spline.panel == panel.origin.id);
+    if splines().next().is_none() || splines().any(|spline| spline.boxes.is_none()) {
+        return;
+    }
+    let rectangles: Vec<[(usize, usize); 2]> = splines()
+        .filter_map(|spline| {
+            let [first, last] = spline.boxes?.map(|id| panel.box_at(id));
+            Some([first?, last?])
+        })
+        .collect();
+    let is_moved = |(strip, row): (usize, usize)| {
+        let is_within = |[first, last]: &[(usize, usize); 2]| {
+            (first.0..=last.0).contains(&strip) && (first.1..=last.1).contains(&row)
+        };
+        rectangles.iter().any(is_within)
+    };
+    let still = panel.boxes().filter_map(|id| panel.box_at(id)).filter(|place| !is_moved(*place)).count();
+    if still > 0 {
+        let count = panel.boxes().count();
+        remarks.note(format!(
+            "{}: no spline moves {still} of its {count} boxes (BOX1, BOX2); all are carried by the grids of its splines",
+            panel.origin
+        ));
     }
 }
 

@@ -46,6 +46,8 @@ pub enum Division {
 pub struct Spline {
     pub origin: Origin,
     pub panel: i64,
+    /// The first and the last of its boxes, corners of a rectangle; none where the card leaves it out.
+    pub boxes: Option<[i64; 2]>,
     pub set: i64,
 }
 
@@ -177,7 +179,12 @@ pub fn fractions(card: &Reader) -> Option<(i64, Vec<f64>)> {
 pub fn spline(card: &Reader, name: &'static str) -> Option<Spline> {
     let id = card.id()?;
     let [panel, set] = [card.integer(1, "CAERO"), card.integer(4, "SETG")];
-    Some(Spline { origin: card.origin(name, id), panel: panel?, set: set? })
+    let boxes = if card.is_blank(2) || card.is_blank(3) {
+        None
+    } else {
+        Some([card.integer(2, "BOX1")?, card.integer(3, "BOX2")?])
+    };
+    Some(Spline { origin: card.origin(name, id), panel: panel?, boxes, set: set? })
 }
 
 pub fn set(card: &Reader, name: &str) -> Option<(i64, Ids)> {

@@ -128,7 +128,7 @@ impl Reading<'_> {
                 let union = aero::set(card, "S");
                 self.keep(card, union, |cards| &mut cards.constraint_unions);
             }
-            "SUPORT" => cards.reference_grid = cards.reference_grid.or(card.integer(0, "ID1")),
+            "SUPORT" => supported(card, &mut cards.reference_grid, remarks),
             "CBUSH" => cards.bushes.extend(links::cbush(card)),
             "PBUSH" => {
                 let property = links::pbush(card);
@@ -241,6 +241,8 @@ impl Reading<'_> {
             "SPLINE1" | "SPLINE2" => "spline",
             "CAERO1" => "panel",
             "AESURF" => "control surface",
+            "AERO" => return self.only(card, "AERO"),
+            "AEROS" => return self.only(card, "AEROS"),
             _ => return,
         };
         let id = deck::integer(card.text(0));
@@ -249,8 +251,24 @@ impl Reading<'_> {
         }
     }
 
+    /// Of some cards a deck has one.
+    fn only(&mut self, card: &Reader, name: &'static str) {
+        if !self.numbers.insert((name, 0)) {
+            let _: Option<()> = card.wrong(0, "ACSID", format!("found a second {name}"), "one is allowed");
+        }
+    }
+
     fn second(&mut self, card: &Reader, id: i64) {
         let _: Option<()> =
             card.wrong(0, "ID", format!("found {id} a second time"), "a number that no other has is allowed");
+    }
+}
+
+/// The first grid that a deck supports is O; others are told.
+fn supported(card: &Reader, reference: &mut Option<i64>, remarks: &mut Remarks) {
+    let Some(grid) = card.integer(0, "ID1") else { return };
+    let first = *reference.get_or_insert(grid);
+    if first != grid {
+        remarks.note(format!("SUPORT: GRID {grid} is supported too; of all, GRID {first} is O"));
     }
 }

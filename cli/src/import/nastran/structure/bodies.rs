@@ -238,6 +238,11 @@ fn held(
     sets: Option<&[i64]>,
     (mistakes, remarks): (&mut Mistakes, &mut Remarks),
 ) -> BTreeMap<i64, (String, Origin)> {
+    let asked: BTreeSet<i64> = sets.into_iter().flatten().copied().collect();
+    if asked.len() > 1 {
+        let several = asked.iter().map(ToString::to_string).collect::<Vec<_>>().join(" and ");
+        remarks.note(format!("SPC = {several} of several subcases hold together here"));
+    }
     let sets = sets.map(|sets| all_sets(cards, sets));
     let mut held: BTreeMap<i64, (String, Origin)> = BTreeMap::new();
     let mut hold = |grid: i64, digits: &str, origin: &Origin| {

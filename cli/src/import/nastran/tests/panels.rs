@@ -182,3 +182,23 @@ fn surfaces_of_the_command_line_stand_in_for_panels() {
     let bare = imported(&structure);
     assert!(reports(&bare)[0].starts_with("nothing holds it in pitch"), "{:?}", reports(&bare));
 }
+
+#[test]
+fn boxes_without_splines_second_cards_and_supports_are_told() {
+    let whole = wing_text();
+    assert!(imported(&whole).remarks.notes.iter().all(|note| !note.contains("no spline moves")));
+    let half = whole.replace("SPLINE1,1,1001,1001,1024,1", "SPLINE1,1,1001,1001,1012,1");
+    assert_ne!(half, whole);
+    let notes = imported(&half).remarks.notes;
+    assert!(
+        notes.iter().any(|note| note.starts_with("CAERO1 1001: no spline moves 12 of its 24 boxes")),
+        "{notes:?}"
+    );
+    let notes = imported(&(whole.clone() + "SUPORT,1,123456\nSUPORT,2,35\n")).remarks.notes;
+    assert!(notes.contains(&"SUPORT: GRID 2 is supported too; of all, GRID 1 is O".to_owned()), "{notes:?}");
+    let both = "SOL 103\nCEND\nSUBCASE 1\nSPC = 1\nSUBCASE 2\nSPC = 2\nBEGIN BULK\n".to_owned() + &whole;
+    let notes = imported(&(both + "SPC1,1,123,1\nSPC1,2,456,1\n")).remarks.notes;
+    assert!(notes.contains(&"SPC = 1 and 2 of several subcases hold together here".to_owned()), "{notes:?}");
+    let text = of_text(&wrapped(&(whole + "AEROS,,,1.25,12.,15.\n"))).unwrap_err().to_string();
+    assert!(text.contains("found a second AEROS; one is allowed"), "{text}");
+}
