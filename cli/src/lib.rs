@@ -18,6 +18,7 @@ mod bench;
 pub mod calls;
 mod chart;
 mod check;
+mod commented;
 mod completions;
 mod condition;
 mod converge;
@@ -275,13 +276,17 @@ fn ended<T: Into<Outcome>, E: diagnostics::Report>(result: Result<T, E>) -> Resu
 /// Does what a command line asks for, the program's name first, and returns what the program should end with.
 pub fn command(arguments: impl IntoIterator<Item = OsString>, home: &Home) -> u8 {
     stop_when_asked();
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let has_remarks = arguments.get(1).is_some_and(|command| command == "import" || command == "check");
     let matches = command_line(home).try_get_matches_from(arguments);
     let command = match matches.and_then(|matches| CommandLine::from_arg_matches(&matches)) {
         Ok(CommandLine { command }) => command,
         Err(error) => {
             // Nobody is left who could be told that it failed.
             let _ = error.print();
-            return if error.use_stderr() { USAGE } else { SUCCESS };
+            // Of these 2 says that a file is written, with remarks, or that it has warnings.
+            let usage = if has_remarks { FAILURE } else { USAGE };
+            return if error.use_stderr() { usage } else { SUCCESS };
         }
     };
     let outcome = match command {

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::names;
-use super::structure::{Component, Structure};
+use super::names::Names;
+use super::structure::{Component, NodeRef, Structure};
 
 /// Places that are nearer to the plane of symmetry than this share of the aircraft are in it.
 pub const IN_PLANE: f64 = 1e-6;
@@ -49,32 +49,42 @@ pub fn names(structure: &Structure) -> Vec<String> {
     let size = size(structure);
     let aside =
         structure.components.iter().filter(|component| way(component) == Way::Aside && !is_link(component));
+    let aside = aside.filter(|component| inner(structure, component).is_none());
     let wing = aside.max_by(|one, other| reach(one).y.abs().total_cmp(&reach(other).y.abs()));
-    let mut taken = Vec::new();
+    let mut names = Names::default();
+    let mut bases: Vec<&'static str> = Vec::new();
+    let mut given = Vec::new();
     for component in &structure.components {
-        let base = base(component, wing, size);
+        let inner = inner(structure, component).map(|parent| bases[parent]);
+        let base = inner.and_then(outer).unwrap_or_else(|| base(component, wing, size));
+        bases.push(base);
         let y = middle(component).y;
-        let name = if y.abs() <= IN_PLANE * size || base == "root" {
-            base.to_owned()
+        given.push(if y.abs() <= IN_PLANE * size || base == "root" {
+            names.free(base, "beam")
         } else {
-            let side = if y > 0.0 { "right" } else { "left" };
-            side_free(base, side, &taken)
-        };
-        taken.push(names::free(&name, "beam", &taken));
+            names.on_side(base, if y > 0.0 { "right" } else { "left" })
+        });
     }
-    taken
+    given
 }
 
-/// `wing_right`, `wing_2_right`.
-fn side_free(base: &str, side: &str, taken: &[String]) -> String {
-    let mut number = 1;
-    loop {
-        let name = if number == 1 { format!("{base}_{side}") } else { format!("{base}_{number}_{side}") };
-        if !taken.contains(&name) {
-            return name;
-        }
-        number += 1;
-    }
+/// The component at whose tip another one goes on, if both run aside.
+fn inner(structure: &Structure, component: &Component) -> Option<usize> {
+    let NodeRef::Node { component: parent, node } = component.parent else { return None };
+    let inner = &structure.components[parent];
+    let goes_on = node + 1 == inner.points.len() && reach(inner).y * reach(component).y > 0.0;
+    (goes_on && [inner, component].iter().all(|one| way(one) == Way::Aside && !is_link(one)))
+        .then_some(parent)
+}
+
+/// What goes on at the tip of one.
+fn outer(base: &'static str) -> Option<&'static str> {
+    Some(match base {
+        "wing" | "wing_outer" => "wing_outer",
+        "tail" | "tail_outer" => "tail_outer",
+        "canard" | "canard_outer" => "canard_outer",
+        _ => return None,
+    })
 }
 
 fn is_link(component: &Component) -> bool {

@@ -82,35 +82,32 @@ fn shape(card: &Reader) -> Option<Shape> {
         .or_else(|| card.wrong(3, "TYPE", format!("found {name}"), format!("{} is allowed", Shape::NAMES)))
 }
 
+/// What is said once of shapes.
+const NO_SHEAR: &str = "PBARL and PBEAML: Nastran finds factors of shear from their shapes; beams have no flexibility in shear here";
+
 /// The section whose dimensions begin at a field.
-fn shaped(
-    card: &Reader,
-    shape: Shape,
-    first: usize,
-    otherwise: Option<&[f64]>,
-) -> Option<(Section, Vec<f64>)> {
-    let mut dimensions = Vec::with_capacity(shape.dimensions());
-    for number in 0..shape.dimensions() {
-        let (index, name) = (first + number, format!("DIM{}", number + 1));
-        dimensions.push(match otherwise {
-            Some(otherwise) => card.real_or(index, &name, otherwise[number])?,
-            None => card.real(index, &name)?,
-        });
-    }
-    match shape.section(&dimensions) {
-        Ok(section) => Some((section, dimensions)),
-        Err(bad) => {
-            let (index, name) = (first + bad.index, format!("DIM{}", bad.index + 1));
-            card.wrong(index, &name, format!("found {}", dimensions[bad.index]), bad.allowed)
-        }
-    }
+fn shaped(card: &Reader, shape: Shape, first: usize) -> Option<Section> {
+    let dimension = |number: usize| card.real(first + number, &format!("DIM{}", number + 1));
+    let dimensions: Vec<f64> = (0..shape.dimensions()).map(dimension).collect::<Option<_>>()?;
+    of_dimensions(card, (shape, &dimensions), first)
 }
 
-pub fn pbarl(card: &Reader) -> Option<Property> {
+fn of_dimensions(card: &Reader, (shape, dimensions): (Shape, &[f64]), first: usize) -> Option<Section> {
+    shape.section(dimensions).map_or_else(
+        |bad| {
+            let (index, name) = (first + bad.index, format!("DIM{}", bad.index + 1));
+            card.wrong(index, &name, format!("found {}", dimensions[bad.index]), bad.allowed)
+        },
+        Some,
+    )
+}
+
+pub fn pbarl(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
     let id = card.id()?;
     let material = card.integer(1, "MID");
     let shape = shape(card)?;
-    let (section, _) = shaped(card, shape, 8, None)?;
+    let section = shaped(card, shape, 8)?;
+    remarks.note(NO_SHEAR);
     let other_mass = card.not_negative(8 + shape.dimensions(), "NSM", 0.0)?;
     Some(Property {
         origin: card.origin("PBARL", id),
@@ -121,35 +118,48 @@ pub fn pbarl(card: &Reader) -> Option<Property> {
     })
 }
 
-/// A station of a beam: where it is, from 0 to 1, its section and other mass per length.
+/// What a station of a beam has, each where it is given.
 struct Station {
+    /// From 0 to 1.
     at: f64,
-    section: Section,
-    other_mass: f64,
+    given: Vec<Option<f64>>,
 }
 
-/// The mean along the beam of what is linear between stations.
-fn mean(card: &Reader, id: i64, mut stations: Vec<Station>, remarks: &mut Remarks) -> (Section, f64) {
+/// The numbers of all stations, from end A to end B: what is blank at B is that of A, between them it is on the line from A to B.
+fn filled(mut stations: Vec<Station>) -> Vec<(f64, Vec<f64>)> {
     stations.sort_by(|one, other| one.at.total_cmp(&other.at));
-    let [last, first] = [stations.len() - 1, 0];
-    if stations.len() == 1 {
-        return (stations[0].section, stations[0].other_mass);
+    let at_a: Vec<f64> = stations[0].given.iter().map(|number| number.unwrap_or(0.0)).collect();
+    if stations[stations.len() - 1].at < 1.0 {
+        stations.push(Station { at: 1.0, given: vec![None; at_a.len()] });
     }
-    let weight = |place: usize| {
-        let before = if place > first { stations[place].at - stations[place - 1].at } else { stations[0].at };
-        let after =
-            if place < last { stations[place + 1].at - stations[place].at } else { 1.0 - stations[last].at };
-        let share = |gap: f64, is_end: bool| if is_end { gap } else { 0.5 * gap };
-        share(before, place == first) + share(after, place == last)
+    let of_b = &stations[stations.len() - 1].given;
+    let at_b: Vec<f64> = std::iter::zip(of_b, &at_a).map(|(given, at_a)| given.unwrap_or(*at_a)).collect();
+    let numbers = |station: &Station| {
+        let line = std::iter::zip(&at_a, &at_b).map(|(a, b)| a + station.at * (b - a));
+        std::iter::zip(&station.given, line).map(|(given, line)| given.unwrap_or(line)).collect()
     };
-    let weights: Vec<f64> = (0..stations.len()).map(weight).collect();
-    let sections: Vec<(Section, f64)> =
-        stations.iter().map(|station| station.section).zip(weights.iter().copied()).collect();
-    let mass = stations.iter().zip(&weights).map(|(station, weight)| weight * station.other_mass).sum();
-    if stations.iter().any(|station| station.section != stations[0].section) {
+    stations.iter().map(|station| (station.at, numbers(station))).collect()
+}
+
+/// The mean along the beam of what is straight between stations: the sum of ½ (f of one + f of the next) times the way between them.
+fn mean(
+    (card, id): (&Reader, i64),
+    stations: &[(f64, Section, f64)],
+    remarks: &mut Remarks,
+) -> (Section, f64) {
+    let mut weights = vec![0.0; stations.len()];
+    for place in 1..stations.len() {
+        let half = 0.5 * (stations[place].0 - stations[place - 1].0);
+        weights[place - 1] += half;
+        weights[place] += half;
+    }
+    if stations.iter().any(|(_, section, _)| *section != stations[0].1) {
         let said = "the section changes along the element: its mean is held, elements are uniform here";
         remarks.field((card.card, id), (0, "PID"), said);
     }
+    let sections: Vec<(Section, f64)> =
+        std::iter::zip(stations, &weights).map(|((_, section, _), weight)| (*section, *weight)).collect();
+    let mass = std::iter::zip(stations, &weights).map(|((_, _, mass), weight)| weight * mass).sum();
     (Section::mean(&sections), mass)
 }
 
@@ -167,22 +177,31 @@ pub fn pbeaml(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
     let material = card.integer(1, "MID");
     let shape = shape(card)?;
     let count = shape.dimensions();
-    let (section, dimensions) = shaped(card, shape, 8, None)?;
-    let other_mass = card.not_negative(8 + count, "NSM", 0.0)?;
-    let mut stations = vec![Station { at: 0.0, section, other_mass }];
+    shaped(card, shape, 8)?;
+    let station = |at: f64, first: usize| {
+        let dimension = |number: usize| card.optional(first + number, &format!("DIM{}", number + 1));
+        let mut given = (0..count).map(dimension).collect::<Option<Vec<_>>>()?;
+        card.not_negative(first + count, "NSM", 0.0)?;
+        given.push(card.optional(first + count, "NSM")?);
+        Some(Station { at, given })
+    };
+    let mut stations = vec![station(0.0, 8)?];
     let mut first = 8 + count + 1;
     while first < card.card.len() {
-        let at = place(card, first + 1)?;
-        let (section, _) = shaped(card, shape, first + 2, Some(&dimensions))?;
-        let other_mass = card.not_negative(first + 2 + count, "NSM", other_mass)?;
-        stations.push(Station { at, section, other_mass });
+        stations.push(station(place(card, first + 1)?, first + 2)?);
         first += count + 3;
     }
     if !shape.is_doubly_symmetric() {
         let said = "its shear centre may be apart from its centroid: both are held on the grid line";
         remarks.field((card.card, id), (3, "TYPE"), said);
     }
-    let (section, other_mass) = mean(card, id, stations, remarks);
+    let mut sections = Vec::new();
+    for (at, numbers) in filled(stations) {
+        let section = of_dimensions(card, (shape, &numbers[..count]), 8)?;
+        sections.push((at, section, numbers[count]));
+    }
+    remarks.note(NO_SHEAR);
+    let (section, other_mass) = mean((card, id), &sections, remarks);
     Some(Property {
         origin: card.origin("PBEAML", id),
         material: material?,
@@ -195,22 +214,27 @@ pub fn pbeaml(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
 pub fn pbeam(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
     let id = card.id()?;
     let material = card.integer(1, "MID");
-    let root = beam_station(card, 2, None)?;
-    let mut stations = vec![Station { at: 0.0, ..root }];
+    let mut stations = vec![beam_station(card, 2, 0.0)?];
     let is_station =
         |line: usize| matches!(card.text(8 * line).to_uppercase().as_str(), "YES" | "YESA" | "NO");
     // Stresses of end A stand on the second line, unless it is a station.
     let mut line = if is_station(1) { 1 } else { 2 };
     while is_station(line) {
-        let at = place(card, 8 * line + 1)?;
-        let station = beam_station(card, 8 * line + 2, Some(&stations[0]))?;
-        stations.push(Station { at, ..station });
+        stations.push(beam_station(card, 8 * line + 2, place(card, 8 * line + 1)?)?);
         let has_stresses = card.text(8 * line).eq_ignore_ascii_case("YES");
         line += if has_stresses { 2 } else { 1 };
     }
-    let first = 8 * line;
-    let other_inertia = beam_rest(card, id, first, remarks)?;
-    let (section, other_mass) = mean(card, id, stations, remarks);
+    let other_inertia = beam_rest(card, id, 8 * line, remarks)?;
+    let section = |numbers: &[f64]| Section {
+        area: numbers[0],
+        i1: numbers[1],
+        i2: numbers[2],
+        i12: numbers[3],
+        torsion: numbers[4],
+    };
+    let stations: Vec<(f64, Section, f64)> =
+        filled(stations).iter().map(|(at, numbers)| (*at, section(numbers), numbers[5])).collect();
+    let (section, other_mass) = mean((card, id), &stations, remarks);
     Some(Property {
         origin: card.origin("PBEAM", id),
         material: material?,
@@ -220,18 +244,16 @@ pub fn pbeam(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
     })
 }
 
-/// Six numbers from a field on; where nothing stands, those of end A.
-fn beam_station(card: &Reader, first: usize, otherwise: Option<&Station>) -> Option<Station> {
-    let root = otherwise.map_or(Section::default(), |station| station.section);
-    let mass = otherwise.map_or(0.0, |station| station.other_mass);
-    let section = Section {
-        area: card.not_negative(first, "A", root.area)?,
-        i1: card.not_negative(first + 1, "I1", root.i1)?,
-        i2: card.not_negative(first + 2, "I2", root.i2)?,
-        i12: card.real_or(first + 3, "I12", root.i12)?,
-        torsion: card.not_negative(first + 4, "J", root.torsion)?,
-    };
-    Some(Station { at: 1.0, section, other_mass: card.not_negative(first + 5, "NSM", mass)? })
+/// Six numbers from a field on: area, I1, I2, I12, J, other mass.
+fn beam_station(card: &Reader, first: usize, at: f64) -> Option<Station> {
+    let mut given = Vec::with_capacity(6);
+    for (number, name) in ["A", "I1", "I2", "I12", "J", "NSM"].into_iter().enumerate() {
+        if name != "I12" {
+            card.not_negative(first + number, name, 0.0)?;
+        }
+        given.push(card.optional(first + number, name)?);
+    }
+    Some(Station { at, given })
 }
 
 /// The last two lines: what is not held of them is said; the inertia per length is.
@@ -269,9 +291,21 @@ fn beam_rest(card: &Reader, id: i64, first: usize, remarks: &mut Remarks) -> Opt
     Some(0.5 * (at_a + at_b))
 }
 
-pub fn mat1(card: &Reader) -> Option<(i64, Material)> {
+pub fn mat1(card: &Reader, remarks: &mut Remarks) -> Option<(i64, Material)> {
     let id = card.id()?;
+    let damping = card.real_or(7, "GE", 0.0)?;
+    if damping != 0.0 {
+        let said = format!(
+            "found {damping}: damping of materials is not held; the parameter structural_damping is one for all"
+        );
+        remarks.field((card.card, id), (7, "GE"), said);
+    }
     let [young, shear, ratio] = [card.optional(1, "E")?, card.optional(2, "G")?, card.optional(3, "NU")?];
+    if ratio.is_none() && (young.is_none() || shear.is_none()) {
+        remarks.note(format!(
+            "MAT1 {id} has one modulus and no NU: the other one is that of NU = 0 here; in Nastran it is 0"
+        ));
+    }
     let (young, shear) = match (young, shear, ratio) {
         (Some(young), Some(shear), _) => (young, shear),
         (Some(young), None, ratio) => (young, 0.5 * young / (1.0 + ratio.unwrap_or(0.0))),

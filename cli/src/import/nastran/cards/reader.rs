@@ -5,31 +5,51 @@ use std::cell::RefCell;
 use super::super::deck::{self, Card, Deck};
 use super::super::mistakes::{Mistakes, Origin};
 
-/// Whole numbers from some to others, as lists with THRU have them.
+/// Whole numbers from some to others, as lists with THRU have them; each once, however often it is listed.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Ids(Vec<(i64, i64)>);
+pub struct Ids {
+    /// Ascending and apart.
+    runs: Vec<(i64, i64)>,
+    /// What is listed by itself, ascending.
+    singles: Vec<i64>,
+}
 
 impl Ids {
     /// One alone.
     pub fn of(id: i64) -> Self {
-        Ids(vec![(id, id)])
+        Ids::new(Vec::new(), vec![id])
+    }
+
+    fn new(mut runs: Vec<(i64, i64)>, mut singles: Vec<i64>) -> Self {
+        singles.sort_unstable();
+        singles.dedup();
+        runs.extend(singles.iter().map(|&id| (id, id)));
+        runs.sort_unstable();
+        runs.dedup_by(|next, before| {
+            let is_joined = next.0 <= before.1.saturating_add(1);
+            if is_joined {
+                before.1 = before.1.max(next.1);
+            }
+            is_joined
+        });
+        Ids { runs, singles }
+    }
+
+    /// All of them, as runs.
+    pub fn runs(&self) -> impl Iterator<Item = (i64, i64)> + '_ {
+        self.runs.iter().copied()
     }
 
     /// The runs of it that lie in a range.
     pub fn within(&self, range: std::ops::Range<i64>) -> impl Iterator<Item = (i64, i64)> + '_ {
-        let clipped =
-            self.0.iter().map(move |(from, to)| ((*from).max(range.start), (*to).min(range.end - 1)));
-        clipped.filter(|(from, to)| from <= to)
-    }
-
-    /// Those of some ascending numbers that are in it, in its own order.
-    pub fn among<'i>(&'i self, known: impl Fn(i64, i64) -> Vec<i64> + 'i) -> impl Iterator<Item = i64> + 'i {
-        self.0.iter().flat_map(move |(from, to)| known(*from, *to))
+        let first = self.runs.partition_point(|(_, to)| *to < range.start);
+        let inside = self.runs[first..].iter().take_while(move |(from, _)| *from < range.end);
+        inside.map(move |(from, to)| ((*from).max(range.start), (*to).min(range.end - 1)))
     }
 
     /// What is listed by itself.
     pub fn singles(&self) -> impl Iterator<Item = i64> + '_ {
-        self.0.iter().filter(|(from, to)| from == to).map(|(id, _)| *id)
+        self.singles.iter().copied()
     }
 }
 
@@ -62,14 +82,14 @@ impl<'a> Reader<'a> {
         allowed: impl Into<String>,
     ) -> Option<T> {
         let texts = (found.into(), allowed.into());
-        self.mistakes.borrow_mut().of_card((self.card, self.text(0)), (index, name), texts);
+        self.mistakes.borrow_mut().of_card((self.card, &deck::cut_short(self.text(0))), (index, name), texts);
         None
     }
 
     fn found(&self, index: usize) -> String {
         match self.text(index) {
             "" => "found nothing".to_owned(),
-            text => format!("found {text}"),
+            text => format!("found {}", deck::cut_short(text)),
         }
     }
 
@@ -130,7 +150,7 @@ impl<'a> Reader<'a> {
 
     /// Whole numbers from a field to the end, with THRU between two of them.
     pub fn ids(&self, first: usize, name: &str) -> Option<Ids> {
-        let mut ids = Ids::default();
+        let (mut runs, mut singles) = (Vec::new(), Vec::new());
         let mut index = first;
         while index < self.card.len() {
             if self.is_blank(index) {
@@ -152,17 +172,33 @@ impl<'a> Reader<'a> {
                         format!("{from} or more is allowed"),
                     );
                 }
-                ids.0.push((from, to));
+                runs.push((from, to));
                 index += 3;
             } else {
-                ids.0.push((from, from));
+                singles.push(from);
                 index += 1;
             }
         }
-        Some(ids)
+        Some(Ids::new(runs, singles))
     }
 
     pub fn origin(&self, card: &'static str, id: i64) -> Origin {
         Origin { card, id, place: self.card.place }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_have_each_number_once_in_runs_that_are_apart() {
+        let ids = Ids::new(vec![(10, 20), (1, 4), (15, 30), (1, 4)], vec![5, 40, 40, 12]);
+        assert_eq!(ids.runs().collect::<Vec<_>>(), [(1, 5), (10, 30), (40, 40)]);
+        assert_eq!(ids.singles().collect::<Vec<_>>(), [5, 12, 40]);
+        assert_eq!(ids.within(3..13).collect::<Vec<_>>(), [(3, 5), (10, 12)]);
+        assert_eq!(ids.within(31..40).count() + ids.within(41..99).count(), 0);
+        let all = Ids::new(vec![(i64::MIN, i64::MAX)], vec![i64::MAX]);
+        assert_eq!(all.within(7..9).collect::<Vec<_>>(), [(7, 8)]);
     }
 }

@@ -24,7 +24,7 @@ pub struct Line {
     pub data: Vec<Span>,
     /// What the line ends with to name its continuation.
     pub tail: Span,
-    /// Whether the head has a star.
+    /// Whether the head has a star, behind the name of a card or before the mark of a continuation.
     pub is_large: bool,
 }
 
@@ -33,11 +33,19 @@ pub struct Line {
 pub enum Unreadable {
     /// More between commas than a line has fields.
     TooMany { found: usize, allowed: usize },
+    /// More bytes than any field needs.
+    TooLong { found: usize, allowed: usize },
 }
+
+/// Bytes of a line without its comment: between commas numbers may be long, but not without end.
+const LONGEST: usize = 1000;
 
 /// Cuts a line, whose first byte is at some place of its file; without its comment, which `$` begins.
 pub fn cut(line: &str, at: u32) -> Result<Line, Unreadable> {
-    let line = line.split('$').next().unwrap_or_default();
+    let line = line.split('$').next().unwrap_or_default().trim_end();
+    if line.len() > LONGEST {
+        return Err(Unreadable::TooLong { found: line.len(), allowed: LONGEST });
+    }
     if line.contains(',') { free(line, at) } else { Ok(fixed(line, at)) }
 }
 
@@ -49,8 +57,7 @@ fn free(line: &str, at: u32) -> Result<Line, Unreadable> {
         begin += part.len() + 1;
     }
     let head = fields.remove(0);
-    let is_large = text(line, &head, at).ends_with('*');
-    let head = without_star(head, is_large);
+    let (head, is_large) = without_star(line, head, at);
     let most = if is_large { DATA / 2 } else { DATA };
     let tail = if fields.len() > most { fields.remove(most) } else { head.end..head.end };
     let has_more = fields.iter().skip(most).any(|field| !field.is_empty());
@@ -71,10 +78,10 @@ fn fixed(line: &str, at: u32) -> Line {
         trimmed(line, bytes, at)
     };
     let head = between(0, SMALL);
-    let is_large = text(line, &head, at).ends_with('*');
+    let (head, is_large) = without_star(line, head, at);
     let (count, width) = if is_large { (DATA / 2, LARGE) } else { (DATA, SMALL) };
     let data = (0..count).map(|field| between(SMALL + field * width, SMALL + (field + 1) * width)).collect();
-    Line { head: without_star(head, is_large), data, tail: between(WIDTH - SMALL, WIDTH), is_large }
+    Line { head, data, tail: between(WIDTH - SMALL, WIDTH), is_large }
 }
 
 /// The columns in which the letters of a line stand, with their bytes; a tab leads to the next field.
@@ -107,8 +114,12 @@ fn text<'l>(line: &'l str, span: &Span, at: u32) -> &'l str {
     &line[(span.start - at) as usize..(span.end - at) as usize]
 }
 
-fn without_star(head: Span, is_large: bool) -> Span {
-    head.start..head.end - u32::from(is_large)
+/// The head, and whether a star makes its line large: behind a name it goes, before the mark of a continuation it tells that it is one.
+fn without_star(line: &str, head: Span, at: u32) -> (Span, bool) {
+    let said = text(line, &head, at);
+    let is_large = said.ends_with('*') || said.starts_with('*');
+    let is_mark = said.starts_with('*');
+    (head.start..head.end - u32::from(is_large && !is_mark), is_large)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! From a tree of elements to components: chains that run on, each with one y axis, from the root out.
 //!
-//! A component is a chain of elements and of the rigid links between their ends. It ends where elements turn by more than 60°, where the
-//! principal axes of the next section lie otherwise, and where nothing follows.
+//! A component is a chain of elements and of the rigid links between their ends. It ends where elements turn by more than 45°, beyond a rigid
+//! link by more than 30°, where the principal axes of the next section lie otherwise, and where nothing follows.
 
 use std::collections::VecDeque;
 
@@ -12,8 +12,12 @@ use super::bodies::Hinge;
 use super::tree::Tree;
 use super::{Component, ComponentElement, NodeRef};
 
-/// A chain goes on where directions have at least this cosine.
-const ONWARD: f64 = 0.5;
+/// A chain goes on where directions have at least this cosine; beyond a rigid link, where one part ends on another, at least the second.
+const ONWARD: f64 = std::f64::consts::FRAC_1_SQRT_2;
+const ONWARD_BEYOND_A_LINK: f64 = 0.866_025_403_784_438_6;
+
+/// Elements of a component, rigid links with them: the format takes no more.
+const LONGEST: usize = 1000;
 
 /// Sine of the least angle between an element and the y axis of its component.
 const BESIDE: f64 = 0.05;
@@ -89,7 +93,10 @@ impl<'a> Growth<'a> {
             let is_apart = gap > (SAME_PLACE * member.length()).max(SHORTEST);
             let reach = if is_apart { from } else { here };
             let mut longer = chain.clone();
-            let fits = (!is_apart || longer.add_link(from, body))
+            let goes_on = chain.elements.len() + 2 <= LONGEST
+                && !(is_apart && chain.turns((to - from).normalize(), ONWARD_BEYOND_A_LINK));
+            let fits = goes_on
+                && (!is_apart || longer.add_link(from, body))
                 && longer.add_member((element, member), (reach, to));
             if !fits {
                 if chain.elements.is_empty() && is_apart {
@@ -224,6 +231,11 @@ impl Chain {
 
     fn directions(&self) -> impl Iterator<Item = Vector3<f64>> + '_ {
         self.points.windows(2).map(|ends| (ends[1] - ends[0]).normalize())
+    }
+
+    /// Whether its last element has another direction than one that is to follow.
+    fn turns(&self, next: Vector3<f64>, least_cosine: f64) -> bool {
+        self.directions().last().is_some_and(|last| last.dot(&next) < least_cosine)
     }
 
     /// Whether a rigid link could be added.

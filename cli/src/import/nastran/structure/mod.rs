@@ -2,9 +2,10 @@
 
 mod bodies;
 mod growth;
+mod spreads;
 mod tree;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 
 use nalgebra::Vector3;
 
@@ -16,17 +17,24 @@ use super::mistakes::{Mistakes, Origin, Remarks};
 use super::units::Units;
 use bodies::Bodies;
 use growth::Growth;
+use spreads::{spreads_by_grid, too_many_parts};
 use tree::Tree;
 
 /// Places that are nearer are one, m.
 const SAME_PLACE: f64 = 1e-6;
+
+/// The least mass of the format, kg.
+const LIGHTEST_LUMP: f64 = 1e-9;
+
+/// Elements of less mass, kg, are written without: half of it stands at each of two places, of which the format takes 1e-9 or more.
+pub const LIGHTEST: f64 = 4e-9;
 
 /// Larger decks are no sticks: their elements, and their masses.
 const MOST_ELEMENTS: usize = 5000;
 const MOST_LUMPS: usize = 20_000;
 
 /// A node of the aircraft.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum NodeRef {
     Origin,
     Node { component: usize, node: usize },
@@ -104,8 +112,8 @@ pub struct Parts<'a> {
     pub units: &'a Units,
     pub members: Vec<Member>,
     pub lumps: Vec<Lump>,
-    /// The sets of constraints that hold.
-    pub sets: &'a [i64],
+    /// The sets of constraints that hold; all where there is no case control.
+    pub sets: Option<&'a [i64]>,
     /// The grid that is to be O.
     pub root: Option<i64>,
 }
@@ -126,6 +134,11 @@ impl Structure {
                 members.len(),
                 lumps.len()
             ));
+            return None;
+        }
+        if let Some(spread) = too_many_parts(cards, &lumps, MOST_LUMPS) {
+            let allowed = format!("up to {MOST_LUMPS} are allowed of all together");
+            mistakes.of_origin(&spread.origin, "G", "found masses divided into more parts", allowed);
             return None;
         }
         let of_members = members.iter().flat_map(|member| member.grids);
@@ -167,9 +180,9 @@ impl Structure {
     /// Masses of CONM1 and CONM2, and of elements that are in no component.
     fn hang_masses(&mut self, cards: &Cards, tree: &Tree, lumps: Vec<Lump>, remarks: &mut Remarks) {
         let of_cut = tree.cut.iter().flat_map(|&element| halves(&self.members[element]));
+        let spreads = spreads_by_grid(cards);
         for lump in lumps.into_iter().chain(of_cut.collect::<Vec<_>>()) {
-            let spread =
-                cards.spreads.iter().find(|spread| spread.grid == lump.grid && spread.carriers.len() > 1);
+            let spread = spreads.get(&lump.grid).copied();
             let is_carried = self.bodies.of(lump.grid).is_some_and(|body| tree.is_reached[body]);
             match spread.filter(|_| !is_carried) {
                 None => self.hang(lump, remarks),
@@ -199,6 +212,14 @@ impl Structure {
     }
 
     fn hang(&mut self, lump: Lump, remarks: &mut Remarks) {
+        if lump.mass < LIGHTEST_LUMP {
+            let said = format!(
+                "{:.3e} kg of it, and what turns with them, are too little for a mass here: left out",
+                lump.mass
+            );
+            remarks.card(&lump.origin, said);
+            return;
+        }
         let Some((at, node)) = self.bodies.of(lump.grid).and_then(|body| self.port(body, &lump.at)) else {
             let said = format!(
                 "no chain of elements and rigid links joins GRID {} to the root: {:.6} kg are left out",
@@ -225,10 +246,11 @@ impl Structure {
         ports.iter().find(|port| (port.0 - place).norm() <= SAME_PLACE).or(ports.first()).copied()
     }
 
-    /// The nodes on which a grid is.
-    pub fn nodes_of(&self, grid: i64) -> impl Iterator<Item = NodeRef> + '_ {
-        let ports = self.bodies.of(grid).and_then(|body| self.ports.get(body));
-        ports.into_iter().flatten().map(|(_, node)| *node)
+    /// The nodes that move with some grids.
+    pub fn nodes_of(&self, grids: &[i64]) -> HashSet<NodeRef> {
+        let bodies: BTreeSet<usize> = grids.iter().filter_map(|&grid| self.bodies.of(grid)).collect();
+        let ports = bodies.into_iter().filter_map(|body| self.ports.get(body));
+        ports.flatten().map(|(_, node)| *node).collect()
     }
 
     /// The node that moves with a grid, at its place (m from O) if there is one, and where that is.
@@ -264,6 +286,14 @@ impl Structure {
             .chain(of_lumps)
             .fold((0.0, Vector3::zeros()), |(mass, moment), (part, at)| (mass + part, moment + at * part));
         if mass > 0.0 { moment / mass } else { Vector3::zeros() }
+    }
+
+    /// Whether something on it has mass.
+    pub fn has_mass(&self) -> bool {
+        let of_elements = self.components.iter().flat_map(|component| &component.elements);
+        let mut masses =
+            of_elements.filter_map(|element| element.member).map(|member| self.members[member].mass());
+        masses.any(|mass| mass >= LIGHTEST) || !self.lumps.is_empty()
     }
 
     fn move_to_origin(&mut self) {

@@ -167,7 +167,7 @@ fn surfaces_of_the_command_line_stand_in_for_panels() {
     ]
     .map(|line| line.parse().unwrap())
     .into();
-    let found = import(&Request { surfaces: &lines, ..with_options(&source) }).unwrap();
+    let found = import(&Request { surfaces: &lines, ..Request::of_text(&source) }).unwrap();
     assert_eq!(reports(&found), [""; 0]);
     let area: f64 = found.aircraft.strips.iter().map(|strip| 2.0 * strip.semichord * strip.width).sum();
     assert!((area - 17.4).abs() < 1e-9, "{area}");

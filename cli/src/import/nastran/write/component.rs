@@ -4,10 +4,11 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::super::members::{Member, Stiffness};
 use super::super::pairs::Side;
-use super::super::structure::{Component, HALVES, NodeRef, PlacedLump, turned_inertia};
+use super::super::structure::{Component, HALVES, LIGHTEST, NodeRef, PlacedLump, turned_inertia};
 use super::control::Moved;
 use super::law::per_element;
-use super::{Written, beside, comment, list, number, surface, vector};
+use super::{Written, beside, list, number, surface, vector};
+use crate::commented::comment;
 
 /// Elements whose spans differ by less than this share of their length are alike.
 const ALIKE: f64 = 1e-9;
@@ -77,10 +78,7 @@ fn attachment(written: &Written, component: &Component) -> String {
         NodeRef::Node { component, node } => {
             let distances = written.structure.components[component].distances();
             let at = distances[node] / distances[distances.len() - 1];
-            // A written one hangs on what is written.
-            let parent = match written.sides[component] {
-                Side::Image { .. } | Side::Alone | Side::Written { .. } => &written.names[component],
-            };
+            let parent = &written.names[component];
             format!("attached_to = {{ component = \"{parent}\", at = {} }}\n", number(at))
         }
     }
@@ -128,7 +126,7 @@ fn masses_of_elements(written: &Written, place: usize) -> String {
     let distances = component.distances();
     let mut groups: Vec<(Matrix3<f64>, Vec<usize>)> = Vec::new();
     for element in 0..component.elements.len() {
-        let Some(member) = written.member(place, element).filter(|member| member.mass() >= 4e-9) else {
+        let Some(member) = written.member(place, element).filter(|member| member.mass() >= LIGHTEST) else {
             continue;
         };
         let inertia = turned_inertia(member) * 0.5;
