@@ -96,7 +96,7 @@ fn fans_and_turning_chains_get_their_names_at_once() {
     assert!(found.text().contains("name = \"wing_3991_right\"\n"));
     let turning = deck("", 10..2000, |grid| {
         let before = if grid == 10 { 2 } else { grid - 1 };
-        let (y, z) = (3 + grid / 2, (grid + 1) / 2);
+        let (y, z) = (3 + grid / 2, grid.div_ceil(2));
         format!("GRID,{grid},,0.,{y}.e-1,{z}.e-1\nCBAR,{grid},1,{before},{grid},1.,0.,0.\n")
     });
     let found = within(30.0, &turning).unwrap();

@@ -70,7 +70,7 @@ fn panels_whose_edges_meet_along_the_chord_are_one_with_its_flaps() {
             [one, other].map(|strip| strip.flap.as_ref().map(|flap| (flap.hinge, flap.gains.clone())));
         match &hinges {
             [Some((one, gains)), Some((other, others))] => {
-                assert!((one - other).abs() < 1e-4 && gains == others, "{hinges:?}")
+                assert!((one - other).abs() < 1e-4 && gains == others, "{hinges:?}");
             }
             hinges => assert_eq!(hinges, &[None, None]),
         }
