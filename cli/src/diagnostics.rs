@@ -103,7 +103,7 @@ fn render_rejected(rejected: &Rejected, renderer: &Renderer) -> String {
 fn render_files(rejected: &RejectedFiles, renderer: &Renderer) -> String {
     let whole = rejected.whole.iter().map(|text| format!("error: {text}"));
     let files = rejected.files.iter().map(|file| render_rejected(file, renderer));
-    whole.chain(files).chain(rejected.more()).collect::<Vec<_>>().join("\n\n")
+    whole.chain(files).chain(rejected.rest()).collect::<Vec<_>>().join("\n\n")
 }
 
 /// A title, the lines of a file with a place, and a label under it.

@@ -18,6 +18,7 @@ mod bench;
 pub mod calls;
 mod chart;
 mod check;
+mod commented;
 mod completions;
 mod condition;
 mod converge;

@@ -50,17 +50,20 @@ pub struct RejectedFiles {
     pub whole: Vec<String>,
     /// How many more there are, which are not told.
     pub more: usize,
+    /// What is no mistake by itself and may explain one.
+    pub beside: Vec<String>,
 }
 
 impl RejectedFiles {
     fn lines(&self) -> String {
         let files = self.files.iter().map(ToString::to_string);
-        self.whole.iter().cloned().chain(files).chain(self.more()).collect::<Vec<_>>().join("\n")
+        self.whole.iter().cloned().chain(files).chain(self.rest()).collect::<Vec<_>>().join("\n")
     }
 
-    /// Says that there are more.
-    pub fn more(&self) -> Option<String> {
-        (self.more > 0).then(|| format!("and {} mistakes more", self.more))
+    /// That there are more, and what else is to be said.
+    pub fn rest(&self) -> impl Iterator<Item = String> + '_ {
+        let more = (self.more > 0).then(|| format!("and {} mistakes more", self.more));
+        more.into_iter().chain(self.beside.iter().cloned())
     }
 }
 

@@ -10,8 +10,8 @@ use super::roles::Effect;
 use super::schema::{ComponentSpec, ControlSpec, FileSpec, MoveSpec};
 use super::stretch::Stretch;
 
-/// Names of letters, digits and underscores that a variable has whatever the aircraft, and that of the time.
-pub(crate) const TAKEN: &[&str] = &[
+/// Names of letters, digits and underscores that a variable has whatever the aircraft, and that of the time: no control has one of these.
+pub const TAKEN: &[&str] = &[
     "time",
     "wind_north",
     "wind_east",
@@ -34,8 +34,8 @@ pub(crate) const TAKEN: &[&str] = &[
     "tolerance",
 ];
 
-/// What stands behind `trim.` without being a control.
-pub(crate) const TAKEN_BY_TRIM: &[&str] =
+/// What stands behind `trim.` without being a control: no control with a role has one of these names.
+pub const TAKEN_BY_TRIM: &[&str] =
     &["pitch", "roll", "beta", "thrust", "climb_angle", "alpha", "turn_rate", "pitch_rate", "load_factor"];
 
 /// Complains about names that variables have, roles given twice, and uses that make no sense.

@@ -84,8 +84,7 @@ use error::{Place, Report};
 
 pub(crate) use branches::Branches;
 pub use control::{Control, Mirroring, TrimRole};
-#[cfg(test)]
-pub(crate) use control_check::{TAKEN, TAKEN_BY_TRIM};
+pub use control_check::{TAKEN, TAKEN_BY_TRIM};
 pub use coupling::{Coupling, Hinge, Spring};
 pub use error::{AircraftFileError, Diagnostic, Problem, looked_for};
 pub use factors::{Factor, FactorOutOfRange};

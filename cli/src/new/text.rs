@@ -5,6 +5,7 @@ use super::interview::Choice;
 use super::kind::Kind;
 use super::quantity::STATIC_MARGIN;
 use super::sizing::Sizing;
+use crate::commented::{beside, comment};
 use crate::numbers::{Plain, short};
 
 /// What `flexair schema` is told to write beside the file.
@@ -12,9 +13,6 @@ pub const SCHEMA: &str = "aircraft.schema.json";
 
 /// Where comments begin that stand behind a value.
 const COLUMN: usize = 56;
-
-/// Longest line of a comment by itself.
-const WIDTH: usize = 118;
 
 /// All of it.
 pub fn file(name: &str, sizing: &Sizing, design: &Design) -> String {
@@ -298,21 +296,7 @@ fn part(name: &str) -> String {
 
 /// A line with a comment behind it.
 fn line(text: &str, comment: &str) -> String {
-    if comment.is_empty() { format!("{text}\n") } else { format!("{text:<COLUMN$} # {comment}\n") }
-}
-
-/// Lines of a comment; none of none.
-fn comment(text: &str) -> String {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        let place = lines.len() - 1;
-        if lines[place].len() + word.len() + 3 > WIDTH {
-            lines.push(format!(" {word}"));
-        } else {
-            lines[place] += &format!(" {word}");
-        }
-    }
-    lines.iter().filter(|line| !line.is_empty()).map(|line| format!("#{line}\n")).collect()
+    beside(text, comment, COLUMN)
 }
 
 fn vector(numbers: &[f64; 3]) -> String {

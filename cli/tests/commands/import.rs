@@ -53,6 +53,28 @@ fn a_deck_ends_clean_with_reports_or_without_output() {
 }
 
 #[test]
+fn a_wrong_option_ends_with_1_for_nothing_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    write(folder, "clean.bdf", &STICK.replace("2700.", ""));
+    for (options, said) in [
+        ("--surface 1:3,chord=-1", "chord"),
+        ("--altitude 40000", "--altitude: found 40000, allowed is -1000 to 30000 m"),
+        ("--airspeed 500", "--airspeed: found 500, allowed is 1 to 400 m/s"),
+        ("--no-such-option", "--no-such-option"),
+    ] {
+        let (code, output, errors) = ended(folder, &format!("import nastran clean.bdf {options}"));
+        assert_eq!((code, output.as_str()), (Some(1), ""), "{options}");
+        assert!(errors.contains(said), "{errors}");
+    }
+    assert_eq!(names(folder), ["clean.bdf"]);
+    // Masses of elements alone, and where there are none.
+    write(folder, "clean.bdf", STICK);
+    let (_, output, _) = ended(folder, "import nastran clean.bdf");
+    assert!(output.contains("mass: 0 kg of CONM1 and CONM2 and 81 kg of elements"), "{output}");
+}
+
+#[test]
 fn a_file_that_exists_stays_unless_it_is_forced_and_the_deck_always() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();

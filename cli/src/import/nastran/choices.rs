@@ -22,8 +22,8 @@ pub enum Support {
 /// Lift coefficient of a trim whose airspeed nobody gives.
 const LIFT_COEFFICIENT: f64 = 0.5;
 
-/// No wing has this lift coefficient in level flight.
-const MOST_LIFT: f64 = 4.0;
+/// Lift coefficients at which aircraft fly: at the VELOCITY of an AERO they have another one where it is 1, as decks of analyses say.
+const LIFT_COEFFICIENTS: std::ops::RangeInclusive<f64> = 0.05..=1.5;
 
 /// Airspeed, m/s, of what is clamped, where nobody gives one.
 const TUNNEL_SPEED: f64 = 50.0;
@@ -107,21 +107,29 @@ pub fn airspeed(
     (asked, altitude): (Option<f64>, f64),
     cards: &Cards,
     (support, mass, area, length): (Support, f64, f64, f64),
+    remarks: &mut Remarks,
 ) -> (f64, String) {
     if let Some(airspeed) = asked {
         return (airspeed, String::new());
     }
     let flies = |airspeed: &f64| (1.0..=400.0).contains(airspeed);
-    let density = Air::at(altitude).density;
-    let needed = |airspeed: f64| 2.0 * mass * STANDARD_GRAVITY / (density * area * airspeed * airspeed);
-    if let Some(airspeed) = cards.aero.reference.airspeed.map(|airspeed| airspeed * length).filter(flies) {
-        // Often it is 1 and no airspeed: flutter analyses measure by it.
-        let is_real = airspeed > length && (support == Support::Clamped || needed(airspeed) <= MOST_LIFT);
-        if is_real {
+    // What lifts the weight has this airspeed squared, times the lift coefficient.
+    let squared = 2.0 * mass * STANDARD_GRAVITY / (Air::at(altitude).density * area);
+    if let Some(airspeed) = cards.aero.reference.airspeed.map(|airspeed| airspeed * length) {
+        let coefficient = squared / (airspeed * airspeed);
+        // In a tunnel there may be little of the aircraft, or no panel.
+        let is_plausible = match support {
+            Support::Free => LIFT_COEFFICIENTS.contains(&coefficient),
+            Support::Clamped => area <= 0.0 || coefficient <= *LIFT_COEFFICIENTS.end(),
+        };
+        if flies(&airspeed) && is_plausible {
             return (airspeed, "VELOCITY of AERO".to_owned());
         }
+        remarks.note(format!(
+            "AERO: its VELOCITY, {airspeed} m/s, is not taken for the trim: the lift coefficient would be {coefficient:.3}"
+        ));
     }
-    let airspeed = libm::sqrt(2.0 * mass * STANDARD_GRAVITY / (density * area * LIFT_COEFFICIENT)).round();
+    let airspeed = libm::sqrt(squared / LIFT_COEFFICIENT).round();
     match support {
         Support::Free if flies(&airspeed) => {
             (airspeed, format!("assumed: lift coefficient {LIFT_COEFFICIENT}"))

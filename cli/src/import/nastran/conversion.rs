@@ -1,40 +1,27 @@
 //! A deck from its files to the text of an aircraft file: all rooms, one after the other.
 
-use std::path::Path;
-
 use flexible_aircraft::Aircraft;
 
 use super::Error;
-use super::aero::{self, Control, Role, Surface, SurfaceLine};
+use super::aero::{self, Control, Role, Surface};
 use super::axes::DeckAxes;
 use super::cards::Cards;
 use super::choices::{self, Support};
-use super::deck::{Deck, Source};
+use super::deck::Deck;
 use super::frames::World;
-use super::mistakes::{Mistakes, Origin, Remarks};
+use super::mistakes::{Mistakes, Needed, Origin, Remark, Remarks};
 use super::pairs::{self, Side};
+use super::request::{OneText, Request};
 use super::structure::{Parts, Structure};
-use super::units::UnitSystem;
 use super::write::{self, Engine, Written};
 use super::{joints, layout, lumps, members};
 use crate::marked::RejectedFiles;
 
+/// How many reports are told beside mistakes.
+const MOST_REPORTS: usize = 10;
+
 /// Nothing that is read is farther from O, m.
 const FARTHEST: f64 = 1000.0;
-
-/// What is asked for.
-pub struct Request<'a> {
-    pub deck: &'a Path,
-    pub source: &'a dyn Source,
-    pub units: UnitSystem,
-    pub axes: Option<DeckAxes>,
-    pub root: Option<i64>,
-    pub support: Option<Support>,
-    pub airspeed: Option<f64>,
-    pub altitude: f64,
-    pub surfaces: &'a [SurfaceLine],
-    pub engines: &'a [(String, i64)],
-}
 
 /// What came of a deck.
 #[derive(Debug)]
@@ -72,29 +59,7 @@ impl Imported {
 /// # Errors
 /// With every mistake in the deck that can be told without guessing.
 pub fn of_text(deck: &str) -> Result<Imported, Error> {
-    struct OneText<'t>(&'t str);
-    impl Source for OneText<'_> {
-        fn read(&self, path: &Path) -> Result<(std::path::PathBuf, String), String> {
-            let is_deck = path == Path::new("deck.bdf");
-            if is_deck {
-                Ok((path.to_owned(), self.0.to_owned()))
-            } else {
-                Err("there are no other files".to_owned())
-            }
-        }
-    }
-    import(&Request {
-        deck: Path::new("deck.bdf"),
-        source: &OneText(deck),
-        units: UnitSystem::M,
-        axes: None,
-        root: None,
-        support: None,
-        airspeed: None,
-        altitude: 0.0,
-        surfaces: &[],
-        engines: &[],
-    })
+    import(&Request::of_text(&OneText(deck)))
 }
 
 /// Reads, finds the tree, writes, and reads what it wrote.
@@ -104,18 +69,32 @@ pub fn of_text(deck: &str) -> Result<Imported, Error> {
 pub fn import(request: &Request) -> Result<Imported, Error> {
     let mut mistakes = Mistakes::default();
     let deck = Deck::read(request.deck, request.source, &mut mistakes);
-    conclude(mistakes, &deck)?;
-    let (mut mistakes, mut remarks) = (Mistakes::default(), Remarks::default());
+    mistakes.checked(&deck)?;
+    let mut remarks = Remarks::default();
     let cards = Cards::read(&deck, &mut mistakes, &mut remarks);
-    conclude(mistakes, &deck)?;
-    let found = found(request, (&deck, &cards), &mut remarks)?;
+    let found = mistakes
+        .checked(&deck)
+        .map_err(Error::from)
+        .and_then(|()| found(request, (&deck, &cards), &mut remarks))
+        .map_err(|error| with_reports(error, &deck, &remarks))?;
     let (text, aircraft) = found.written(request, &deck, &mut remarks)?;
     let Found { taken, masses, .. } = found;
     Ok(Imported { deck, cards, text, aircraft, remarks, taken, masses })
 }
 
-fn conclude(mistakes: Mistakes, deck: &Deck) -> Result<(), RejectedFiles> {
-    mistakes.conclude(deck)
+/// Mistakes with what was reported before, for a card that is not read may be why another one lacks something.
+fn with_reports(error: Error, deck: &Deck, remarks: &Remarks) -> Error {
+    let Error::Rejected(mut rejected) = error else { return error };
+    let shown = |remark: &Remark| format!("{}: {}: {}", deck.shown(remark.place), remark.what, remark.said);
+    rejected.beside = remarks.reports.iter().take(MOST_REPORTS).map(shown).collect();
+    let more = remarks.reports.len().saturating_sub(MOST_REPORTS);
+    if more > 0 {
+        rejected.beside.push(format!("and {more} reports more"));
+    }
+    if !rejected.beside.is_empty() {
+        rejected.beside.insert(0, "reported beside the mistakes:".to_owned());
+    }
+    Error::Rejected(rejected)
 }
 
 /// All of the aircraft, before it is written.
@@ -136,79 +115,37 @@ struct Found {
 }
 
 fn found(request: &Request, (deck, cards): (&Deck, &Cards), remarks: &mut Remarks) -> Result<Found, Error> {
+    let built = built(request, (deck, cards), remarks)?;
+    let Built { structure, world, mut taken, masses } = built;
     let mut mistakes = Mistakes::default();
-    let units = request.units.units(cards.mass_factor.unwrap_or(1.0));
-    let world = World::resolve(cards, &mut mistakes);
-    conclude(mistakes, deck)?;
-    let mut taken = vec![format!("units: {}{}", request.units.name(), wtmass(cards))];
-    let mut mistakes = Mistakes::default();
-    let Some(world) = turned(request, (cards, world), (units.length, &mut taken), &mut mistakes) else {
-        conclude(mistakes, deck)?;
-        return Err(Error::Rejected(RejectedFiles::default()));
-    };
-    let members = members::members((cards, &world, &units), (&mut mistakes, remarks));
-    let lumps = lumps::lumps((cards, &world, &units), (&mut mistakes, remarks));
-    // A sum of nothing is -0.
-    let masses: [f64; 2] = [
-        0.0 + lumps.iter().map(|lump| lump.mass).sum::<f64>(),
-        0.0 + members.iter().map(members::Member::mass).sum::<f64>(),
-    ];
-    conclude(mistakes, deck)?;
-    let mut mistakes = Mistakes::default();
-    let parts = Parts {
-        cards,
-        world: &world,
-        units: &units,
-        members,
-        lumps,
-        sets: deck.constraint_sets.as_deref(),
-        root: request.root,
-    };
-    let structure = Structure::new(parts, (&mut mistakes, remarks));
-    let Some(structure) = structure.filter(|_| mistakes.is_empty()) else {
-        conclude(mistakes, deck)?;
-        return Err(Error::Rejected(RejectedFiles::default()));
-    };
-    check_size(&structure, &mut mistakes);
-    taken.push(choices::held(&structure));
-    let panels = aero::panels((cards, &world), &structure, request.surfaces, (&mut mistakes, remarks));
-    let controls = aero::controls((cards, &world), &structure, &panels, (&mut mistakes, remarks));
-    let surfaces = aero::surfaces(&structure, &panels, &controls, remarks);
-    let engines = choices::engines(request.engines, (&world, &structure), &mut mistakes);
-    conclude(mistakes, deck)?;
-    let (mut surfaces, mut controls) = choices::used(surfaces, controls, remarks);
-    let moments = aero::moments(&structure, &surfaces, controls.len());
-    let mut roles = aero::roles(&moments);
-    if !roles.contains(&Some(Role::Pitch))
-        && let Some(said) = aero::join_for_pitch(&mut controls, &mut surfaces, &moments)
-    {
-        remarks.note(said);
-        roles = aero::roles(&aero::moments(&structure, &surfaces, controls.len()));
-    }
+    let flown = Flown::new(request, (cards, &world), &structure, (&mut mistakes, remarks));
+    mistakes.checked(deck)?;
+    let Flown { surfaces, controls, roles, engines, area } = flown;
     let sides = joints::agreed(&structure, pairs::sides(&structure, &surfaces));
     let support = choices::support(request.support, &structure, &roles, remarks);
     if let Some(half) = &cards.aero.reference.half {
-        remarks.card(half, "SYMXZ or SYMXY says that half of an aircraft is meant: it is not mirrored");
+        remarks.card(half, "SYMXZ says that half of an aircraft is meant: it is not mirrored");
     }
     let names = layout::names(&structure);
-    let area = panels
-        .iter()
-        .filter(|panel| panel.behind.is_none())
-        .map(|panel| panel.area(0.0, 1.0) * panel.span().normalize().y.powi(2))
-        .sum();
+    let length = world.length();
     let airspeed = choices::airspeed(
         (request.airspeed, request.altitude),
         cards,
-        (support, masses[0] + masses[1], area, units.length),
+        (support, masses[0] + masses[1], area, length),
+        remarks,
     );
     let altitude =
         (request.altitude, if request.altitude == 0.0 { "assumed".to_owned() } else { String::new() });
     let given = &cards.aero.reference;
     let reference = [
-        given.chord.map(|chord| chord * units.length),
-        given.area.map(|area| area * units.length * units.length),
-        given.span.map(|span| span * units.length),
+        given.chord.map(|chord| chord * length),
+        given.area.map(|area| area * length * length),
+        given.span.map(|span| span * length),
     ];
+    taken.push(
+        "modes: those of bending and torsion alone, which leave beams as long as they are (mode_basis)"
+            .to_owned(),
+    );
     Ok(Found {
         structure,
         surfaces,
@@ -226,6 +163,94 @@ fn found(request: &Request, (deck, cards): (&Deck, &Cards), remarks: &mut Remark
     })
 }
 
+/// What carries, with what was taken to find it.
+struct Built {
+    structure: Structure,
+    world: World,
+    taken: Vec<String>,
+    masses: [f64; 2],
+}
+
+fn built(request: &Request, (deck, cards): (&Deck, &Cards), remarks: &mut Remarks) -> Result<Built, Error> {
+    let mut mistakes = Mistakes::default();
+    let units = request.units.units(cards.mass_factor.unwrap_or(1.0));
+    let world = World::resolve(cards, &mut mistakes);
+    mistakes.checked(deck)?;
+    let mut taken = vec![format!("units: {}{}", request.units.name(), wtmass(cards))];
+    let Some(world) = turned(request, (cards, world), (units.length, &mut taken), &mut mistakes) else {
+        mistakes.checked(deck)?;
+        return Err(Error::Rejected(RejectedFiles::default()));
+    };
+    let members = members::members((cards, &world, &units), (&mut mistakes, remarks));
+    let lumps = lumps::lumps((cards, &world, &units), (&mut mistakes, remarks));
+    let masses = [sum(lumps.iter().map(|lump| lump.mass)), sum(members.iter().map(members::Member::mass))];
+    mistakes.checked(deck)?;
+    let parts = Parts {
+        cards,
+        world: &world,
+        units: &units,
+        members,
+        lumps,
+        sets: deck.constraint_sets.as_deref(),
+        root: request.root,
+    };
+    let structure = Structure::new(parts, (&mut mistakes, remarks));
+    let Some(structure) = structure.filter(|_| mistakes.is_empty()) else {
+        mistakes.checked(deck)?;
+        return Err(Error::Rejected(RejectedFiles::default()));
+    };
+    check_size(&structure, &mut mistakes);
+    if !structure.has_mass() {
+        mistakes.of_whole(format!(
+            "found a structure of {:.6} kg; a CONM1 or CONM2 with a mass, a RHO of MAT1 or an NSM above 0 is needed",
+            masses[0] + masses[1]
+        ));
+    }
+    mistakes.checked(deck)?;
+    taken.push(choices::held(&structure));
+    Ok(Built { structure, world, taken, masses })
+}
+
+/// Of none 0, not −0.
+fn sum(masses: impl Iterator<Item = f64>) -> f64 {
+    masses.fold(0.0, |sum, mass| sum + mass)
+}
+
+/// What the air does to it.
+struct Flown {
+    surfaces: Vec<Surface>,
+    controls: Vec<Control>,
+    roles: Vec<Option<Role>>,
+    engines: Vec<Engine>,
+    /// Of panels across z, m².
+    area: f64,
+}
+
+impl Flown {
+    fn new(
+        request: &Request,
+        (cards, world): (&Cards, &World),
+        structure: &Structure,
+        (mistakes, remarks): (&mut Mistakes, &mut Remarks),
+    ) -> Flown {
+        let panels = aero::panels((cards, world), structure, request.surfaces, (mistakes, remarks));
+        let controls = aero::controls((cards, world), structure, &panels, (mistakes, remarks));
+        let surfaces = aero::surfaces(structure, &panels, &controls, (mistakes, remarks));
+        let engines = choices::engines(request.engines, (world, structure), mistakes);
+        let (mut surfaces, mut controls) = choices::used(surfaces, controls, remarks);
+        let moments = aero::moments(structure, &surfaces, controls.len());
+        let mut roles = aero::roles(&moments);
+        if !roles.contains(&Some(Role::Pitch))
+            && let Some(said) = aero::join_for_pitch(&mut controls, &mut surfaces, &moments)
+        {
+            remarks.note(said);
+            roles = aero::roles(&aero::moments(structure, &surfaces, controls.len()));
+        }
+        let area = panels.iter().map(|panel| panel.area(0.0, 1.0) * panel.span().normalize().y.powi(2)).sum();
+        Flown { surfaces, controls, roles, engines, area }
+    }
+}
+
 fn wtmass(cards: &Cards) -> String {
     cards.mass_factor.map_or(String::new(), |factor| format!("; masses times {factor} (PARAM,WTMASS)"))
 }
@@ -237,18 +262,16 @@ fn turned(
     (length, taken): (f64, &mut Vec<String>),
     mistakes: &mut Mistakes,
 ) -> Option<World> {
-    let flow = cards.aero.reference.frame.filter(|_| request.axes.is_none());
+    let flow = cards.aero.reference.frame.as_ref().filter(|_| request.axes.is_none());
     let axes = request.axes.unwrap_or(DeckAxes::AftRightUp);
     taken.push(match (flow, request.axes) {
-        (Some(frame), _) => format!("axes: {} (ACSID {frame})", axes.name()),
+        (Some((frame, _)), _) => format!("axes: {} (ACSID {frame})", axes.name()),
         (None, Some(_)) => format!("axes: {} (--axes)", axes.name()),
         (None, None) => format!("axes: {} (assumed: there is neither AEROS nor --axes)", axes.name()),
     });
-    let frame = flow.unwrap_or(0);
-    let turned = world.turned(frame, axes.to_body(), length);
-    if turned.is_none() {
-        let allowed = "a CORD1R, CORD2R or CORD2C of the deck is needed";
-        mistakes.of_whole(format!("AEROS or AERO, ACSID: found {frame}; {allowed}"));
+    let turned = world.turned(flow.map_or(0, |(frame, _)| *frame), axes.to_body(), length);
+    if let (None, Some((frame, origin))) = (&turned, flow) {
+        mistakes.missing(origin, "ACSID", *frame, Needed::Frame);
     }
     turned
 }

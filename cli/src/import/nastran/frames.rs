@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Matrix3, Vector3};
 
 use super::cards::{Cards, FrameBy, FrameCard, FrameShape};
-use super::mistakes::{Mistakes, Origin};
+use super::mistakes::{Mistakes, Needed, Origin};
 
 /// Of grids from the zero of the deck, in its lengths.
 const FARTHEST: f64 = 1e9;
@@ -102,12 +102,7 @@ impl World {
         }
         for grid in cards.grids.values() {
             if !cards.frames.contains_key(&grid.displacement_frame) && grid.displacement_frame != 0 {
-                mistakes.of_origin(
-                    &grid.origin,
-                    "CD",
-                    format!("found {}", grid.displacement_frame),
-                    NO_FRAME,
-                );
+                mistakes.missing(&grid.origin, "CD", grid.displacement_frame, Needed::Frame);
             }
         }
         world
@@ -134,11 +129,14 @@ impl World {
                 None => self.compute(top, cards),
                 Some(need) if failed.contains(need) => Err(None),
                 Some(need) if !is_there(*need, cards) => {
-                    Err(Some((format!("found {}", number(*need)), no(*need))))
+                    Err(Some((format!("found {}", number(*need)), needed(*need).text())))
                 }
                 Some(need) if under_way.contains(need) => {
                     let found = format!("found {}, which rests on this one", number(*need));
-                    Err(Some((found, "a coordinate system is allowed that leads to the basic one")))
+                    Err(Some((
+                        found,
+                        "a coordinate system is allowed that leads to the basic one".to_owned(),
+                    )))
                 }
                 Some(need) => {
                     waiting.push(*need);
@@ -162,7 +160,7 @@ impl World {
     }
 
     /// Of what all it rests on is known.
-    fn compute(&mut self, node: Node, cards: &Cards) -> Result<(), Option<(String, &'static str)>> {
+    fn compute(&mut self, node: Node, cards: &Cards) -> Result<(), Option<(String, String)>> {
         match node {
             Node::Grid(id) => {
                 let grid = cards.grids.get(&id).ok_or(None)?;
@@ -171,7 +169,7 @@ impl World {
                 let is_near = at.norm() <= FARTHEST;
                 if !is_near {
                     let found = format!("found a place {:e} from the zero of the deck", at.norm());
-                    return Err(Some((found, "up to 1e9 is allowed, in the deck's lengths")));
+                    return Err(Some((found, "up to 1e9 is allowed, in the deck's lengths".to_owned())));
                 }
                 self.grids.insert(id, GridPlace { at, displacement_frame: grid.displacement_frame });
             }
@@ -180,7 +178,8 @@ impl World {
                 let points = self.points(card).ok_or(None)?;
                 let line = "found three points on one line";
                 let allowed = "an origin, a point on the z axis and one beside it are allowed";
-                let frame = Frame::through(points, card.shape).ok_or(Some((line.to_owned(), allowed)))?;
+                let frame = Frame::through(points, card.shape)
+                    .ok_or_else(|| Some((line.to_owned(), allowed.to_owned())))?;
                 self.frames.insert(id, frame);
             }
         }
@@ -246,12 +245,10 @@ impl World {
     }
 }
 
-const NO_FRAME: &str = "a coordinate system is needed that a CORD1R, CORD2R or CORD2C of the deck has";
-
-fn no(node: Node) -> &'static str {
+fn needed(node: Node) -> Needed {
     match node {
-        Node::Frame(_) => NO_FRAME,
-        Node::Grid(_) => "a GRID of the deck is needed",
+        Node::Frame(_) => Needed::Frame,
+        Node::Grid(_) => Needed::Grid,
     }
 }
 

@@ -1,10 +1,8 @@
 //! Names for people: what a component is by where it lies and which way it runs.
 
-use std::collections::BTreeMap;
-
 use nalgebra::Vector3;
 
-use super::names;
+use super::names::Names;
 use super::structure::{Component, NodeRef, Structure};
 
 /// Places that are nearer to the plane of symmetry than this share of the aircraft are in it.
@@ -12,9 +10,6 @@ pub const IN_PLANE: f64 = 1e-6;
 
 /// Surfaces that are apart along x by more than this share of the aircraft are not one wing.
 const APART: f64 = 0.1;
-
-/// How many components have a name on a side.
-type Counts = BTreeMap<(&'static str, &'static str), usize>;
 
 /// Which way a component runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,51 +47,55 @@ fn way(component: &Component) -> Way {
 /// The name of each component.
 pub fn names(structure: &Structure) -> Vec<String> {
     let size = size(structure);
-    let aside = structure
-        .components
-        .iter()
-        .filter(|component| way(component) == Way::Aside && !is_link(component) && !component.is_strut);
+    let aside = structure.components.iter().filter(|component| is_surface(component));
+    let aside = aside.filter(|component| inner(structure, component).is_none());
     let wing = aside.max_by(|one, other| reach(one).y.abs().total_cmp(&reach(other).y.abs()));
-    let mut taken = Vec::new();
-    let mut counts = Counts::new();
+    let mut names = Names::default();
     let mut bases: Vec<&'static str> = Vec::new();
+    let mut given = Vec::new();
     for component in &structure.components {
-        let base = base(component, wing, size);
-        let goes_on = of_parent(structure, component).map(|parent| bases[parent]);
-        // What goes on from a wing is the same wing.
-        let base = goes_on
-            .filter(|&parent| {
-                ["wing", "tail", "canard"].contains(&parent) && ["wing", "tail", "canard"].contains(&base)
-            })
-            .unwrap_or(base);
+        let inner = inner(structure, component).map(|inner| bases[inner]);
+        let base = inner.and_then(outer).unwrap_or_else(|| base(component, wing, size));
         bases.push(base);
         let y = middle(component).y;
-        let name = if y.abs() <= IN_PLANE * size || base == "root" {
-            base.to_owned()
+        given.push(if y.abs() <= IN_PLANE * size || base == "root" {
+            names.free(base, "beam")
         } else {
-            let side = if y > 0.0 { "right" } else { "left" };
-            numbered(base, side, &mut counts)
-        };
-        taken.push(names::free(&name, "beam", &taken));
+            names.on_side(base, if y > 0.0 { "right" } else { "left" })
+        });
     }
-    taken
+    given
+}
+
+fn is_surface(component: &Component) -> bool {
+    way(component) == Way::Aside && !is_link(component) && !component.is_strut
+}
+
+/// The component at whose tip another one goes on, beyond rigid links, if both run aside to the same side.
+fn inner(structure: &Structure, component: &Component) -> Option<usize> {
+    let place = of_parent(structure, component).filter(|_| is_surface(component))?;
+    let inner = &structure.components[place];
+    (is_surface(inner) && reach(inner).y * reach(component).y > 0.0).then_some(place)
 }
 
 /// The component that one hangs on at its last node, beyond rigid links.
 fn of_parent(structure: &Structure, component: &Component) -> Option<usize> {
     let NodeRef::Node { component: place, node } = component.parent else { return None };
     let parent = &structure.components[place];
-    match () {
-        () if is_link(parent) => of_parent(structure, parent),
-        () => (node + 1 == parent.points.len()).then_some(place),
+    if is_link(parent) {
+        return of_parent(structure, parent);
     }
+    (node + 1 == parent.points.len()).then_some(place)
 }
 
-/// `wing_right`, `wing_2_right`.
-fn numbered(base: &'static str, side: &'static str, counts: &mut Counts) -> String {
-    let number = counts.entry((base, side)).or_insert(0);
-    *number += 1;
-    if *number == 1 { format!("{base}_{side}") } else { format!("{base}_{number}_{side}") }
+/// What goes on at the tip of one.
+fn outer(base: &'static str) -> Option<&'static str> {
+    Some(match base {
+        "wing" | "wing_outer" => "wing_outer",
+        "tail" | "tail_outer" => "tail_outer",
+        "canard" | "canard_outer" => "canard_outer",
+        _ => return None,
+    })
 }
 
 fn is_link(component: &Component) -> bool {

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::cards::{Cards, LumpCard, LumpContent};
 use super::frames::World;
 use super::inertia;
-use super::mistakes::{Mistakes, Origin, Remarks};
+use super::mistakes::{Mistakes, Needed, Origin, Remarks};
 use super::units::Units;
 
 /// A matrix of mass whose parts differ by more than this share of it belongs to no body.
@@ -38,20 +38,14 @@ pub fn lumps(
     for card in &cards.lumps {
         let Some(grid) = world.grid(card.grid) else {
             if !cards.grids.contains_key(&card.grid) {
-                mistakes.of_origin(
-                    &card.origin,
-                    "G",
-                    format!("found {}", card.grid),
-                    "a GRID of the deck is needed",
-                );
+                mistakes.missing(&card.origin, "G", card.grid, Needed::Grid);
             }
             continue;
         };
         let is_basic = card.frame == -1 && matches!(card.content, LumpContent::Body { .. });
         let axes = if is_basic { Some(world.basic_axes()) } else { world.axes_at(card.frame, card.grid) };
         let Some(axes) = axes else {
-            let allowed = "a CORD1R, CORD2R or CORD2C of the deck is needed";
-            mistakes.of_origin(&card.origin, "CID", format!("found {}", card.frame), allowed);
+            mistakes.missing(&card.origin, "CID", card.frame, Needed::Frame);
             continue;
         };
         let lump = match &card.content {

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::cards::{Cards, Element, ElementKind, Material, Offset, Orientation, Pin, Property};
 use super::frames::World;
-use super::mistakes::{Mistakes, Origin, Remarks};
+use super::mistakes::{Mistakes, Needed, Origin, Remarks};
 use super::sections::Section;
 use super::stiffness::Stiffness;
 use super::units::Units;
@@ -148,12 +148,7 @@ impl Making<'_> {
     fn grid(&mut self, element: &Element, grid: i64) -> Option<Vector3<f64>> {
         let place = self.world.grid(grid);
         if place.is_none() && !self.cards.grids.contains_key(&grid) {
-            self.mistakes.of_origin(
-                &element.origin,
-                "GA, GB",
-                format!("found {grid}"),
-                "a GRID of the deck is needed",
-            );
+            self.mistakes.missing(&element.origin, "GA, GB", grid, Needed::Grid);
         }
         place
     }
@@ -175,8 +170,7 @@ impl Making<'_> {
             return None;
         };
         let Some(material) = self.cards.materials.get(&property.material) else {
-            let found = format!("found {}", property.material);
-            self.mistakes.of_origin(&property.origin, "MID", found, "a MAT1 of the deck is needed");
+            self.mistakes.missing(&property.origin, "MID", property.material, Needed::Card("a MAT1"));
             return None;
         };
         Some((property.clone(), *material))

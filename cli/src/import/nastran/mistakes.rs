@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use super::deck::{Card, Deck, Place, field_number};
+use super::deck::{Card, Deck, Place, cut_short, field_number};
 use crate::marked::{Mistake, Rejected, RejectedFiles};
 
 /// A deck that is told about at most so many times: one slip in a table may be found on each of its lines.
@@ -16,6 +16,25 @@ enum Whereabouts {
     Bytes(usize, Range<usize>),
     /// All of a line.
     Line(Place),
+}
+
+/// What cards name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Needed {
+    Grid,
+    Frame,
+    /// By the names of its cards.
+    Card(&'static str),
+}
+
+impl Needed {
+    pub fn text(self) -> String {
+        match self {
+            Needed::Grid => "a GRID of the deck is needed".to_owned(),
+            Needed::Frame => "a CORD1R, CORD2R or CORD2C of the deck is needed".to_owned(),
+            Needed::Card(name) => format!("{name} of the deck is needed"),
+        }
+    }
 }
 
 /// A mistake: where, what field, what was found, what is allowed.
@@ -56,7 +75,8 @@ impl Mistakes {
         (found, allowed): (String, String),
     ) {
         let (_, span) = card.field_place(index);
-        let field = format!("{} {id}, field {} ({name})", card.name, field_number(index)).replace(" ,", ",");
+        let card_name = cut_short(&card.name);
+        let field = format!("{card_name} {id}, field {} ({name})", field_number(index)).replace(" ,", ",");
         self.add(card.place.file, span, field, found, allowed);
     }
 
@@ -70,6 +90,19 @@ impl Mistakes {
     ) {
         let field = format!("{origin} ({name})");
         self.tell((Whereabouts::Line(origin.place), field, found.into(), allowed.into()));
+    }
+
+    /// Of a card that names what the deck has not.
+    pub fn missing(&mut self, origin: &Origin, name: &str, id: i64, needed: Needed) {
+        self.of_origin(origin, name, format!("found {id}"), needed.text());
+    }
+
+    /// Goes on where there is no mistake, with none.
+    ///
+    /// # Errors
+    /// When there is any.
+    pub fn checked(&mut self, deck: &Deck) -> Result<(), RejectedFiles> {
+        std::mem::take(self).conclude(deck)
     }
 
     pub fn is_empty(&self) -> bool {
@@ -101,7 +134,7 @@ impl Mistakes {
         }
         let mut files: Vec<Rejected> = files.into_iter().map(|(_, rejected)| rejected).collect();
         files.iter_mut().for_each(|rejected| rejected.mistakes.sort_by_key(|mistake| mistake.span.start));
-        Err(RejectedFiles { files, whole: self.whole, more: self.more })
+        Err(RejectedFiles { files, whole: self.whole, more: self.more, beside: Vec::new() })
     }
 }
 

@@ -14,7 +14,7 @@
 //! | `pairs`, `joints`, `layout`, `names` | components, joints | mirror images, names |
 //! | `write` | all of it | the text of an aircraft file |
 //! | `choices` | what the deck leaves open | whether it flies, how fast, where it is held |
-//! | `conversion` | a deck | all of these, one after the other |
+//! | `request`, `conversion` | a deck, options | all of these, one after the other |
 //! | `report` | what was found | lines for people |
 //!
 //! `mistakes` has what is wrong with a deck (nothing is written) and what is not held of it (the file is, with a report).
@@ -35,6 +35,7 @@ mod mistakes;
 mod names;
 mod pairs;
 mod report;
+mod request;
 mod sections;
 mod stiffness;
 mod structure;
@@ -44,7 +45,7 @@ mod write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use flexible_aircraft::aircraft::{ALTITUDES, AircraftFileError};
+use flexible_aircraft::aircraft::{AIRSPEEDS, ALTITUDES, AircraftFileError, TUNNEL_SPEEDS};
 use flexible_aircraft_packaging::FileError;
 
 use crate::files::{Drafts, Overwriting, STANDARD, refuse_overwriting};
@@ -54,19 +55,20 @@ use crate::terminal;
 use aero::SurfaceLine;
 use axes::DeckAxes;
 use choices::Support;
+use conversion::import;
 pub use conversion::{Imported, of_text};
-use conversion::{Request, import};
 use deck::OnDisk;
+use request::Request;
 use units::UnitSystem;
 
 /// Options of `flexair import nastran`.
 #[derive(Args)]
 #[command(
-    after_help = "Read are GRID, CORD1R, CORD2R, CORD2C, CBAR, CBEAM, CROD, their properties (shapes ROD, TUBE, BAR, BOX, I, T, CHAN), MAT1, CONM1, CONM2, \
+    after_help = "Read are GRID, CORD1R, CORD2R, CORD2C, CBAR, CBEAM, CROD, BAROR, BEAMOR, their properties (shapes ROD, TUBE, BAR, BOX, I, T, CHAN), MAT1, CONM1, CONM2, \
 RBE2, RBAR, RBE3, SPC1, SPC, CBUSH at a root, CAERO1, AEFACT, AERO, AEROS, SPLINE1, SPLINE2, SET1, AESURF, AELIST, INCLUDE and PARAM,WTMASS, in free, small \
 and large fields. What a deck says beyond that, or what beams here cannot hold, is reported by card, file, line and field. docs/nastran.md has all of it.
 
-Ends with 0 where all of the aircraft is in the file, with 2 where there are reports, with 1 where nothing is written.
+Ends with 0 where all of the aircraft is in the file, with 2 where there are reports, with 1 where nothing is written, also of a wrong option.
 
 Examples: a deck in metres; one in inches with masses in pounds; a wing without panels
   flexair import nastran transport.bdf
@@ -199,12 +201,16 @@ pub fn run(options: &NastranOptions) -> Result<Outcome, Error> {
 }
 
 fn check_numbers(options: &NastranOptions) -> Result<(), Error> {
-    let airspeeds = if options.support == Some(Support::Clamped) { 0.0..=400.0 } else { 1.0..=400.0 };
+    let airspeeds = if options.support == Some(Support::Clamped) { TUNNEL_SPEEDS } else { AIRSPEEDS };
     if let Some(found) = options.airspeed.filter(|airspeed| !airspeeds.contains(airspeed)) {
         return Err(Error::NotAllowed {
             option: "--airspeed",
             found,
-            allowed: "1 to 400 m/s, of what is clamped from 0 on".to_owned(),
+            allowed: format!(
+                "{} to {} m/s, of what is clamped from 0 on",
+                AIRSPEEDS.start(),
+                AIRSPEEDS.end()
+            ),
         });
     }
     if !ALTITUDES.contains(&options.altitude) {

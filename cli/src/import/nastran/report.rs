@@ -51,7 +51,7 @@ fn not_of_the_aircraft(imported: &Imported) -> String {
     let mut kinds: Vec<String> = Vec::new();
     if !imported.deck.control_lines.is_empty() {
         kinds.push(format!(
-            "executive and case control, but for SPC ({})",
+            "executive and case control, but for SPC and PARAM ({})",
             lines(imported, &imported.deck.control_lines)
         ));
     }

@@ -1,19 +1,22 @@
 //! Decks from text to aircraft: formats, closed forms, what is reported.
 
+mod bounds;
 mod cards;
+mod flaps;
 mod frequencies;
 mod loops;
 mod mutated;
 mod panels;
+mod read;
 mod sections;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use flexible_aircraft::Aircraft;
 use flexible_aircraft::structure::{ModalBasis, ModeCount, ModeKind, Structure};
 
-use super::conversion::{Imported, Request, import, of_text};
-use super::deck::Source;
+use super::conversion::{Imported, import, of_text};
+use super::request::{OneText, Request};
 use super::units::UnitSystem;
 
 /// A deck as cards: a name and its fields.
@@ -82,30 +85,6 @@ fn wrapped(text: &str) -> String {
         format!("{name},{}\n", lines.collect::<Vec<_>>().join("\n+,"))
     };
     text.lines().map(|one| if one.contains(',') { line(one) } else { format!("{one}\n") }).collect()
-}
-
-/// A deck that is one text, with options.
-struct OneText<'t>(&'t str);
-
-impl Source for OneText<'_> {
-    fn read(&self, path: &Path) -> Result<(PathBuf, String), String> {
-        Ok((path.to_owned(), self.0.to_owned()))
-    }
-}
-
-fn with_options<'a>(source: &'a OneText<'a>) -> Request<'a> {
-    Request {
-        deck: Path::new("deck.bdf"),
-        source,
-        units: UnitSystem::M,
-        axes: None,
-        root: None,
-        support: None,
-        airspeed: None,
-        altitude: 0.0,
-        surfaces: &[],
-        engines: &[],
-    }
 }
 
 #[track_caller]

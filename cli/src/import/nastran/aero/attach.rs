@@ -3,57 +3,88 @@
 //! Along the span of a panel its fraction runs from 0 to 1; so it does along the elements that carry it. What of the panel lies beyond the last
 //! of them widens the strip there, if it is less than half of the element.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Vector3;
 
-use super::super::mistakes::Remarks;
+use super::super::mistakes::{Mistakes, Origin, Remarks};
 use super::super::structure::{Component, NodeRef, Structure};
 use super::controls::{Control, ControlPart};
-use super::panel::{CarriedBy, Panel};
-use super::strip::{Run, SAME, Surface, of_stretch};
+use super::panel::{CarriedBy, Panel, SAME};
+use super::strip::{Run, Surface, of_stretch};
 
 /// Elements whose direction has at least this cosine with the span of a panel can carry it.
 const SPANWISE: f64 = 0.3;
 
-/// Panels that share a stretch of a beam have spans with a smaller cosine than this: 45°, and a little.
-const BESIDE: f64 = 0.70;
+/// More stretches with strips are no stick model.
+const MOST_STRETCHES: usize = 20_000;
+
+/// Stretches that lie over one another by less than this fraction of their component only meet: decks have few digits.
+const SLACK: f64 = 1e-3;
 
 /// All surfaces, panel by panel.
 pub fn surfaces(
     structure: &Structure,
     panels: &[Panel],
     controls: &[Control],
-    remarks: &mut Remarks,
+    (mistakes, remarks): (&mut Mistakes, &mut Remarks),
 ) -> Vec<Surface> {
-    let mut surfaces: Vec<Surface> = Vec::new();
-    let mut spans: Vec<Vector3<f64>> = Vec::new();
-    for (place, panel) in panels.iter().enumerate().filter(|(_, panel)| panel.behind.is_none()) {
-        let parts: Vec<(usize, &ControlPart)> = controls
-            .iter()
-            .enumerate()
-            .flat_map(|(control, found)| found.parts.iter().map(move |part| (control, part)))
-            .filter(|(_, part)| part.panel == place)
-            .collect();
-        let span = panel.span().normalize();
-        let first = surfaces.len();
-        for surface in of_panel(structure, panel, &parts, remarks) {
-            let shares = |(other, axis): &(&Surface, &Vector3<f64>)| {
-                let both = surface.to.min(other.to) - surface.from.max(other.from);
-                other.component == surface.component && both > SAME && axis.dot(&span).abs() > BESIDE
-            };
-            let other =
-                surfaces[..first].iter().zip(&spans).find(shares).map(|(other, _)| other.origin.clone());
-            if let Some(other) = other {
-                let said =
-                    format!("{other} has strips on the same stretch of its beam: its own are left out");
-                remarks.card(&surface.origin, said);
-            } else {
-                surfaces.push(surface);
-                spans.push(span);
-            }
+    let mut parts: Vec<Vec<(usize, &ControlPart)>> = vec![Vec::new(); panels.len()];
+    for (control, found) in controls.iter().enumerate() {
+        found.parts.iter().for_each(|part| parts[part.panel].push((control, part)));
+    }
+    let mut surfaces = Vec::new();
+    for (panel, parts) in panels.iter().zip(&parts) {
+        surfaces.extend(of_panel(structure, panel, parts, remarks));
+        if surfaces.len() > MOST_STRETCHES {
+            let found = format!("found {} stretches of beams with strips up to here", surfaces.len());
+            mistakes.of_origin(&panel.origin, "EID", found, format!("up to {MOST_STRETCHES} are allowed"));
+            return Vec::new();
         }
     }
-    surfaces.sort_by(|one, other| one.component.cmp(&other.component).then(one.from.total_cmp(&other.from)));
-    surfaces
+    apart(surfaces, remarks)
+}
+
+/// Where panels lie over one another, the larger stretch stays, and of the other one it is said what is left out.
+fn apart(mut surfaces: Vec<Surface>, remarks: &mut Remarks) -> Vec<Surface> {
+    surfaces.sort_by(|one, other| {
+        one.component
+            .cmp(&other.component)
+            .then(other.area.total_cmp(&one.area))
+            .then(one.from.total_cmp(&other.from))
+    });
+    let mut kept: Vec<Surface> = Vec::new();
+    // Of the component at hand, by where they begin: each with its end and its panel.
+    let mut taken: BTreeMap<u64, (f64, Origin)> = BTreeMap::new();
+    for mut surface in surfaces {
+        if kept.last().is_some_and(|last| last.component != surface.component) {
+            taken.clear();
+        }
+        // Fractions are not below 0, so that their bits have their order.
+        let before =
+            taken.range(..=surface.from.to_bits()).next_back().map(|(_, (to, origin))| (*to, origin.clone()));
+        let after = taken.range(surface.from.to_bits() + 1..).next();
+        let after = after.map(|(from, (_, origin))| (f64::from_bits(*from), origin.clone()));
+        let reach = SLACK.min(0.5 * (surface.to - surface.from));
+        let over = match (&before, &after) {
+            (Some((to, origin)), _) if to - surface.from > reach => Some(origin),
+            (_, Some((from, origin))) if surface.to - from > reach => Some(origin),
+            _ => None,
+        };
+        if let Some(origin) = over {
+            let said = format!(
+                "its {:.4} m² from {:.4} to {:.4} of a beam lie where {origin} has strips already: they are left out",
+                surface.area, surface.from, surface.to
+            );
+            remarks.card(&surface.origin, said);
+            continue;
+        }
+        surface.shrink(before.map_or(0.0, |(to, _)| to), after.map_or(1.0, |(from, _)| from));
+        taken.insert(surface.from.to_bits(), (surface.to, surface.origin.clone()));
+        kept.push(surface);
+    }
+    kept.sort_by(|one, other| one.component.cmp(&other.component).then(one.from.total_cmp(&other.from)));
+    kept
 }
 
 fn of_panel(
@@ -66,7 +97,7 @@ fn of_panel(
         .into_iter()
         .flat_map(|component| runs(&structure.components[component], component, panel))
         .collect();
-    // The longest first: what others cover too is theirs alone.
+    // The longest first: what it covers is its own, and of others only what lies beside that is carried by them.
     let covered = |run: &Run| run.to().min(1.0) - run.from().max(0.0);
     runs.sort_by(|one, other| covered(other).total_cmp(&covered(one)));
     let mut taken: Vec<[f64; 2]> = Vec::new();
@@ -128,16 +159,15 @@ fn candidates(structure: &Structure, panel: &Panel) -> Vec<usize> {
     };
     let mut found: Vec<usize> = match &panel.carried_by {
         CarriedBy::Grids(grids) => {
-            let nodes = grids.iter().flat_map(|&grid| structure.nodes_of(grid));
             // A beam that begins at a node of another one has it too.
-            let nodes: Vec<NodeRef> = nodes.collect();
+            let nodes = structure.nodes_of(grids);
             let begins = |component: &Component| nodes.contains(&component.parent);
             let beginning =
                 (0..structure.components.len()).filter(|&place| begins(&structure.components[place]));
             nodes.iter().copied().filter_map(component).chain(beginning).collect()
         }
         CarriedBy::Between(grids) => {
-            let nodes = grids.iter().flat_map(|&grid| structure.nodes_of(grid)).filter_map(component);
+            let nodes = structure.nodes_of(grids).into_iter().filter_map(component);
             nodes.flat_map(|component| structure.with_parents(component)).collect()
         }
         CarriedBy::Nearest => nearest(structure, panel),
@@ -150,7 +180,8 @@ fn candidates(structure: &Structure, panel: &Panel) -> Vec<usize> {
 /// The components beside the middles of the panel's boxes.
 fn nearest(structure: &Structure, panel: &Panel) -> Vec<usize> {
     let span = panel.span().normalize();
-    let middles = panel.spanwise.windows(2).map(|edges| 0.5 * (edges[0] + edges[1]));
+    let strips = panel.strips();
+    let middles = strips.windows(2).map(|edges| 0.5 * (edges[0] + edges[1]));
     middles
         .filter_map(|fraction| {
             let place = panel.leading_edge(fraction) - Vector3::x() * (0.4 * panel.chord(fraction));

@@ -1,34 +1,42 @@
 //! AESURF with its boxes and hinge as flaps on panels: from where to where along the span, hinged where, turned which way.
 
+use std::collections::BTreeSet;
+
 use nalgebra::Vector3;
 
-use super::super::cards::{Cards, SurfaceCard};
+use super::super::cards::{Cards, Ids, SurfaceCard, boxes};
 use super::super::frames::World;
-use super::super::mistakes::{Mistakes, Origin, Remarks};
+use super::super::mistakes::{Mistakes, Needed, Origin, Remarks};
+use super::super::names::Names;
 use super::super::structure::Structure;
-use super::panel::Panel;
+use super::panel::{Panel, SAME};
 
 /// Hinges nearer to an edge of the chord than this leave no flap, or no section before it.
 const HINGES: std::ops::RangeInclusive<f64> = 0.02..=0.98;
 
+/// Boxes nearer to the rear edge than this share of the chord reach it.
+const REAR: f64 = 2e-3;
+
 /// A hinge whose fraction of the chord changes by more than this along the flap is told of.
 const TAPER: f64 = 0.05;
 
-/// An angle that a pilot sets.
+/// A control surface, or several that turn together: an input of the aircraft.
 #[derive(Clone, Debug)]
 pub struct Control {
     pub origin: Origin,
     pub name: String,
     /// As the deck calls it.
     pub label: String,
-    /// rad.
-    pub limits: [Option<f64>; 2],
+    /// Least and greatest angle, rad.
+    pub limits: Option<[f64; 2]>,
     pub parts: Vec<ControlPart>,
 }
 
 /// A flap on a panel.
 #[derive(Clone, Debug)]
 pub struct ControlPart {
+    /// The card of its control.
+    pub origin: Origin,
     pub panel: usize,
     /// As fractions of the panel's span.
     pub from: f64,
@@ -48,18 +56,21 @@ pub fn controls(
     panels: &[Panel],
     (mistakes, remarks): (&mut Mistakes, &mut Remarks),
 ) -> Vec<Control> {
+    boxes_of_no_panel(cards, remarks);
     let mut making = Making { cards, world, structure, panels, mistakes, remarks };
     let mut controls: Vec<Control> = cards.aero.surfaces.iter().map(|card| making.control(card)).collect();
     for (panel, found) in panels.iter().enumerate() {
         let Some((name, hinge)) = &found.flap else { continue };
-        let part = ControlPart { panel, from: 0.0, to: 1.0, hinge: *hinge, gain: 1.0, effectiveness: 1.0 };
+        let origin = found.origin.clone();
+        let part =
+            ControlPart { origin, panel, from: 0.0, to: 1.0, hinge: *hinge, gain: 1.0, effectiveness: 1.0 };
         match controls.iter_mut().find(|control| control.label == *name) {
             Some(control) => control.parts.push(part),
             None => controls.push(Control {
                 origin: found.origin.clone(),
                 name: String::new(),
                 label: name.clone(),
-                limits: [None; 2],
+                limits: None,
                 parts: vec![part],
             }),
         }
@@ -71,11 +82,33 @@ pub fn controls(
 
 /// Names that an aircraft file takes, each once.
 fn name(controls: &mut [Control]) {
-    let mut taken: Vec<String> = Vec::new();
+    let mut names = Names::default();
     for control in controls {
-        let name = super::super::names::free(&control.label, "control", &taken);
-        taken.push(name.clone());
-        control.name = name;
+        control.name = names.free(&control.label, "control");
+    }
+}
+
+/// Says of lists of control surfaces which of their boxes are none.
+fn boxes_of_no_panel(cards: &Cards, remarks: &mut Remarks) {
+    let mut ranges: Vec<std::ops::Range<i64>> =
+        cards.aero.panels.iter().map(|panel| boxes(cards, panel)).collect();
+    ranges.sort_by_key(|range| range.start);
+    let is_box = |id: &i64| {
+        let after = ranges.partition_point(|range| range.start <= *id);
+        after.checked_sub(1).is_some_and(|place| ranges[place].contains(id))
+    };
+    let used: BTreeSet<i64> =
+        cards.aero.surfaces.iter().flat_map(|card| &card.parts).map(|(_, list)| *list).collect();
+    for list in used.iter().filter_map(|list| cards.aero.boxes.get(list)) {
+        let mut none = list.ids.singles().filter(|id| !is_box(id));
+        if let Some(first) = none.next() {
+            let more = match none.count() {
+                0 => String::new(),
+                more => format!(" and {more} more"),
+            };
+            let said = format!("found {first}{more}, of which no CAERO1 has a box: nothing is moved there");
+            remarks.card(&list.origin, said);
+        }
     }
 }
 
@@ -114,92 +147,75 @@ impl Making<'_> {
 
     fn parts(&mut self, card: &SurfaceCard, frame: i64, list: i64) -> Vec<ControlPart> {
         let Some(boxes) = self.cards.aero.boxes.get(&list) else {
-            let allowed = "an AELIST of the deck is needed";
-            self.mistakes.of_origin(&card.origin, "ALID", format!("found {list}"), allowed);
+            self.mistakes.missing(&card.origin, "ALID", list, Needed::Card("an AELIST"));
             return Vec::new();
         };
         let hinge = self.world.point(frame, [0.0; 3]).map(|at| at - self.structure.origin);
         let beside = self.world.point(frame, [0.0, 1.0, 0.0]).map(|at| at - self.structure.origin);
         let (Some(at), Some(beside)) = (hinge, beside) else {
-            let allowed = "a CORD1R or CORD2R of the deck is needed";
-            self.mistakes.of_origin(&card.origin, "CID", format!("found {frame}"), allowed);
+            self.mistakes.missing(&card.origin, "CID", frame, Needed::Frame);
             return Vec::new();
         };
         let axis = (beside - at).normalize();
         let mut parts = Vec::new();
-        // Boxes that some panel has.
-        let mut named = 0;
-        for (place, panel) in
-            self.panels.iter().enumerate().filter(|(_, panel)| panel.origin.card == "CAERO1")
-        {
-            let last_row = panel.chordwise.len() - 2;
-            let mut rows: Vec<Option<[usize; 2]>> = vec![None; panel.spanwise.len() - 1];
-            for (from, to) in boxes.within(panel.boxes()) {
-                let [Some((first, row)), Some((last, until))] = [from, to].map(|id| panel.box_at(id)) else {
-                    continue;
-                };
-                named += (to - from + 1) as usize;
-                // Boxes are counted along the chord, so that all strips but the first begin with their first row.
-                for (strip, known) in rows.iter_mut().enumerate().take(last + 1).skip(first) {
-                    let own =
-                        [if strip == first { row } else { 0 }, if strip == last { until } else { last_row }];
-                    *known = Some(known.map_or(own, |[low, high]| [own[0].min(low), own[1].max(high)]));
-                }
+        for (place, panel) in self.panels.iter().enumerate() {
+            for (ends, edge) in self.flaps(card, panel, &boxes.ids) {
+                parts.extend(self.part(card, (place, panel), (ends, edge), (&at, &axis)));
             }
-            let has_rear =
-                self.panels.iter().any(|rear| rear.behind.is_some_and(|(front, _)| front == place));
-            let told: Vec<&[usize; 2]> = rows.iter().flatten().collect();
-            if told.iter().any(|[_, high]| *high < last_row) || (has_rear && !told.is_empty()) {
-                let said = format!(
-                    "{}: its boxes on {} do not reach the trailing edge: a flap from its hinge to there is held",
-                    card.label, panel.origin
-                );
-                self.remarks.card(&card.origin, said);
-            } else if told.windows(2).any(|pair| pair[0][0] != pair[1][0]) {
-                let said = format!(
-                    "{}: its boxes on {} begin in several rows: the flap has one hinge",
-                    card.label, panel.origin
-                );
-                self.remarks.card(&card.origin, said);
-            }
-            let mut strip = 0;
-            while strip < rows.len() {
-                let run = rows[strip..].iter().take_while(|row| row.is_some()).count();
-                if run > 0 {
-                    let row =
-                        rows[strip..strip + run].iter().flatten().map(|[low, _]| *low).min().unwrap_or(0);
-                    let ends = [panel.spanwise[strip], panel.spanwise[strip + run]];
-                    parts.extend(self.part(card, (place, panel), (ends, row), (&at, &axis)));
-                }
-                strip += run.max(1);
-            }
-        }
-        if named < boxes.size() {
-            let said = format!(
-                "{}: {} of its {} boxes in AELIST {list} are on no panel",
-                card.label,
-                boxes.size() - named,
-                boxes.size()
-            );
-            self.remarks.card(&card.origin, said);
         }
         parts
+    }
+
+    /// Where along the span of a panel boxes of a list reach the rear edge, and at which fraction of the chord the first of them begin;
+    /// others are told of.
+    fn flaps(&mut self, card: &SurfaceCard, panel: &Panel, boxes: &Ids) -> Vec<([f64; 2], f64)> {
+        if panel.patches.iter().all(|patch| boxes.within(patch.boxes()).next().is_none()) {
+            return Vec::new();
+        }
+        let mut found: Vec<([f64; 2], f64)> = Vec::new();
+        for ends in panel.strips().windows(2) {
+            let parts = panel.covered(0.5 * (ends[0] + ends[1]), boxes);
+            let edge = match parts.as_slice() {
+                [] => continue,
+                &[[edge, rear]] if rear > 1.0 - REAR => edge,
+                [[front, rear], ..] => {
+                    let said = format!(
+                        "{}: its boxes on {}, from {front:.3} to {rear:.3} of the chord, do not reach the rear edge in one: only flaps \
+                         there are held, these boxes are left out",
+                        card.label, panel.origin
+                    );
+                    if !self.remarks.has_told(&card.origin) {
+                        self.remarks.card(&card.origin, said);
+                    }
+                    continue;
+                }
+            };
+            match found.last_mut().filter(|(before, _)| (before[1] - ends[0]).abs() <= SAME) {
+                Some((before, first)) => {
+                    before[1] = ends[1];
+                    if (edge - *first).abs() > TAPER && !self.remarks.has_told(&card.origin) {
+                        let said = format!(
+                            "{}: its boxes on {} begin at {first:.3} and at {edge:.3} of the chord: one flap is held, with its hinge",
+                            card.label, panel.origin
+                        );
+                        self.remarks.card(&card.origin, said);
+                    }
+                    *first = first.min(edge);
+                }
+                None => found.push(([ends[0], ends[1]], edge)),
+            }
+        }
+        found
     }
 
     fn part(
         &mut self,
         card: &SurfaceCard,
         (place, panel): (usize, &Panel),
-        ([from, to], row): ([f64; 2], usize),
+        ([from, to], edge): ([f64; 2], f64),
         (at, axis): (&Vector3<f64>, &Vector3<f64>),
     ) -> Option<ControlPart> {
         let span = panel.span().normalize();
-        // Of a panel behind another one the flap is in the chord of both.
-        let edge = panel.chordwise[row];
-        let (place, whole, edge) = match panel.behind {
-            Some((front, share)) => (front, &self.panels[front], share + (1.0 - share) * edge),
-            None => (place, panel, edge),
-        };
         let across = axis.dot(&span);
         if across.abs() < 0.2 {
             let said = format!(
@@ -210,9 +226,9 @@ impl Making<'_> {
             return None;
         }
         let hinge_at = |fraction: f64| {
-            let out = (whole.leading_edge(fraction) - at).dot(&span);
+            let out = (panel.leading_edge(fraction) - at).dot(&span);
             let place = at + axis * (out / across);
-            whole.chord_fraction(&place, fraction)
+            panel.chord_fraction(&place, fraction)
         };
         let middle = hinge_at(0.5 * (from + to));
         let [one, other] = [hinge_at(from), hinge_at(to)];
@@ -237,10 +253,12 @@ impl Making<'_> {
         let effectiveness = card.effectiveness * across * across;
         let is_right = is_rightwards(&span) == (across > 0.0);
         Some(ControlPart {
+            origin: card.origin.clone(),
             panel: place,
             from,
             to,
-            hinge,
+            // Decks have up to nine digits.
+            hinge: (hinge * 1e9).round() / 1e9,
             gain: if is_right { 1.0 } else { -1.0 },
             effectiveness,
         })

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::super::mistakes::Origin;
+use super::super::names::Names;
 use super::controls::Control;
 use super::strip::Surface;
 
@@ -34,13 +34,19 @@ pub fn join_for_pitch(
     let [one, other] = most.map(|control| &controls[control]);
     let label = format!("{} and {}", one.label, other.label);
     let parts = one.parts.iter().chain(&other.parts).cloned().collect();
-    let taken: Vec<String> = controls.iter().map(|control| control.name.clone()).collect();
-    let name = super::super::names::free("both_elevators", "control", &taken);
-    let origin = Origin { ..one.origin.clone() };
+    let name = free(controls);
+    let origin = one.origin.clone();
     let said = format!(
         "{label} are images of each other: {name} moves both alike, so that a trim has a control for pitch"
     );
     let limits = one.limits;
     controls.push(Control { origin, name, label, limits, parts });
     Some(said)
+}
+
+/// A name that none has.
+fn free(controls: &[Control]) -> String {
+    let mut names = Names::default();
+    controls.iter().for_each(|control| drop(names.free(&control.name, "control")));
+    names.free("both_elevators", "control")
 }

@@ -1,10 +1,12 @@
 //! Panels, splines and control surfaces as strips on components.
 
 mod attach;
+mod chordwise;
 mod controls;
 mod joined;
 mod line;
 mod panel;
+mod panels;
 mod roles;
 mod strip;
 
@@ -12,6 +14,6 @@ pub use attach::surfaces;
 pub use controls::{Control, controls};
 pub use joined::join_for_pitch;
 pub use line::SurfaceLine;
-pub use panel::panels;
-pub use roles::{Role, moments, roles};
+pub use panels::panels;
+pub use roles::{Role, middle, moments, roles};
 pub use strip::{Flap, Surface};

@@ -53,7 +53,7 @@ pub fn moments(structure: &Structure, surfaces: &[Surface], controls: usize) -> 
 }
 
 /// The middle of a surface's stretch, and the stretch across x.
-fn middle(structure: &Structure, surface: &Surface) -> (Vector3<f64>, Vector3<f64>) {
+pub fn middle(structure: &Structure, surface: &Surface) -> (Vector3<f64>, Vector3<f64>) {
     let component = &structure.components[surface.component];
     let distances = component.distances();
     let length = distances[distances.len() - 1];

@@ -5,19 +5,16 @@ use nalgebra::Vector3;
 use super::super::mistakes::{Origin, Remarks};
 use super::super::structure::Component;
 use super::controls::{ControlPart, is_rightwards};
-use super::panel::Panel;
-
-/// Fractions of a panel's span that are nearer are one.
-pub const SAME: f64 = 1e-6;
+use super::panel::{Panel, SAME};
 
 /// A span axis is written where the beam's own direction across x is off by more than this, rad.
 const OFF: f64 = 1e-4;
 
+/// Flaps whose hinges, as fractions of the chord, and lifts differ by less are one.
+const SAME_FLAP: f64 = 2e-3;
+
 /// A panel that lies higher or lower than its beam by more than this share of the chord is told of.
 const HIGH: f64 = 0.1;
-
-/// Hinges that are nearer than this share of the chord are one.
-const SAME_HINGE: f64 = 1e-3;
 
 /// What the format takes of the beam's place along the chord.
 const ELASTIC_AXES: std::ops::RangeInclusive<f64> = -1.0..=2.0;
@@ -49,6 +46,16 @@ pub struct Surface {
     /// Of each element of the component, m.
     pub widths: Option<Vec<f64>>,
     pub flap: Option<Flap>,
+    /// Of the panel, m².
+    pub area: f64,
+}
+
+impl Surface {
+    /// Keeps it between two fractions of its component, which cut off next to nothing.
+    pub fn shrink(&mut self, from: f64, to: f64) {
+        (self.from, self.to) = (self.from.max(from), self.to.min(to));
+        self.at.iter_mut().for_each(|at| *at = at.clamp(self.from, self.to));
+    }
 }
 
 /// Part of a component that runs along a panel: its nodes, and the fractions of the panel there.
@@ -137,14 +144,6 @@ pub fn of_stretch(
         );
         remarks.card(&panel.origin, said);
     }
-    let flap = flap([from, to], parts);
-    if let Some(other) = flap.as_ref().and_then(|flap| other_hinge([from, to], parts, flap.hinge)) {
-        let said = format!(
-            "from {from:.4} to {to:.4} of its span flaps are hinged at {:.3} and {other:.3} of the chord: all turn about the first",
-            flap.as_ref().map_or(0.0, |flap| flap.hinge)
-        );
-        remarks.card(&panel.origin, said);
-    }
     let at: Vec<f64> = ends.iter().map(|fraction| place(*fraction).0).collect();
     Some(Surface {
         origin: panel.origin.clone(),
@@ -157,7 +156,8 @@ pub fn of_stretch(
         elastic_axes: middles.iter().map(|(_, axis)| *axis).collect(),
         span_axis: span_axis(component, run, panel),
         widths: widths(component, (run, panel), ([from, to], widened)),
-        flap,
+        flap: flap([from, to], parts, remarks),
+        area: panel.area(from, to),
     })
 }
 
@@ -212,20 +212,27 @@ fn widths(
     Some(widths)
 }
 
-/// A hinge of a stretch that is another one, as that of a tab.
-fn other_hinge([from, to]: [f64; 2], parts: &[(usize, &ControlPart)], hinge: f64) -> Option<f64> {
-    let middle = 0.5 * (from + to);
-    let mut hinges =
-        parts.iter().filter(|(_, part)| part.from < middle && middle < part.to).map(|(_, part)| part.hinge);
-    hinges.find(|other| (other - hinge).abs() > SAME_HINGE)
-}
-
-/// The flap of a stretch that no end of a control cuts.
-fn flap([from, to]: [f64; 2], parts: &[(usize, &ControlPart)]) -> Option<Flap> {
+/// The flap of a stretch that no end of a control cuts: the largest, and what else moves it. Tabs on it are told of.
+fn flap([from, to]: [f64; 2], parts: &[(usize, &ControlPart)], remarks: &mut Remarks) -> Option<Flap> {
     let middle = 0.5 * (from + to);
     let here: Vec<&(usize, &ControlPart)> =
         parts.iter().filter(|(_, part)| part.from < middle && middle < part.to).collect();
-    let (_, first) = here.first()?;
-    let moves = here.iter().map(|(control, part)| (*control, part.gain)).collect();
-    Some(Flap { hinge: first.hinge, effectiveness: first.effectiveness, moves })
+    // The first of equals.
+    let (_, largest) = here.iter().min_by(|(_, one), (_, other)| one.hinge.total_cmp(&other.hinge))?;
+    let is_same = |part: &ControlPart| {
+        (part.hinge - largest.hinge).abs() <= SAME_FLAP
+            && (part.effectiveness - largest.effectiveness).abs() <= SAME_FLAP * largest.effectiveness
+    };
+    for (_, other) in here.iter().filter(|(_, part)| !is_same(part)) {
+        if !remarks.has_told(&other.origin) {
+            let said = format!(
+                "from {from:.4} to {to:.4} of a panel's span its flap has its hinge at {:.3} of the chord and {:.3} of a flap's lift, \
+                 that of {} at {:.3} and {:.3}: one flap is held of a strip, so that this one moves nothing there",
+                other.hinge, other.effectiveness, largest.origin, largest.hinge, largest.effectiveness
+            );
+            remarks.card(&other.origin, said);
+        }
+    }
+    let moves = here.iter().filter(|(_, part)| is_same(part)).map(|(control, part)| (*control, part.gain));
+    Some(Flap { hinge: largest.hinge, effectiveness: largest.effectiveness, moves: moves.collect() })
 }

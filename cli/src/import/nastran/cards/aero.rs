@@ -11,8 +11,8 @@ const MOST_BOXES: i64 = 300;
 /// What AEROS says, and AERO of the airspeed.
 #[derive(Clone, Debug, Default)]
 pub struct Reference {
-    /// The frame whose x points along the flow; none where neither card is there.
-    pub frame: Option<i64>,
+    /// The frame whose x points along the flow, with its card; none where neither card is there.
+    pub frame: Option<(i64, Origin)>,
     pub chord: Option<f64>,
     pub span: Option<f64>,
     pub area: Option<f64>,
@@ -46,9 +46,16 @@ pub enum Division {
 pub struct Spline {
     pub origin: Origin,
     pub panel: i64,
-    /// The first and the last of its boxes, corners of a rectangle; none where the card leaves it out.
-    pub boxes: Option<[i64; 2]>,
+    /// The first and the last box that it moves, where the card says so.
+    pub boxes: [Option<i64>; 2],
     pub set: i64,
+}
+
+/// Numbers with the card that lists them.
+#[derive(Clone, Debug)]
+pub struct List {
+    pub origin: Origin,
+    pub ids: Ids,
 }
 
 /// A control surface.
@@ -59,8 +66,8 @@ pub struct SurfaceCard {
     /// Hinge frame and list of boxes.
     pub parts: Vec<(i64, i64)>,
     pub effectiveness: f64,
-    /// rad.
-    pub limits: [Option<f64>; 2],
+    /// Least and greatest angle, rad.
+    pub limits: Option<[f64; 2]>,
 }
 
 /// All of the air.
@@ -70,39 +77,43 @@ pub struct AeroCards {
     pub panels: Vec<PanelCard>,
     pub fractions: std::collections::BTreeMap<i64, Vec<f64>>,
     pub splines: Vec<Spline>,
-    pub sets: std::collections::BTreeMap<i64, Ids>,
+    pub sets: std::collections::BTreeMap<i64, List>,
     pub surfaces: Vec<SurfaceCard>,
-    pub boxes: std::collections::BTreeMap<i64, Ids>,
+    pub boxes: std::collections::BTreeMap<i64, List>,
 }
 
-pub fn aero(card: &Reader, reference: &mut Reference) -> Option<()> {
-    let frame = card.integer_or(0, "ACSID", 0)?;
-    reference.frame.get_or_insert(frame);
+pub fn aero(card: &Reader, reference: &mut Reference, remarks: &mut Remarks) -> Option<()> {
+    let origin = Origin { id: card.integer_or(0, "ACSID", 0)?, ..card.origin("AERO", 0) };
+    reference.frame.get_or_insert((origin.id, origin));
     reference.airspeed = card.optional(1, "VELOCITY")?.filter(|airspeed| *airspeed > 0.0);
-    half(card, [(4, "SYMXZ"), (5, "SYMXY")], "AERO", reference)
+    symmetries(card, 4, (reference, remarks))
 }
 
-pub fn aeros(card: &Reader, reference: &mut Reference) -> Option<()> {
-    reference.frame = Some(card.integer_or(0, "ACSID", 0)?);
+/// SYMXZ, and SYMXY behind it.
+fn symmetries(
+    card: &Reader,
+    first: usize,
+    (reference, remarks): (&mut Reference, &mut Remarks),
+) -> Option<()> {
+    let name = if first == 4 { "AERO" } else { "AEROS" };
+    if card.integer_or(first, "SYMXZ", 0)? != 0 {
+        reference.half.get_or_insert(card.origin(name, 0));
+    }
+    let ground = card.integer_or(first + 1, "SYMXY", 0)?;
+    if ground != 0 {
+        let said = format!("found {ground}: an image of the flow in the ground is not held");
+        remarks.field((card.card, 0), (first + 1, "SYMXY"), said);
+    }
+    Some(())
+}
+
+pub fn aeros(card: &Reader, reference: &mut Reference, remarks: &mut Remarks) -> Option<()> {
+    let origin = Origin { id: card.integer_or(0, "ACSID", 0)?, ..card.origin("AEROS", 0) };
+    reference.frame = Some((origin.id, origin));
     reference.chord = Some(card.positive(2, "REFC")?);
     reference.span = Some(card.positive(3, "REFB")?);
     reference.area = Some(card.positive(4, "REFS")?);
-    half(card, [(5, "SYMXZ"), (6, "SYMXY")], "AEROS", reference)
-}
-
-/// Whether a plane of symmetry stands for what is not modelled.
-fn half(
-    card: &Reader,
-    fields: [(usize, &str); 2],
-    name: &'static str,
-    reference: &mut Reference,
-) -> Option<()> {
-    for (index, field) in fields {
-        if card.integer_or(index, field, 0)? != 0 {
-            reference.half = Some(card.origin(name, 0));
-        }
-    }
-    Some(())
+    symmetries(card, 5, (reference, remarks))
 }
 
 pub fn panel(card: &Reader) -> Option<PanelCard> {
@@ -179,16 +190,17 @@ pub fn fractions(card: &Reader) -> Option<(i64, Vec<f64>)> {
 pub fn spline(card: &Reader, name: &'static str) -> Option<Spline> {
     let id = card.id()?;
     let [panel, set] = [card.integer(1, "CAERO"), card.integer(4, "SETG")];
-    let boxes = if card.is_blank(2) || card.is_blank(3) {
-        None
-    } else {
-        Some([card.integer(2, "BOX1")?, card.integer(3, "BOX2")?])
+    let optional = |index: usize, name: &str| match card.is_blank(index) {
+        true => Some(None),
+        false => card.integer(index, name).map(Some),
     };
+    let boxes = [optional(2, "BOX1")?, optional(3, "BOX2")?];
     Some(Spline { origin: card.origin(name, id), panel: panel?, boxes, set: set? })
 }
 
-pub fn set(card: &Reader, name: &str) -> Option<(i64, Ids)> {
-    Some((card.id()?, card.ids(1, name)?))
+pub fn list(card: &Reader, (name, field): (&'static str, &str)) -> Option<(i64, List)> {
+    let id = card.id()?;
+    Some((id, List { origin: card.origin(name, id), ids: card.ids(1, field)? }))
 }
 
 pub fn surface(card: &Reader, remarks: &mut Remarks) -> Option<SurfaceCard> {
@@ -205,6 +217,10 @@ pub fn surface(card: &Reader, remarks: &mut Remarks) -> Option<SurfaceCard> {
     if effectiveness <= 0.0 {
         return card.wrong(6, "EFF", format!("found {effectiveness}"), "a number above 0 is allowed");
     }
+    if card.text(7).eq_ignore_ascii_case("NOLDW") {
+        let said = "found NOLDW: its lift is that of a flap of a thin aerofoil all the same";
+        remarks.field((card.card, id), (7, "LDW"), said);
+    }
     let limits = limits(card, id, remarks)?;
     for (index, name) in [(12, "HMLLIM"), (13, "HMULIM"), (14, "TQLLIM"), (15, "TQULIM")] {
         if !card.is_blank(index) {
@@ -214,18 +230,30 @@ pub fn surface(card: &Reader, remarks: &mut Remarks) -> Option<SurfaceCard> {
     Some(SurfaceCard { origin: card.origin("AESURF", id), label, parts, effectiveness, limits })
 }
 
-/// The least and the greatest angle, rad; where one of them stands the other is a right angle, as in Nastran, and none is beyond that.
-fn limits(card: &Reader, id: i64, remarks: &mut Remarks) -> Option<[Option<f64>; 2]> {
+/// Least and greatest angle: one that is not given is a right angle, as in Nastran, and more than that no flap turns here.
+fn limits(card: &Reader, id: i64, remarks: &mut Remarks) -> Option<Option<[f64; 2]>> {
     let given = [card.optional(10, "PLLIM")?, card.optional(11, "PULIM")?];
-    if given == [None; 2] {
-        return Some(given);
+    if given == [None, None] {
+        return Some(None);
     }
-    let low = given[0].map_or(-FRAC_PI_2, |low| low.max(-FRAC_PI_2));
-    let high = given[1].map_or(FRAC_PI_2, |high| high.min(FRAC_PI_2));
-    if low < high && (low..=high).contains(&0.0) {
-        return Some([Some(low), Some(high)]);
+    let [low, high] = [given[0].unwrap_or(-FRAC_PI_2), given[1].unwrap_or(FRAC_PI_2)];
+    let held = [low.max(-FRAC_PI_2), high.min(FRAC_PI_2)];
+    if low >= high {
+        let allowed = "a least angle below the greatest is allowed, rad";
+        return card.wrong(10, "PLLIM", format!("found {low} to {high} rad"), allowed);
     }
-    let said = format!("found limits from {low} to {high} rad, between which 0 is not: they are not held");
-    remarks.field((card.card, id), (10, "PLLIM"), said);
-    Some([None; 2])
+    if held[0] > 0.0 || held[1] < 0.0 {
+        let said =
+            format!("found limits from {low} to {high} rad, between which 0 is not: they are not held");
+        remarks.field((card.card, id), (10, "PLLIM"), said);
+        return Some(None);
+    }
+    if held != [low, high] {
+        remarks.note(format!(
+            "AESURF {id}: its limits, {low} to {high} rad, are held as {:.3} to {:.3} deg: flaps turn up to 90 deg here",
+            held[0].to_degrees(),
+            held[1].to_degrees()
+        ));
+    }
+    Some(Some(held))
 }

@@ -50,21 +50,48 @@ pub struct Offset {
     pub is_of_element: bool,
 }
 
+/// What BAROR or BEAMOR says of fields that CBAR or CBEAM leaves blank.
+#[derive(Clone, Debug)]
+pub struct BeamDefaults {
+    property: Option<i64>,
+    frames: [char; 3],
+    orientation: Option<Orientation>,
+}
+
+impl Default for BeamDefaults {
+    fn default() -> Self {
+        BeamDefaults { property: None, frames: ['G'; 3], orientation: None }
+    }
+}
+
+pub fn defaults(card: &Reader) -> Option<BeamDefaults> {
+    let property = if card.is_blank(1) { None } else { Some(card.integer(1, "PID")?) };
+    let frames = frames(card, ['G'; 3])?;
+    let has_orientation = (4..7).any(|index| !card.is_blank(index));
+    let orientation = if has_orientation { Some(orientation(card, frames[0] == 'B')?) } else { None };
+    Some(BeamDefaults { property, frames, orientation })
+}
+
 pub fn bar_or_beam(
     card: &Reader,
     (name, kind): (&'static str, ElementKind),
+    defaults: &BeamDefaults,
     remarks: &mut Remarks,
 ) -> Option<Element> {
     let id = card.id()?;
-    let [property, one, other] =
-        [card.integer_or(1, "PID", id), card.integer(2, "GA"), card.integer(3, "GB")];
-    let frames = frames(card)?;
+    let [property, one, other] = [
+        card.integer_or(1, "PID", defaults.property.unwrap_or(id)),
+        card.integer(2, "GA"),
+        card.integer(3, "GB"),
+    ];
+    let frames = frames(card, defaults.frames)?;
     let offsets = [card.vector(10, ["W1A", "W2A", "W3A"])?, card.vector(13, ["W1B", "W2B", "W3B"])?];
     let grids = [one?, other?];
     if grids[0] == grids[1] {
         return card.wrong(3, "GB", format!("found {} at both ends", grids[0]), "two grids are allowed");
     }
-    let orientation = orientation(card, frames[0] == 'B')?;
+    let usual = defaults.orientation.clone().filter(|_| (4..7).all(|index| card.is_blank(index)));
+    let orientation = usual.or_else(|| orientation(card, frames[0] == 'B'))?;
     let pins = [pin(card, id, (8, "PA"))?, pin(card, id, (9, "PB"))?];
     if kind == ElementKind::Beam {
         for (index, name) in
@@ -96,11 +123,11 @@ fn pin(card: &Reader, id: i64, (index, name): (usize, &str)) -> Option<Option<Pi
 }
 
 /// The letters of OFFT: of the orientation, of the offsets.
-fn frames(card: &Reader) -> Option<[char; 3]> {
+fn frames(card: &Reader, usual: [char; 3]) -> Option<[char; 3]> {
     let text = card.text(7).to_uppercase();
     // BIT of a CBEAM is a number and has to do with p-elements.
     if text.is_empty() || text.contains('.') {
-        return Some(['G'; 3]);
+        return Some(usual);
     }
     let letters: Vec<char> = text.chars().collect();
     match letters.as_slice() {

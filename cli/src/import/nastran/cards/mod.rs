@@ -2,6 +2,7 @@
 
 mod aero;
 mod beams;
+mod bounds;
 mod geometry;
 mod links;
 mod masses;
@@ -12,8 +13,9 @@ mod reader;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
-pub use aero::{AeroCards, Division, PanelCard, SurfaceCard};
+pub use aero::{AeroCards, Division, List, PanelCard, Spline, SurfaceCard};
 pub use beams::{Element, ElementKind, Offset, Orientation, Pin};
+pub use bounds::boxes;
 pub use geometry::{FrameBy, FrameCard, FrameShape, Grid};
 pub use links::{Bush, BushProperty, Constraint, Rigid, Spread};
 pub use masses::{LumpCard, LumpContent};
@@ -22,7 +24,7 @@ pub use reader::Ids;
 use reader::Reader;
 
 use super::deck::{self, Deck, Place};
-use super::mistakes::{Mistakes, Remarks};
+use super::mistakes::{Mistakes, Needed, Origin, Remarks};
 
 /// All that the deck says of the aircraft.
 #[derive(Debug, Default)]
@@ -37,7 +39,7 @@ pub struct Cards {
     pub spreads: Vec<Spread>,
     pub constraints: Vec<Constraint>,
     /// Sets that are unions of others.
-    pub constraint_unions: BTreeMap<i64, Ids>,
+    pub constraint_unions: BTreeMap<i64, List>,
     /// The grid that a free aircraft is supported at while it is analysed.
     pub reference_grid: Option<i64>,
     pub bushes: Vec<Bush>,
@@ -53,52 +55,77 @@ pub struct Cards {
 struct Reading<'a> {
     cards: Cards,
     remarks: &'a mut Remarks,
-    /// Numbers of elements, masses, panels, splines and control surfaces, of which each has one.
+    defaults: Defaults,
+    /// Numbers of cards that are in no map, each with its kind.
     numbers: BTreeSet<(&'static str, i64)>,
+}
+
+/// What cards say of fields that others leave blank.
+#[derive(Default)]
+struct Defaults {
+    grid: geometry::GridDefaults,
+    bar: beams::BeamDefaults,
+    beam: beams::BeamDefaults,
+}
+
+impl Defaults {
+    fn read(deck: &Deck, shared: &RefCell<Mistakes>) -> Self {
+        let mut defaults = Defaults::default();
+        for card in &deck.cards {
+            let reader = Reader::new(deck, card, shared);
+            match card.name.as_str() {
+                "GRDSET" => defaults.grid = geometry::defaults(&reader).unwrap_or_default(),
+                "BAROR" => defaults.bar = beams::defaults(&reader).unwrap_or_default(),
+                "BEAMOR" => defaults.beam = beams::defaults(&reader).unwrap_or_default(),
+                _ => {}
+            }
+        }
+        defaults
+    }
 }
 
 impl Cards {
     /// Reads all cards of a deck.
     pub fn read(deck: &Deck, mistakes: &mut Mistakes, remarks: &mut Remarks) -> Cards {
         let shared = RefCell::new(std::mem::take(mistakes));
-        let mut reading = Reading { cards: Cards::default(), remarks, numbers: BTreeSet::new() };
-        let defaults = deck.cards.iter().find(|card| card.name == "GRDSET");
-        let defaults = defaults.and_then(|card| geometry::defaults(&Reader::new(deck, card, &shared)));
-        let defaults = defaults.unwrap_or_default();
+        let defaults = Defaults::read(deck, &shared);
+        let mut reading = Reading { cards: Cards::default(), remarks, defaults, numbers: BTreeSet::new() };
         for card in &deck.cards {
             let reader = Reader::new(deck, card, &shared);
             // What is wrong with a card has been said where it was found.
             let _ = reading
-                .structure(&reader, &defaults)
+                .structure(&reader)
                 .or_else(|| reading.air(&reader))
                 .or_else(|| reading.other(&reader));
         }
         let cards = reading.cards;
         *mistakes = shared.into_inner();
+        bounds::check(&cards, mistakes);
         cards
     }
-}
 
-impl Cards {
-    /// How many grids are named by all lists together, by those of splines for each of them.
-    pub fn listed(&self) -> usize {
-        let grids: Vec<i64> = self.grids.keys().copied().collect();
-        let of_sets = self.aero.splines.iter().filter_map(|spline| self.aero.sets.get(&spline.set));
-        let of_links = self.rigids.iter().map(|rigid| &rigid.others);
-        let of_constraints = self.constraints.iter().map(|constraint| &constraint.grids);
-        of_links.chain(of_constraints).chain(of_sets).map(|ids| ids.count(&grids)).sum()
+    /// The grids of a list that are there.
+    pub fn grids_in<'c>(&'c self, ids: &'c Ids) -> impl Iterator<Item = i64> + 'c {
+        ids.runs().flat_map(|(from, to)| self.grids.range(from..=to).map(|(id, _)| *id))
+    }
+
+    /// Says of grids that a list names by themselves that they are not there: a list of THRU may have gaps.
+    pub fn missing_grids(&self, (origin, name): (&Origin, &str), ids: &Ids, mistakes: &mut Mistakes) {
+        for grid in ids.singles().filter(|grid| !self.grids.contains_key(grid)) {
+            mistakes.missing(origin, name, grid, Needed::Grid);
+        }
     }
 }
 
 impl Reading<'_> {
     /// Takes a card of the structure, if it is one.
-    fn structure(&mut self, card: &Reader, defaults: &geometry::GridDefaults) -> Option<()> {
+    fn structure(&mut self, card: &Reader) -> Option<()> {
         self.number(card);
         let (cards, remarks) = (&mut self.cards, &mut *self.remarks);
         match card.card.name.as_str() {
-            "GRDSET" => {}
+            "GRDSET" | "BAROR" | "BEAMOR" => {}
             "GRID" => {
-                let grid = geometry::grid(card, defaults);
+                let grid = geometry::grid(card, &self.defaults.grid);
                 self.keep(card, grid.map(|grid| (grid.origin.id, grid)), |cards| &mut cards.grids);
             }
             "CORD1R" => {
@@ -114,8 +141,14 @@ impl Reading<'_> {
                 let frame = geometry::by_points(card, ("CORD2C", FrameShape::Cylindrical));
                 self.keep(card, frame, |cards| &mut cards.frames);
             }
-            "CBAR" => cards.elements.extend(beams::bar_or_beam(card, ("CBAR", ElementKind::Bar), remarks)),
-            "CBEAM" => cards.elements.extend(beams::bar_or_beam(card, ("CBEAM", ElementKind::Beam), remarks)),
+            "CBAR" => {
+                let kind = ("CBAR", ElementKind::Bar);
+                cards.elements.extend(beams::bar_or_beam(card, kind, &self.defaults.bar, remarks));
+            }
+            "CBEAM" => {
+                let kind = ("CBEAM", ElementKind::Beam);
+                cards.elements.extend(beams::bar_or_beam(card, kind, &self.defaults.beam, remarks));
+            }
             "CROD" => cards.elements.extend(beams::rod(card)),
             "CONM1" => cards.lumps.extend(masses::conm1(card)),
             "CONM2" => cards.lumps.extend(masses::conm2(card)),
@@ -125,10 +158,11 @@ impl Reading<'_> {
             "SPC1" => cards.constraints.extend(links::spc1(card)),
             "SPC" => drop(links::spc(card, &mut cards.constraints)),
             "SPCADD" => {
-                let union = aero::set(card, "S");
+                let union = aero::list(card, ("SPCADD", "S"));
                 self.keep(card, union, |cards| &mut cards.constraint_unions);
             }
-            "SUPORT" => supported(card, &mut cards.reference_grid, remarks),
+            "SUPORT" => self.supported(card, 0),
+            "SUPORT1" => self.supported(card, 1),
             "CBUSH" => cards.bushes.extend(links::cbush(card)),
             "PBUSH" => {
                 let property = links::pbush(card);
@@ -141,7 +175,7 @@ impl Reading<'_> {
             name => {
                 let property = match name {
                     "PBAR" => properties::pbar(card, remarks),
-                    "PBARL" => properties::pbarl(card),
+                    "PBARL" => properties::pbarl(card, remarks),
                     "PBEAM" => properties::pbeam(card, remarks),
                     "PBEAML" => properties::pbeaml(card, remarks),
                     "PROD" => properties::prod(card),
@@ -159,8 +193,8 @@ impl Reading<'_> {
     fn air(&mut self, card: &Reader) -> Option<()> {
         let (aero, remarks) = (&mut self.cards.aero, &mut *self.remarks);
         match card.card.name.as_str() {
-            "AERO" => drop(aero::aero(card, &mut aero.reference)),
-            "AEROS" => drop(aero::aeros(card, &mut aero.reference)),
+            "AERO" => drop(aero::aero(card, &mut aero.reference, remarks)),
+            "AEROS" => drop(aero::aeros(card, &mut aero.reference, remarks)),
             "CAERO1" => aero.panels.extend(aero::panel(card)),
             "PAERO1" => aero::bodies(card, remarks),
             "AEFACT" => {
@@ -170,12 +204,12 @@ impl Reading<'_> {
             "SPLINE1" => aero.splines.extend(aero::spline(card, "SPLINE1")),
             "SPLINE2" => aero.splines.extend(aero::spline(card, "SPLINE2")),
             "SET1" => {
-                let set = aero::set(card, "G");
+                let set = aero::list(card, ("SET1", "G"));
                 self.keep(card, set, |cards| &mut cards.aero.sets);
             }
             "AESURF" => aero.surfaces.extend(aero::surface(card, remarks)),
             "AELIST" => {
-                let list = aero::set(card, "E");
+                let list = aero::list(card, ("AELIST", "E"));
                 self.keep(card, list, |cards| &mut cards.aero.boxes);
             }
             _ => return None,
@@ -193,7 +227,7 @@ impl Reading<'_> {
             self.cards.of_analyses.entry(name.to_owned()).or_default().push(card.card.place);
             return Some(());
         }
-        let what = format!("{} {}", card.card.name, card.text(0));
+        let what = format!("{} {}", deck::cut_short(&card.card.name), deck::cut_short(card.text(0)));
         let said = "this card is not read: what it says is not in the aircraft".to_owned();
         let (place, what) = (card.card.place, what.trim_end().to_owned());
         self.remarks.reports.push(super::mistakes::Remark { place, what, said });
@@ -203,12 +237,15 @@ impl Reading<'_> {
     fn parameter(&mut self, card: &Reader) -> Option<()> {
         let name = card.text(0).to_uppercase();
         if name == "WTMASS" {
-            self.cards.mass_factor = Some(card.positive(1, "V1")?);
+            let factor = card.positive(1, "V1")?;
+            if let Some(other) = self.cards.mass_factor.replace(factor).filter(|other| *other != factor) {
+                self.remarks.note(format!("PARAM WTMASS = {other}: it does not count, {factor} does, which stands in the case control or farther below"));
+            }
             return Some(());
         }
-        if matches!(name.as_str(), "G" | "W3" | "W4") {
+        if matches!(name.as_str(), "G" | "W3" | "W4") && card.real_or(1, "V1", 0.0)? != 0.0 {
             let said = "damping of the structure is not in the deck's beams here; the parameter structural_damping is one ratio for all modes";
-            self.remarks.note(format!("PARAM {name} = {}: {said}", card.text(1)));
+            self.remarks.note(format!("PARAM {name} = {}: {said}", deck::cut_short(card.text(1))));
             return Some(());
         }
         if name == "COUPMASS" {
@@ -232,43 +269,45 @@ impl Reading<'_> {
         }
     }
 
-    /// Elements have numbers of their own, and so have rigid ones, masses, panels, splines and control surfaces.
-    fn number(&mut self, card: &Reader) {
-        let kind = match card.card.name.as_str() {
-            "CBAR" | "CBEAM" | "CROD" | "CBUSH" => "element",
-            "RBE2" | "RBE3" | "RBAR" => "rigid element",
-            "CONM1" | "CONM2" => "mass",
-            "SPLINE1" | "SPLINE2" => "spline",
-            "CAERO1" => "panel",
-            "AESURF" => "control surface",
-            "AERO" => return self.only(card, "AERO"),
-            "AEROS" => return self.only(card, "AEROS"),
-            _ => return,
-        };
-        let id = deck::integer(card.text(0));
-        if let Some(id) = id.filter(|id| !self.numbers.insert((kind, *id))) {
-            self.second(card, id);
+    /// The first grid that a card names is supported; others are told of.
+    fn supported(&mut self, card: &Reader, index: usize) {
+        let Some(grid) = card.integer(index, "ID1") else { return };
+        match self.cards.reference_grid {
+            Some(first) if first != grid => {
+                self.remarks.note(format!(
+                    "{}: GRID {grid} is supported too; of all, GRID {first} is O",
+                    card.card.name
+                ));
+            }
+            _ => self.cards.reference_grid = Some(grid),
         }
     }
 
-    /// Of some cards a deck has one.
-    fn only(&mut self, card: &Reader, name: &'static str) {
-        if !self.numbers.insert((name, 0)) {
-            let _: Option<()> = card.wrong(0, "ACSID", format!("found a second {name}"), "one is allowed");
+    /// Elements have numbers of their own, and so have masses, links, panels, splines; of AERO and AEROS there is one.
+    fn number(&mut self, card: &Reader) {
+        let kind = match card.card.name.as_str() {
+            "CBAR" | "CBEAM" | "CROD" | "CBUSH" => "element",
+            "CONM1" | "CONM2" => "mass",
+            "RBE2" | "RBAR" | "RBE3" => "link",
+            "CAERO1" => "panel",
+            "SPLINE1" | "SPLINE2" => "spline",
+            "AESURF" => "surface",
+            "AERO" => "AERO",
+            "AEROS" => "AEROS",
+            _ => return,
+        };
+        if matches!(kind, "AERO" | "AEROS") {
+            if !self.numbers.insert((kind, 0)) {
+                let _: Option<()> =
+                    card.wrong(0, "ACSID", format!("found a second {kind}"), "one is allowed");
+            }
+        } else if let Some(id) = deck::integer(card.text(0)).filter(|id| !self.numbers.insert((kind, *id))) {
+            self.second(card, id);
         }
     }
 
     fn second(&mut self, card: &Reader, id: i64) {
         let _: Option<()> =
             card.wrong(0, "ID", format!("found {id} a second time"), "a number that no other has is allowed");
-    }
-}
-
-/// The first grid that a deck supports is O; others are told.
-fn supported(card: &Reader, reference: &mut Option<i64>, remarks: &mut Remarks) {
-    let Some(grid) = card.integer(0, "ID1") else { return };
-    let first = *reference.get_or_insert(grid);
-    if first != grid {
-        remarks.note(format!("SUPORT: GRID {grid} is supported too; of all, GRID {first} is O"));
     }
 }

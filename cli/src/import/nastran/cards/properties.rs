@@ -22,6 +22,21 @@ pub struct Property {
     pub other_mass_centre: [f64; 2],
 }
 
+impl Property {
+    /// All on the element's axis.
+    fn new(origin: Origin, material: i64, section: Section, other_mass: f64) -> Self {
+        Property {
+            origin,
+            material,
+            section,
+            other_mass,
+            other_inertia: 0.0,
+            neutral_axis: [0.0; 2],
+            other_mass_centre: [0.0; 2],
+        }
+    }
+}
+
 /// Isotropic and elastic.
 #[derive(Clone, Copy, Debug)]
 pub struct Material {
@@ -44,15 +59,7 @@ pub fn pbar(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
     positive_definite(card, 18, &section)?;
     let other_mass = card.not_negative(6, "NSM", 0.0)?;
     shear_areas(card, id, 16, remarks)?;
-    Some(Property {
-        origin: card.origin("PBAR", id),
-        material: material?,
-        section,
-        other_mass,
-        other_inertia: 0.0,
-        neutral_axis: [0.0; 2],
-        other_mass_centre: [0.0; 2],
-    })
+    Some(Property::new(card.origin("PBAR", id), material?, section, other_mass))
 }
 
 /// Some energy for every bending.
@@ -86,15 +93,7 @@ pub fn prod(card: &Reader) -> Option<Property> {
         ..Section::default()
     };
     let other_mass = card.not_negative(5, "NSM", 0.0)?;
-    Some(Property {
-        origin: card.origin("PROD", id),
-        material: material?,
-        section,
-        other_mass,
-        other_inertia: 0.0,
-        neutral_axis: [0.0; 2],
-        other_mass_centre: [0.0; 2],
-    })
+    Some(Property::new(card.origin("PROD", id), material?, section, other_mass))
 }
 
 fn shape(card: &Reader) -> Option<Shape> {
@@ -103,86 +102,81 @@ fn shape(card: &Reader) -> Option<Shape> {
         .or_else(|| card.wrong(3, "TYPE", format!("found {name}"), format!("{} is allowed", Shape::NAMES)))
 }
 
+/// What is said once of shapes.
+const NO_SHEAR: &str = "PBARL and PBEAML: Nastran finds factors of shear from their shapes; beams have no flexibility in shear here";
+
 /// The section whose dimensions begin at a field.
-fn shaped(
-    card: &Reader,
-    shape: Shape,
-    first: usize,
-    otherwise: Option<&[f64]>,
-) -> Option<(Section, Vec<f64>)> {
-    let mut dimensions = Vec::with_capacity(shape.dimensions());
-    for number in 0..shape.dimensions() {
-        let (index, name) = (first + number, format!("DIM{}", number + 1));
-        dimensions.push(match otherwise {
-            Some(otherwise) => card.real_or(index, &name, otherwise[number])?,
-            None => card.real(index, &name)?,
-        });
-    }
-    match shape.section(&dimensions) {
-        Ok(section) => Some((section, dimensions)),
-        Err(bad) => {
-            let (index, name) = (first + bad.index, format!("DIM{}", bad.index + 1));
-            card.wrong(index, &name, format!("found {}", dimensions[bad.index]), bad.allowed)
-        }
-    }
+fn shaped(card: &Reader, shape: Shape, first: usize) -> Option<Section> {
+    let dimension = |number: usize| card.real(first + number, &format!("DIM{}", number + 1));
+    let dimensions: Vec<f64> = (0..shape.dimensions()).map(dimension).collect::<Option<_>>()?;
+    of_dimensions(card, (shape, &dimensions), first)
 }
 
-pub fn pbarl(card: &Reader) -> Option<Property> {
+fn of_dimensions(card: &Reader, (shape, dimensions): (Shape, &[f64]), first: usize) -> Option<Section> {
+    shape.section(dimensions).map_or_else(
+        |bad| {
+            let (index, name) = (first + bad.index, format!("DIM{}", bad.index + 1));
+            card.wrong(index, &name, format!("found {}", dimensions[bad.index]), bad.allowed)
+        },
+        Some,
+    )
+}
+
+pub fn pbarl(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
     let id = card.id()?;
     let material = card.integer(1, "MID");
     let shape = shape(card)?;
-    let (section, _) = shaped(card, shape, 8, None)?;
+    let section = shaped(card, shape, 8)?;
+    remarks.note(NO_SHEAR);
     let other_mass = card.not_negative(8 + shape.dimensions(), "NSM", 0.0)?;
-    Some(Property {
-        origin: card.origin("PBARL", id),
-        material: material?,
-        section,
-        other_mass,
-        other_inertia: 0.0,
-        neutral_axis: [0.0; 2],
-        other_mass_centre: [0.0; 2],
-    })
+    Some(Property::new(card.origin("PBARL", id), material?, section, other_mass))
 }
 
-/// A station of a beam: where it is, from 0 to 1, its section and other mass per length.
-#[derive(Clone, Copy)]
-struct Station {
+/// A station of a beam.
+struct Station<Number> {
+    /// From 0 to 1.
     at: f64,
-    section: Section,
-    other_mass: f64,
+    /// The field of its first number.
+    first: usize,
+    numbers: Vec<Number>,
 }
 
-/// On the line from one station at 0 to another one at 1.
-fn between(from: &Station, to: &Station, at: f64) -> Station {
-    Station {
-        at,
-        section: Section::mean(&[(from.section, 1.0 - at), (to.section, at)]),
-        other_mass: from.other_mass + at * (to.other_mass - from.other_mass),
-    }
-}
-
-/// The mean along the beam of what is linear between stations.
-fn mean(card: &Reader, id: i64, mut stations: Vec<Station>, remarks: &mut Remarks) -> (Section, f64) {
+/// The numbers of all stations, from end A to end B: what is blank at B is that of A, between them it is on the line from A to B.
+fn filled(mut stations: Vec<Station<Option<f64>>>) -> Vec<Station<f64>> {
     stations.sort_by(|one, other| one.at.total_cmp(&other.at));
-    let [last, first] = [stations.len() - 1, 0];
-    if stations.len() == 1 {
-        return (stations[0].section, stations[0].other_mass);
+    let at_a: Vec<f64> = stations[0].numbers.iter().map(|number| number.unwrap_or(0.0)).collect();
+    if stations[stations.len() - 1].at < 1.0 {
+        stations.push(Station { at: 1.0, first: stations[0].first, numbers: vec![None; at_a.len()] });
     }
-    let weight = |place: usize| {
-        let before = if place > first { stations[place].at - stations[place - 1].at } else { stations[0].at };
-        let after =
-            if place < last { stations[place + 1].at - stations[place].at } else { 1.0 - stations[last].at };
-        let share = |gap: f64, is_end: bool| if is_end { gap } else { 0.5 * gap };
-        share(before, place == first) + share(after, place == last)
+    let of_b = &stations[stations.len() - 1].numbers;
+    let at_b: Vec<f64> = std::iter::zip(of_b, &at_a).map(|(given, at_a)| given.unwrap_or(*at_a)).collect();
+    let numbers = |Station { at, first, numbers }: &Station<Option<f64>>| {
+        let line = std::iter::zip(&at_a, &at_b).map(|(a, b)| a + at * (b - a));
+        let numbers = std::iter::zip(numbers, line).map(|(given, line)| given.unwrap_or(line)).collect();
+        Station { at: *at, first: *first, numbers }
     };
-    let weights: Vec<f64> = (0..stations.len()).map(weight).collect();
-    let sections: Vec<(Section, f64)> =
-        stations.iter().map(|station| station.section).zip(weights.iter().copied()).collect();
-    let mass = stations.iter().zip(&weights).map(|(station, weight)| weight * station.other_mass).sum();
-    if stations.iter().any(|station| station.section != stations[0].section) {
+    stations.iter().map(numbers).collect()
+}
+
+/// The mean along the beam of what is straight between stations: the sum of ½ (f of one + f of the next) times the way between them.
+fn mean(
+    (card, id): (&Reader, i64),
+    stations: &[(f64, Section, f64)],
+    remarks: &mut Remarks,
+) -> (Section, f64) {
+    let mut weights = vec![0.0; stations.len()];
+    for place in 1..stations.len() {
+        let half = 0.5 * (stations[place].0 - stations[place - 1].0);
+        weights[place - 1] += half;
+        weights[place] += half;
+    }
+    if stations.iter().any(|(_, section, _)| *section != stations[0].1) {
         let said = "the section changes along the element: its mean is held, elements are uniform here";
         remarks.field((card.card, id), (0, "PID"), said);
     }
+    let sections: Vec<(Section, f64)> =
+        std::iter::zip(stations, &weights).map(|((_, section, _), weight)| (*section, *weight)).collect();
+    let mass = std::iter::zip(stations, &weights).map(|((_, _, mass), weight)| weight * mass).sum();
     (Section::mean(&sections), mass)
 }
 
@@ -200,87 +194,78 @@ pub fn pbeaml(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
     let material = card.integer(1, "MID");
     let shape = shape(card)?;
     let count = shape.dimensions();
-    let (section, dimensions) = shaped(card, shape, 8, None)?;
-    let other_mass = card.not_negative(8 + count, "NSM", 0.0)?;
-    let mut stations = vec![Station { at: 0.0, section, other_mass }];
+    shaped(card, shape, 8)?;
+    let station = |at: f64, first: usize| {
+        let dimension = |number: usize| card.optional(first + number, &format!("DIM{}", number + 1));
+        let mut numbers = (0..count).map(dimension).collect::<Option<Vec<_>>>()?;
+        card.not_negative(first + count, "NSM", 0.0)?;
+        numbers.push(card.optional(first + count, "NSM")?);
+        Some(Station { at, first, numbers })
+    };
+    let mut stations = vec![station(0.0, 8)?];
     let mut first = 8 + count + 1;
     while first < card.card.len() {
-        let at = place(card, first + 1)?;
-        let (section, _) = shaped(card, shape, first + 2, Some(&dimensions))?;
-        let other_mass = card.not_negative(first + 2 + count, "NSM", other_mass)?;
-        stations.push(Station { at, section, other_mass });
+        stations.push(station(place(card, first + 1)?, first + 2)?);
         first += count + 3;
     }
     if !shape.is_doubly_symmetric() {
         let said = "its shear centre may be apart from its centroid: both are held on the grid line";
         remarks.field((card.card, id), (3, "TYPE"), said);
     }
-    let (section, other_mass) = mean(card, id, stations, remarks);
-    Some(Property {
-        origin: card.origin("PBEAML", id),
-        material: material?,
-        section,
-        other_mass,
-        other_inertia: 0.0,
-        neutral_axis: [0.0; 2],
-        other_mass_centre: [0.0; 2],
-    })
+    let mut sections = Vec::new();
+    for Station { at, first, numbers } in filled(stations) {
+        let section = of_dimensions(card, (shape, &numbers[..count]), first)?;
+        sections.push((at, section, numbers[count]));
+    }
+    remarks.note(NO_SHEAR);
+    let (section, other_mass) = mean((card, id), &sections, remarks);
+    Some(Property::new(card.origin("PBEAML", id), material?, section, other_mass))
 }
 
 pub fn pbeam(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
     let id = card.id()?;
     let material = card.integer(1, "MID");
-    let root = beam_station(card, 2, None)?;
-    let mut stations = vec![Station { at: 0.0, ..root }];
+    let mut stations = vec![beam_station(card, 2, 0.0)?];
     let is_station =
         |line: usize| matches!(card.text(8 * line).to_uppercase().as_str(), "YES" | "YESA" | "NO");
     // Stresses of end A stand on the second line, unless it is a station.
     let mut line = if is_station(1) { 1 } else { 2 };
-    let mut lines = Vec::new();
     while is_station(line) {
-        lines.push((place(card, 8 * line + 1)?, 8 * line + 2));
+        stations.push(beam_station(card, 8 * line + 2, place(card, 8 * line + 1)?)?);
         let has_stresses = card.text(8 * line).eq_ignore_ascii_case("YES");
         line += if has_stresses { 2 } else { 1 };
     }
-    // End B first: what is blank between the ends is on the line from A to B.
-    lines.sort_by(|(one, _), (other, _)| other.total_cmp(one));
-    for (at, field) in lines {
-        let otherwise = match stations.get(1).filter(|end| end.at == 1.0) {
-            Some(end) => between(&stations[0], end, at),
-            None => Station { at, ..stations[0] },
+    let rest = 8 * line;
+    let other_inertia = beam_rest(card, id, rest, remarks)?;
+    let other_mass_centre = apart(card, id, (rest + 8, ["M1", "M2"]), remarks)?;
+    let neutral_axis = apart(card, id, (rest + 12, ["N1", "N2"]), remarks)?;
+    let mut sections = Vec::new();
+    for Station { at, first, numbers } in filled(stations) {
+        let section = Section {
+            area: numbers[0],
+            i1: numbers[1],
+            i2: numbers[2],
+            i12: numbers[3],
+            torsion: numbers[4],
         };
-        let station = beam_station(card, field, Some(&otherwise))?;
-        stations.push(Station { at, ..station });
+        positive_definite(card, first + 3, &section)?;
+        sections.push((at, section, numbers[5]));
     }
-    let first = 8 * line;
-    let other_inertia = beam_rest(card, id, first, remarks)?;
-    let other_mass_centre = apart(card, id, (first + 8, ["M1", "M2"]), remarks)?;
-    let neutral_axis = apart(card, id, (first + 12, ["N1", "N2"]), remarks)?;
-    let (section, other_mass) = mean(card, id, stations, remarks);
-    Some(Property {
-        origin: card.origin("PBEAM", id),
-        material: material?,
-        section,
-        other_mass,
-        other_inertia,
-        neutral_axis,
-        other_mass_centre,
-    })
+    let (section, other_mass) = mean((card, id), &sections, remarks);
+    let on_axis = Property::new(card.origin("PBEAM", id), material?, section, other_mass);
+    Some(Property { other_inertia, neutral_axis, other_mass_centre, ..on_axis })
 }
 
-/// Six numbers from a field on; where nothing stands, those of another station.
-fn beam_station(card: &Reader, first: usize, otherwise: Option<&Station>) -> Option<Station> {
-    let root = otherwise.map_or(Section::default(), |station| station.section);
-    let mass = otherwise.map_or(0.0, |station| station.other_mass);
-    let section = Section {
-        area: card.not_negative(first, "A", root.area)?,
-        i1: card.not_negative(first + 1, "I1", root.i1)?,
-        i2: card.not_negative(first + 2, "I2", root.i2)?,
-        i12: card.real_or(first + 3, "I12", root.i12)?,
-        torsion: card.not_negative(first + 4, "J", root.torsion)?,
-    };
-    positive_definite(card, first + 3, &section)?;
-    Some(Station { at: 1.0, section, other_mass: card.not_negative(first + 5, "NSM", mass)? })
+/// Six numbers from a field on: area, I1, I2, I12, J, other mass.
+fn beam_station(card: &Reader, first: usize, at: f64) -> Option<Station<Option<f64>>> {
+    let mut numbers = Vec::with_capacity(6);
+    for (number, name) in ["A", "I1", "I2", "I12", "J", "NSM"].into_iter().enumerate() {
+        if name != "I12" {
+            card.not_negative(first + number, name, 0.0)?;
+        }
+        numbers.push(card.optional(first + number, name)?);
+    }
+    Some(Station { at, first, numbers })
 }
 
 /// A place from the shear centre at both ends; the mean of the two, of which end B has that of end A where nothing stands.

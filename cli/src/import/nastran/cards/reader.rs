@@ -1,72 +1,50 @@
 //! One card: its fields asked for by place and name, each with what it may hold.
 
 use std::cell::RefCell;
-use std::collections::BTreeSet;
 
 use super::super::deck::{self, Card, Deck};
 use super::super::mistakes::{Mistakes, Origin};
 
-/// Whole numbers, some of them from one to another, as lists with THRU have them; each once.
+/// Whole numbers from some to others, as lists with THRU have them; each once, however often it is listed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ids {
-    /// In their own order.
-    singles: Vec<i64>,
-    /// Ascending, without overlap.
+    /// Ascending and apart.
     runs: Vec<(i64, i64)>,
+    /// What is listed by itself, ascending.
+    singles: Vec<i64>,
 }
 
 impl Ids {
     /// One alone.
     pub fn of(id: i64) -> Self {
-        Ids { singles: vec![id], runs: Vec::new() }
+        Ids::new(Vec::new(), vec![id])
     }
 
-    /// Of numbers and runs as they are listed: what is in a run is not told again.
-    fn listed(singles: &[i64], mut listed: Vec<(i64, i64)>) -> Self {
-        listed.sort_unstable();
-        let mut runs: Vec<(i64, i64)> = Vec::new();
-        for (from, to) in listed {
-            match runs.last_mut().filter(|(_, last)| from <= *last) {
-                Some((_, last)) => *last = to.max(*last),
-                None => runs.push((from, to)),
+    fn new(mut runs: Vec<(i64, i64)>, mut singles: Vec<i64>) -> Self {
+        singles.sort_unstable();
+        singles.dedup();
+        runs.extend(singles.iter().map(|&id| (id, id)));
+        runs.sort_unstable();
+        runs.dedup_by(|next, before| {
+            let is_joined = next.0 <= before.1.saturating_add(1);
+            if is_joined {
+                before.1 = before.1.max(next.1);
             }
-        }
-        let is_in_run = |id: i64| {
-            let behind = runs.partition_point(|(from, _)| *from <= id);
-            behind > 0 && runs[behind - 1].1 >= id
-        };
-        let mut seen = BTreeSet::new();
-        let alone = singles.iter().copied().filter(|id| !is_in_run(*id) && seen.insert(*id)).collect();
-        Ids { singles: alone, runs }
+            is_joined
+        });
+        Ids { runs, singles }
+    }
+
+    /// All of them, as runs.
+    pub fn runs(&self) -> impl Iterator<Item = (i64, i64)> + '_ {
+        self.runs.iter().copied()
     }
 
     /// The runs of it that lie in a range.
     pub fn within(&self, range: std::ops::Range<i64>) -> impl Iterator<Item = (i64, i64)> + '_ {
-        let all = self.singles.iter().map(|id| (*id, *id)).chain(self.runs.iter().copied());
-        let clipped = all.map(move |(from, to)| (from.max(range.start), to.min(range.end - 1)));
-        clipped.filter(|(from, to)| from <= to)
-    }
-
-    /// Those of some numbers that are in it.
-    pub fn among<'i>(&'i self, known: impl Fn(i64, i64) -> Vec<i64> + 'i) -> impl Iterator<Item = i64> + 'i {
-        let all = self.singles.iter().map(|id| (*id, *id)).chain(self.runs.iter().copied());
-        all.flat_map(move |(from, to)| known(from, to))
-    }
-
-    /// How many there are.
-    pub fn size(&self) -> usize {
-        let in_runs = self
-            .runs
-            .iter()
-            .map(|(from, to)| to.saturating_sub(*from).saturating_add(1).unsigned_abs() as usize);
-        self.singles.len() + in_runs.fold(0, usize::saturating_add)
-    }
-
-    /// How many of some ascending numbers are in it, or listed by themselves.
-    pub fn count(&self, known: &[i64]) -> usize {
-        let below = |id: i64| known.partition_point(|other| *other < id);
-        let in_runs = self.runs.iter().map(|&(from, to)| below(to.saturating_add(1)) - below(from));
-        self.singles.len() + in_runs.sum::<usize>()
+        let first = self.runs.partition_point(|(_, to)| *to < range.start);
+        let inside = self.runs[first..].iter().take_while(move |(from, _)| *from < range.end);
+        inside.map(move |(from, to)| ((*from).max(range.start), (*to).min(range.end - 1)))
     }
 
     /// What is listed by itself.
@@ -74,9 +52,6 @@ impl Ids {
         self.singles.iter().copied()
     }
 }
-
-/// Of a field that is wrong so many letters are shown.
-const LONGEST_FOUND: usize = 40;
 
 /// A card that is being read; what is wrong with it is said once for each field.
 pub struct Reader<'a> {
@@ -107,14 +82,14 @@ impl<'a> Reader<'a> {
         allowed: impl Into<String>,
     ) -> Option<T> {
         let texts = (found.into(), allowed.into());
-        self.mistakes.borrow_mut().of_card((self.card, self.text(0)), (index, name), texts);
+        self.mistakes.borrow_mut().of_card((self.card, &deck::cut_short(self.text(0))), (index, name), texts);
         None
     }
 
     fn found(&self, index: usize) -> String {
         match self.text(index) {
             "" => "found nothing".to_owned(),
-            text => format!("found {}", text.chars().take(LONGEST_FOUND).collect::<String>()),
+            text => format!("found {}", deck::cut_short(text)),
         }
     }
 
@@ -175,7 +150,7 @@ impl<'a> Reader<'a> {
 
     /// Whole numbers from a field to the end, with THRU between two of them.
     pub fn ids(&self, first: usize, name: &str) -> Option<Ids> {
-        let (mut singles, mut runs) = (Vec::new(), Vec::new());
+        let (mut runs, mut singles) = (Vec::new(), Vec::new());
         let mut index = first;
         while index < self.card.len() {
             if self.is_blank(index) {
@@ -204,10 +179,26 @@ impl<'a> Reader<'a> {
                 index += 1;
             }
         }
-        Some(Ids::listed(&singles, runs))
+        Some(Ids::new(runs, singles))
     }
 
     pub fn origin(&self, card: &'static str, id: i64) -> Origin {
         Origin { card, id, place: self.card.place }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_have_each_number_once_in_runs_that_are_apart() {
+        let ids = Ids::new(vec![(10, 20), (1, 4), (15, 30), (1, 4)], vec![5, 40, 40, 12]);
+        assert_eq!(ids.runs().collect::<Vec<_>>(), [(1, 5), (10, 30), (40, 40)]);
+        assert_eq!(ids.singles().collect::<Vec<_>>(), [5, 12, 40]);
+        assert_eq!(ids.within(3..13).collect::<Vec<_>>(), [(3, 5), (10, 12)]);
+        assert_eq!(ids.within(31..40).count() + ids.within(41..99).count(), 0);
+        let all = Ids::new(vec![(i64::MIN, i64::MAX)], vec![i64::MAX]);
+        assert_eq!(all.within(7..9).collect::<Vec<_>>(), [(7, 8)]);
     }
 }

@@ -7,12 +7,13 @@ use super::{DeckFile, Place};
 /// How deep files may name one another.
 pub const DEEPEST: usize = 16;
 
-/// All files of a deck together: bytes and lines. Assemblies of aircraft have a tenth of it.
+/// All files of a deck together: bytes, lines (those that include files too), and how many. Assemblies of aircraft have a tenth of it.
 pub const MOST_BYTES: usize = 64 << 20;
 pub const MOST_LINES: usize = 1_000_000;
+pub const MOST_FILES: usize = 1000;
 
-/// Files, those that are included several times as often.
-const MOST_FILES: usize = 10_000;
+/// What editors put before a text to say that it is UTF-8.
+const MARK: char = '\u{feff}';
 
 /// Where the texts of files come from.
 pub trait Source {
@@ -43,7 +44,6 @@ impl Source for OnDisk {
 }
 
 /// A line of the deck: its number in its file, the bytes of it there.
-#[derive(Clone)]
 pub struct DeckLine {
     pub place: Place,
     pub bytes: std::ops::Range<usize>,
@@ -63,7 +63,7 @@ pub struct Files {
     pub files: Vec<DeckFile>,
     pub lines: Vec<DeckLine>,
     bytes: usize,
-    /// Lines, those of INCLUDE too.
+    /// Lines of the texts, whatever they are.
     read: usize,
 }
 
@@ -71,13 +71,14 @@ impl Files {
     /// All up to the first that cannot be had, and why it cannot.
     pub fn read(deck: &Path, source: &dyn Source) -> (Files, Option<Refused>) {
         let mut files = Files { files: Vec::new(), lines: Vec::new(), bytes: 0, read: 0 };
-        let refused = files.follow(deck, None, (source, &mut Vec::new())).err();
+        let refused = files.follow(&[deck.to_owned()], None, (source, &mut Vec::new())).err();
         (files, refused)
     }
 
+    /// Reads the first of some paths that can be read, and what it includes.
     fn follow(
         &mut self,
-        path: &Path,
+        paths: &[PathBuf],
         named_at: Option<&(Place, std::ops::Range<usize>)>,
         (source, above): (&dyn Source, &mut Vec<PathBuf>),
     ) -> Result<(), Refused> {
@@ -86,17 +87,13 @@ impl Files {
             found,
             allowed: allowed.to_owned(),
         };
-        let shown = path.display();
         if above.len() > DEEPEST {
             let allowed = format!("{DEEPEST} levels of files that include files are allowed");
-            return Err(refuse(format!("found {shown} one level deeper"), &allowed));
+            return Err(refuse(format!("found {} one level deeper", paths[0].display()), &allowed));
         }
-        let (same, text) = source.read(path).map_err(|why| {
-            refuse(
-                format!("found {shown}, which cannot be read: {why}"),
-                "a file that can be read is allowed",
-            )
-        })?;
+        let (path, same, text) =
+            first_of(paths, source).map_err(|found| refuse(found, "a file that can be read is allowed"))?;
+        let shown = path.display();
         if above.contains(&same) {
             let found = format!("found {shown}, which leads here");
             return Err(refuse(
@@ -104,15 +101,11 @@ impl Files {
                 "a file is allowed that does not include itself, not by others either",
             ));
         }
-        let text = match text.strip_prefix('\u{feff}') {
-            Some(rest) => rest.to_owned(),
-            None => text,
-        };
         self.bytes += text.len();
         self.read += text.lines().count();
         if self.bytes > MOST_BYTES || self.read > MOST_LINES || self.files.len() >= MOST_FILES {
             let allowed = format!(
-                "{} MiB, {MOST_LINES} lines and {MOST_FILES} files are allowed of all together",
+                "{MOST_FILES} files, {} MiB and {MOST_LINES} lines are allowed of all files together",
                 MOST_BYTES >> 20
             );
             return Err(refuse(format!("found more with {shown}"), &allowed));
@@ -125,10 +118,15 @@ impl Files {
         let mut next = 0;
         for include in includes {
             self.add_lines(file, &begins, next..include.lines.start);
-            let folder = path.parent().unwrap_or(Path::new(""));
             let place = Place { file, line: include.lines.start + 1 };
-            let bytes = begins[include.lines.start].clone();
-            self.follow(&folder.join(&include.path), Some(&(place, bytes)), (source, above))?;
+            let named_at = (place, begins[include.lines.start].clone());
+            if include.path.is_empty() {
+                let (found, allowed) =
+                    ("found no path".to_owned(), "the path of a file is needed".to_owned());
+                return Err(Refused { place: Some(named_at), found, allowed });
+            }
+            let paths = self.places_of(&include.path, path);
+            self.follow(&paths, Some(&named_at), (source, above))?;
             next = include.lines.end;
         }
         self.add_lines(file, &begins, next..begins.len());
@@ -136,11 +134,35 @@ impl Files {
         Ok(())
     }
 
+    /// Where an included file may be: beside the file that includes it, else beside the deck.
+    fn places_of(&self, included: &str, from: &Path) -> Vec<PathBuf> {
+        let deck = self.files.first().map_or(Path::new(""), |deck| Path::new(&deck.name));
+        let mut places: Vec<PathBuf> =
+            [from, deck].map(|file| file.parent().unwrap_or(Path::new("")).join(included)).into();
+        places.dedup();
+        places
+    }
+
     fn add_lines(&mut self, file: usize, begins: &[std::ops::Range<usize>], lines: std::ops::Range<usize>) {
         let line =
             |line: usize| DeckLine { place: Place { file, line: line + 1 }, bytes: begins[line].clone() };
         self.lines.extend(lines.map(line));
     }
+}
+
+/// Of the first path that can be read: itself, the one that it always has, its text.
+fn first_of<'p>(paths: &'p [PathBuf], source: &dyn Source) -> Result<(&'p Path, PathBuf, String), String> {
+    let mut failed = Vec::new();
+    for path in paths {
+        match source.read(path) {
+            Ok((same, text)) => {
+                let text = text.strip_prefix(MARK).map(str::to_owned).unwrap_or(text);
+                return Ok((path, same, text));
+            }
+            Err(why) => failed.push(format!("{}, which cannot be read: {why}", path.display())),
+        }
+    }
+    Err(format!("found {}", failed.join("; nor ")))
 }
 
 /// The bytes of each line, without its end.
@@ -160,7 +182,7 @@ struct Include {
     path: String,
 }
 
-/// A path in quotes may run over several lines.
+/// A path in quotes may run over several lines, and begin on the next one.
 fn includes(text: &str) -> Vec<Include> {
     let lines: Vec<&str> = text.lines().collect();
     let mut found = Vec::new();
@@ -170,7 +192,12 @@ fn includes(text: &str) -> Vec<Include> {
         at += 1;
         let Some(rest) = after_include(lines[begin]) else { continue };
         let mut path = rest.trim().to_owned();
-        if let Some(quote) = path.chars().next().filter(|letter| ['\'', '"'].contains(letter)) {
+        if path.is_empty() {
+            let next = lines.get(at).filter(|next| next.trim_start().starts_with(QUOTES));
+            path = next.map_or_else(String::new, |next| next.trim().to_owned());
+            at += usize::from(next.is_some());
+        }
+        if let Some(quote) = path.chars().next().filter(|letter| QUOTES.contains(letter)) {
             path.remove(0);
             while !path.contains(quote) && at < lines.len() && at - begin < DEEPEST {
                 path += lines[at].trim();
@@ -185,10 +212,13 @@ fn includes(text: &str) -> Vec<Include> {
     found
 }
 
+/// What a path may stand in.
+const QUOTES: [char; 2] = ['\'', '"'];
+
 fn after_include(line: &str) -> Option<&str> {
     let line = line.trim_start();
     let word = line.get(..7)?;
     let rest = line.get(7..)?;
-    (word.eq_ignore_ascii_case("include") && rest.starts_with([' ', '\t', '\'', '"', '=']))
-        .then(|| rest.trim_start().trim_start_matches('='))
+    let ends = rest.trim().is_empty() || rest.starts_with([' ', '\t', '\'', '"', '=']);
+    (word.eq_ignore_ascii_case("include") && ends).then(|| rest.trim_start().trim_start_matches('='))
 }

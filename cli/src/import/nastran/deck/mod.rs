@@ -15,6 +15,9 @@ pub use number::{integer, real};
 
 use super::mistakes::Mistakes;
 
+/// Letters of a field that messages show.
+const LONGEST_SHOWN: usize = 40;
+
 /// A line of a file of the deck, from 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
@@ -55,7 +58,7 @@ pub struct Card {
 pub struct Deck {
     pub files: Vec<DeckFile>,
     pub cards: Vec<Card>,
-    /// The sets of constraints that the case control asks for; none where there is no case control.
+    /// The sets of constraints that the case control asks for; none of a deck without case control.
     pub constraint_sets: Option<Vec<i64>>,
     /// Lines before BEGIN BULK that say something.
     pub control_lines: Vec<Place>,
@@ -74,53 +77,52 @@ impl Deck {
         }
         let Files { files, lines, .. } = files;
         let mut deck = Deck { files, ..Deck::default() };
-        let bulk = deck.control(&lines);
-        deck.bulk(&lines[bulk..], mistakes);
+        let (bulk, parameters) = deck.control(&lines);
+        deck.bulk(lines[bulk..].iter(), mistakes);
         // A parameter of the case control counts before one of the bulk data: it is read last.
-        let of_control: Vec<DeckLine> =
-            lines[..bulk].iter().filter(|line| deck.is_parameter(line)).cloned().collect();
-        deck.bulk(&of_control, mistakes);
+        deck.bulk(parameters, mistakes);
         deck
     }
 
-    fn is_parameter(&self, line: &DeckLine) -> bool {
-        let text = self.line(line).trim_start();
-        text.get(..6).is_some_and(|name| name.eq_ignore_ascii_case("PARAM,"))
-    }
-
-    /// The number of lines before the bulk data; of a deck that is nothing else, 0.
-    fn control(&mut self, lines: &[DeckLine]) -> usize {
+    /// The number of lines before the bulk data, 0 of a deck that is nothing else; and those of them that are cards all the same.
+    fn control<'l>(
+        &mut self,
+        lines: &'l [DeckLine],
+    ) -> (usize, impl Iterator<Item = &'l DeckLine> + use<'l>) {
         let words = |line: &DeckLine| -> Vec<String> {
             let text = self.line(line).split('$').next().unwrap_or_default().to_uppercase();
             text.split([' ', '\t', '=', ',']).filter(|word| !word.is_empty()).map(str::to_owned).collect()
         };
         let is_begin = |line: &DeckLine| words(line).starts_with(&["BEGIN".to_owned(), "BULK".to_owned()]);
-        let Some(begin) = lines.iter().position(is_begin) else { return 0 };
-        let sets = lines[..=begin].iter().filter_map(|line| {
+        let bulk = lines.iter().position(is_begin).map_or(0, |begin| begin + 1);
+        let (mut sets, mut said, mut parameters) = (Vec::new(), Vec::new(), Vec::new());
+        let mut has_cases = false;
+        for line in &lines[..bulk] {
             let words = words(line);
-            let is_spc = words.first().is_some_and(|word| word == "SPC");
-            words.get(1).filter(|_| is_spc).and_then(|set| integer(set))
-        });
-        let sets: Vec<i64> = sets.collect();
-        let said = lines[..=begin].iter().filter(|line| !words(line).is_empty() && !self.is_parameter(line));
-        let said = said.map(|line| line.place).collect();
-        let has_case_control =
-            lines[..begin].iter().any(|line| words(line).starts_with(&["CEND".to_owned()]));
+            let Some(first) = words.first() else { continue };
+            if first == "PARAM" && self.line(line).contains(',') {
+                parameters.push(line);
+                continue;
+            }
+            sets.extend(words.get(1).filter(|_| first == "SPC").and_then(|set| integer(set)));
+            said.push(line.place);
+            has_cases |= matches!(first.as_str(), "CEND" | "SPC");
+        }
         self.control_lines = said;
-        self.constraint_sets = if has_case_control || !sets.is_empty() { Some(sets) } else { None };
-        begin + 1
+        self.constraint_sets = has_cases.then_some(sets);
+        (bulk, parameters.into_iter())
     }
 
-    fn bulk(&mut self, lines: &[DeckLine], mistakes: &mut Mistakes) {
+    fn bulk<'l>(&mut self, lines: impl Iterator<Item = &'l DeckLine>, mistakes: &mut Mistakes) {
         let mut tail = String::new();
         let mut cards = std::mem::take(&mut self.cards);
         for line in lines {
             let text = self.line(line);
-            if text.trim().is_empty() || text.trim_start().starts_with('$') {
+            let said = text.split('$').next().unwrap_or_default().trim();
+            if said.is_empty() {
                 continue;
             }
-            let word = text.split('$').next().unwrap_or_default().trim();
-            if word.eq_ignore_ascii_case("ENDDATA") {
+            if said.eq_ignore_ascii_case("ENDDATA") {
                 break;
             }
             let cut = match fields::cut(text, line.bytes.start as u32) {
@@ -130,6 +132,13 @@ impl Deck {
                     let allowed =
                         format!("up to {allowed} are allowed on a line, the last for the continuation");
                     mistakes.add(line.place.file, line.bytes.clone(), "line".to_owned(), found, allowed);
+                    continue;
+                }
+                Err(Unreadable::TooLong { found, allowed }) => {
+                    let found = format!("found a line of {found} bytes without its comment");
+                    let begin = line.bytes.start..line.bytes.start + DATA.min(text.len());
+                    let allowed = format!("up to {allowed} are allowed");
+                    mistakes.add(line.place.file, begin, "line".to_owned(), found, allowed);
                     continue;
                 }
             };
@@ -152,7 +161,8 @@ impl Deck {
             } else if let Some(card) = continued(cards.last_mut(), line.place, (&tail, head)) {
                 card.extend(fields, cut.is_large, line.place);
             } else {
-                let found = format!("found the continuation {head:?} after {tail:?}");
+                let found =
+                    format!("found the continuation {:?} after {:?}", cut_short(head), cut_short(&tail));
                 let allowed = "a continuation is allowed right below the line that it continues".to_owned();
                 mistakes.add(line.place.file, line.bytes.clone(), "continuation".to_owned(), found, allowed);
             }
@@ -240,6 +250,14 @@ impl Card {
 
 fn blank_after(field: &Field) -> Field {
     Field { line: field.line, span: field.span.end..field.span.end }
+}
+
+/// What stands in a field, for people: cut where it is long.
+pub fn cut_short(text: &str) -> std::borrow::Cow<'_, str> {
+    match text.char_indices().nth(LONGEST_SHOWN) {
+        Some((end, _)) => format!("{}…", &text[..end]).into(),
+        None => text.into(),
+    }
 }
 
 /// A field as the manuals count it: the name is field 1, each line has ten.

@@ -47,25 +47,53 @@ fn large_fields_fill_lines_of_eight() {
     assert_eq!(texts, ["5", "1", "2.", "3.", "4.", "5.", "", "", "1.", "2."]);
 }
 
-/// As pre-processors write them.
 #[test]
-fn large_fields_are_continued_by_marks_with_a_star_before_them() {
-    let text = "GRID*                  1                              2.              3.*G1\n*G1                   4.\nGRID*,2,,5.,6.,*A\n*A,7.\n";
-    let (deck, told) = read(&[("a.bdf", text)]);
-    assert_eq!((told.as_str(), deck.cards.len()), ("", 2));
-    let texts = |card: usize| [2, 3, 4].map(|index| deck.text(&deck.cards[card], index));
-    assert_eq!([texts(0), texts(1)], [["2.", "3.", "4."], ["5.", "6.", "7."]]);
+fn continuations_of_large_fields_may_have_names_behind_their_star() {
+    let columns = "GRID*                  1                              0.              2.*GA1\n*GA1                  .5\n";
+    let commas = "GRID*,1,,0.,2.,*GA1\n*GA1,.5\n";
+    for text in [columns, commas] {
+        let (deck, told) = read(&[("a.bdf", text)]);
+        assert_eq!((told.as_str(), deck.cards.len()), ("", 1), "{text}");
+        let texts: Vec<&str> = (0..5).map(|index| deck.text(&deck.cards[0], index)).collect();
+        assert_eq!(texts, ["1", "", "0.", "2.", ".5"]);
+    }
+    let (_, told) = read(&[("a.bdf", "GRID*,1,,0.,2.,*GA1\n*GA2,.5\n")]);
+    assert!(told.contains("found the continuation \"*GA2\" after \"*GA1\""), "{told}");
 }
 
-/// A parameter there is of the deck; without SPC no set of constraints holds; a comment behind ENDDATA, a mark before the first line.
 #[test]
-fn the_case_control_has_parameters_and_chooses_constraints() {
-    let text = "\u{feff}SOL 144\nCEND\nparam,wtmass,.00259\nBEGIN BULK\nGRID,1\nENDDATA $ of it\nrubbish,1\n";
+fn parameters_of_the_case_control_are_cards_and_what_follows_enddata_is_nothing() {
+    let text = "\u{feff}SOL 144\nCEND\nPARAM,WTMASS,.00259 $ pounds\nECHO = NONE\nBEGIN BULK\nGRID,1\nenddata $ of the deck\nrubbish,1\n";
     let (deck, told) = read(&[("a.bdf", text)]);
+    assert_eq!(told, "");
     let names: Vec<&str> = deck.cards.iter().map(|card| card.name.as_str()).collect();
-    assert_eq!((told.as_str(), names), ("", vec!["GRID", "PARAM"]));
-    assert_eq!((deck.constraint_sets, deck.control_lines.len()), (Some(Vec::new()), 3));
-    assert_eq!(read(&[("a.bdf", "BEGIN BULK\nGRID,1\n")]).0.constraint_sets, None);
+    assert_eq!(names, ["GRID", "PARAM"]);
+    assert_eq!((deck.constraint_sets, deck.control_lines.len()), (Some(vec![]), 4));
+    // A mark of the alphabet is no letter of the first card.
+    let (bare, _) = read(&[("a.bdf", "\u{feff}GRID,1\n")]);
+    assert_eq!((bare.cards[0].name.as_str(), bare.constraint_sets), ("GRID", None));
+}
+
+#[test]
+fn included_files_are_beside_the_file_or_beside_the_deck() {
+    let files = [
+        ("in/a.bdf", "INCLUDE 'sub/b.bdf'\nINCLUDE\n'c.bdf'\n"),
+        ("in/sub/b.bdf", "INCLUDE 'd.bdf'\n"),
+        ("in/c.bdf", "GRID,3\n"),
+        ("in/d.bdf", "GRID,4\n"),
+    ];
+    let (deck, told) = read(&files);
+    assert_eq!(told, "");
+    let places: Vec<String> = deck.cards.iter().map(|card| deck.shown(card.place)).collect();
+    assert_eq!(places, ["in/d.bdf:1", "in/c.bdf:1"]);
+    let (_, told) = read(&files[..3]);
+    assert_eq!(
+        told,
+        "in/sub/b.bdf:1:1: INCLUDE: found in/sub/d.bdf, which cannot be read: there is none; nor in/d.bdf, which cannot be read: \
+         there is none; a file that can be read is allowed"
+    );
+    let (_, told) = read(&[("a.bdf", "INCLUDE\nGRID,1\n")]);
+    assert_eq!(told, "a.bdf:1:1: INCLUDE: found no path; the path of a file is needed");
 }
 
 #[test]
@@ -108,5 +136,28 @@ fn includes_go_neither_in_circles_nor_without_end_nor_to_what_is_missing() {
 fn a_file_that_includes_the_next_many_times_is_refused_before_it_fills_the_memory() {
     let many = "INCLUDE 'b.bdf'\n".repeat(20_000);
     let (_, told) = read(&[("a.bdf", &many), ("b.bdf", &"$ comment\n".repeat(1000))]);
-    assert!(told.contains("64 MiB, 1000000 lines and 10000 files are allowed"), "{told}");
+    assert!(told.contains("1000 files, 64 MiB and 1000000 lines are allowed"), "{told}");
+    // Lines that include are lines, and files without any are files.
+    let lines = "INCLUDE 'b.bdf'\n".repeat(1_000_001);
+    for many in [&lines, &many] {
+        let (deck, told) = read(&[("a.bdf", many), ("b.bdf", "")]);
+        assert!(told.contains("1000 files, 64 MiB and 1000000 lines are allowed"), "{told}");
+        assert!(deck.files.len() <= 1000);
+    }
+}
+
+#[test]
+fn lines_and_fields_without_end_are_refused_in_short_messages() {
+    let long = format!(
+        "GRID,5,,{}.,0.,0.\nGRID{}\n$ {}\n",
+        "1".repeat(100_000),
+        ",".repeat(100_000),
+        "-".repeat(2000)
+    );
+    let (_, told) = read(&[("a.bdf", &long)]);
+    assert_eq!(
+        told,
+        "a.bdf:1:1: line: found a line of 100015 bytes without its comment; up to 1000 are allowed\n\
+         a.bdf:2:1: line: found a line of 100004 bytes without its comment; up to 1000 are allowed"
+    );
 }

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::cards::{Bush, Cards, Constraint, Ids};
+use super::super::cards::{Bush, Cards, Ids};
 use super::super::frames::World;
-use super::super::mistakes::{Mistakes, Origin, Remarks};
+use super::super::mistakes::{Mistakes, Needed, Origin, Remarks};
 use super::super::units::Units;
 
 /// Sets that are unions of unions, so deep.
@@ -88,12 +88,7 @@ impl Bodies {
         let mut roots: Vec<(&Bush, i64)> = Vec::new();
         for bush in &cards.bushes {
             for grid in bush.grids.iter().flatten().filter(|grid| !cards.grids.contains_key(grid)) {
-                mistakes.of_origin(
-                    &bush.origin,
-                    "GA, GB",
-                    format!("found {grid}"),
-                    "a GRID of the deck is needed",
-                );
+                mistakes.missing(&bush.origin, "GA, GB", *grid, Needed::Grid);
             }
             match bush.grids {
                 [Some(grid), ground] | [ground, Some(grid)] if grounded(ground) => roots.push((bush, grid)),
@@ -153,22 +148,11 @@ impl Bodies {
     ) {
         let Some(body) = self.of(grid) else { return };
         let Some(property) = cards.bush_properties.get(&bush.property) else {
-            mistakes.of_origin(
-                &bush.origin,
-                "PID",
-                format!("found {}", bush.property),
-                "a PBUSH of the deck is needed",
-            );
+            mistakes.missing(&bush.origin, "PID", bush.property, Needed::Card("a PBUSH"));
             return;
         };
         let Some(axes) = world.axes_at(bush.frame.unwrap_or(0), grid) else {
-            let found = format!("found {}", bush.frame.unwrap_or(0));
-            mistakes.of_origin(
-                &bush.origin,
-                "CID",
-                found,
-                "a CORD1R, CORD2R or CORD2C of the deck is needed",
-            );
+            mistakes.missing(&bush.origin, "CID", bush.frame.unwrap_or(0), Needed::Frame);
             return;
         };
         let [k1, k2, k3, about @ ..] = property.stiffness;
@@ -201,30 +185,17 @@ fn is_full(digits: Option<&String>) -> bool {
 }
 
 fn join_links(cards: &Cards, union: &mut Union, mistakes: &mut Mistakes) {
-    let known = |from: i64, to: i64| cards.grids.range(from..=to).map(|(id, _)| *id).collect();
     for rigid in &cards.rigids {
-        let singles = std::iter::once(rigid.grid).chain(rigid.others.singles());
-        for missing in singles.filter(|grid| !cards.grids.contains_key(grid)) {
-            mistakes.of_origin(
-                &rigid.origin,
-                "GN, GM",
-                format!("found {missing}"),
-                "a GRID of the deck is needed",
-            );
-        }
-        for other in rigid.others.among(known) {
+        cards.missing_grids((&rigid.origin, "GN"), &Ids::of(rigid.grid), mistakes);
+        cards.missing_grids((&rigid.origin, "GM"), &rigid.others, mistakes);
+        for other in cards.grids_in(&rigid.others) {
             union.join(rigid.grid, other);
         }
     }
     for spread in &cards.spreads {
         let grids = std::iter::once(spread.grid).chain(spread.carriers.iter().map(|(grid, _)| *grid));
         for missing in grids.filter(|grid| !cards.grids.contains_key(grid)) {
-            mistakes.of_origin(
-                &spread.origin,
-                "REFGRID, G",
-                format!("found {missing}"),
-                "a GRID of the deck is needed",
-            );
+            mistakes.missing(&spread.origin, "REFGRID, G", missing, Needed::Grid);
         }
         if let [(carrier, _)] = spread.carriers[..] {
             union.join(carrier, spread.grid);
@@ -235,15 +206,14 @@ fn join_links(cards: &Cards, union: &mut Union, mistakes: &mut Mistakes) {
 /// Components that are held of each grid, and the card that holds the last of them.
 fn held(
     cards: &Cards,
-    sets: Option<&[i64]>,
+    asked: Option<&[i64]>,
     (mistakes, remarks): (&mut Mistakes, &mut Remarks),
 ) -> BTreeMap<i64, (String, Origin)> {
-    let asked: BTreeSet<i64> = sets.into_iter().flatten().copied().collect();
-    if asked.len() > 1 {
-        let several = asked.iter().map(ToString::to_string).collect::<Vec<_>>().join(" and ");
+    let sets = asked.map(|asked| all_sets(cards, asked));
+    if let Some(several) = asked.map(BTreeSet::from_iter).filter(|asked: &BTreeSet<&i64>| asked.len() > 1) {
+        let several = several.iter().map(ToString::to_string).collect::<Vec<_>>().join(" and ");
         remarks.note(format!("SPC = {several} of several subcases hold together here"));
     }
-    let sets = sets.map(|sets| all_sets(cards, sets));
     let mut held: BTreeMap<i64, (String, Origin)> = BTreeMap::new();
     let mut hold = |grid: i64, digits: &str, origin: &Origin| {
         if !digits.is_empty() {
@@ -253,17 +223,17 @@ fn held(
         }
     };
     for constraint in &cards.constraints {
-        for missing in constraint.grids.singles().filter(|grid| !cards.grids.contains_key(grid)) {
-            let found = format!("found {missing}");
-            mistakes.of_origin(&constraint.origin, "G", found, "a GRID of the deck is needed");
-        }
+        cards.missing_grids((&constraint.origin, "G"), &constraint.grids, mistakes);
         if sets.as_ref().is_none_or(|sets| sets.contains(&constraint.set)) {
-            for grid in grids_of(cards, constraint) {
+            for grid in cards.grids_in(&constraint.grids) {
                 hold(grid, &constraint.components, &constraint.origin);
             }
         } else {
-            let said = format!("the case control does not ask for set {}: it holds nothing", constraint.set);
-            remarks.note(format!("{}: {said}", constraint.origin));
+            let set = constraint.set;
+            remarks.note(format!(
+                "{}: no SPC = {set} of the case control asks for it: it holds nothing",
+                constraint.origin
+            ));
         }
     }
     for (&id, grid) in &cards.grids {
@@ -272,16 +242,12 @@ fn held(
     held
 }
 
-fn grids_of(cards: &Cards, constraint: &Constraint) -> Vec<i64> {
-    constraint.grids.among(|from, to| cards.grids.range(from..=to).map(|(id, _)| *id).collect()).collect()
-}
-
 /// Sets with those that they are unions of.
 fn all_sets(cards: &Cards, asked: &[i64]) -> BTreeSet<i64> {
     let mut sets: BTreeSet<i64> = asked.iter().copied().collect();
     for _ in 0..DEEPEST {
         let unions = sets.iter().filter_map(|set| cards.constraint_unions.get(set));
-        let more: Vec<i64> = unions.flat_map(Ids::singles).collect();
+        let more: Vec<i64> = unions.flat_map(|union| union.ids.singles()).collect();
         sets.extend(more);
     }
     sets

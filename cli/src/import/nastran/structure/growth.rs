@@ -17,6 +17,9 @@ use super::{Component, ComponentElement, NodeRef};
 /// A chain goes on where directions have at least this cosine.
 const ONWARD: f64 = 0.5;
 
+/// Elements of a component, rigid links with them: the format takes no more.
+const LONGEST: usize = 1000;
+
 /// The same beyond a rigid link, 30°: what a link carries is most often another beam.
 const ONWARD_BEYOND_LINK: f64 = 0.866;
 
@@ -93,7 +96,8 @@ impl<'a> Growth<'a> {
                 longer.y_axis = Some(hinge.y_axis);
             }
             let is_shared = chain.elements.is_empty() && self.begins_with_others(body, &from);
-            let fits = (!is_apart || (longer.add_link(from, body) && !begins_hinged && !is_shared))
+            let fits = chain.elements.len() + 2 <= LONGEST
+                && (!is_apart || (longer.add_link(from, body) && !begins_hinged && !is_shared))
                 && longer.add_member((element, member), (reach, to));
             if !fits {
                 if chain.elements.is_empty() && is_apart {

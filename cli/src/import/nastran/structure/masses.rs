@@ -12,6 +12,9 @@ use super::{Joint, NodeRef, PlacedLump, SAME_PLACE, Structure};
 /// Grids that others carry in shares, which others carry: so many levels, for there may be circles.
 const DEEPEST: usize = 4;
 
+/// The least mass of the format, kg.
+const LIGHTEST_LUMP: f64 = 1e-9;
+
 /// Shares of masses, all together.
 const MOST_SHARES: usize = 100_000;
 
@@ -77,6 +80,14 @@ impl Structure {
     }
 
     fn hang(&mut self, lump: &Lump, remarks: &mut Remarks) {
+        if lump.mass < LIGHTEST_LUMP {
+            let said = format!(
+                "{:.3e} kg of it, and what turns with them, are too little for a mass here: left out",
+                lump.mass
+            );
+            remarks.card(&lump.origin, said);
+            return;
+        }
         let Some((at, node)) = self.bodies.of(lump.grid).and_then(|body| self.port(body, &lump.at)) else {
             let said = format!(
                 "no chain of elements and rigid links joins GRID {} to the root: {:.6} kg are left out",

@@ -11,7 +11,7 @@ mod pins;
 mod rigid;
 mod tree;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 
 use nalgebra::Vector3;
 
@@ -33,18 +33,18 @@ use tree::Tree;
 /// Places that are nearer are one, m.
 const SAME_PLACE: f64 = 1e-6;
 
+/// Elements of less mass, kg, are written without: half of it stands at each of two places, of which the format takes 1e-9 or more.
+pub const LIGHTEST: f64 = 4e-9;
+
 /// Larger decks are no sticks: their elements, and their masses.
 const MOST_ELEMENTS: usize = 5000;
 const MOST_LUMPS: usize = 20_000;
-
-/// Of grids that lists name, all together.
-const MOST_LISTED: usize = 1_000_000;
 
 /// What has more loops is a lattice.
 const MOST_LOOPS: usize = 200;
 
 /// A node of the aircraft.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum NodeRef {
     Origin,
     Node { component: usize, node: usize },
@@ -143,13 +143,6 @@ impl Structure {
             }
             return None;
         }
-        let listed = cards.listed();
-        if listed > MOST_LISTED {
-            mistakes.of_whole(format!(
-                "lists of RBE2, SPC1 and SET1 name {listed} grids; up to {MOST_LISTED} are allowed of a stick model"
-            ));
-            return None;
-        }
         if members.len() > MOST_ELEMENTS || lumps.len() > MOST_LUMPS {
             mistakes.of_whole(format!(
                 "found {} elements and {} masses; up to {MOST_ELEMENTS} and {MOST_LUMPS} are allowed of a stick model",
@@ -215,10 +208,11 @@ impl Structure {
         ports.iter().find(|port| (port.0 - place).norm() <= SAME_PLACE).or(ports.first()).copied()
     }
 
-    /// The nodes on which a grid is.
-    pub fn nodes_of(&self, grid: i64) -> impl Iterator<Item = NodeRef> + '_ {
-        let ports = self.bodies.of(grid).and_then(|body| self.ports.get(body));
-        ports.into_iter().flatten().map(|(_, node)| *node)
+    /// The nodes that move with some grids.
+    pub fn nodes_of(&self, grids: &[i64]) -> HashSet<NodeRef> {
+        let bodies: BTreeSet<usize> = grids.iter().filter_map(|&grid| self.bodies.of(grid)).collect();
+        let ports = bodies.into_iter().filter_map(|body| self.ports.get(body));
+        ports.flatten().map(|(_, node)| *node).collect()
     }
 
     /// The node that moves with a grid, at its place (m from O) if there is one, and where that is.
@@ -254,6 +248,14 @@ impl Structure {
             .chain(of_lumps)
             .fold((0.0, Vector3::zeros()), |(mass, moment), (part, at)| (mass + part, moment + at * part));
         if mass > 0.0 { moment / mass } else { Vector3::zeros() }
+    }
+
+    /// Whether something on it has mass.
+    pub fn has_mass(&self) -> bool {
+        let of_elements = self.components.iter().flat_map(|component| &component.elements);
+        let mut masses =
+            of_elements.filter_map(|element| element.member).map(|member| self.members[member].mass());
+        masses.any(|mass| mass >= LIGHTEST) || !self.lumps.is_empty()
     }
 
     fn move_to_origin(&mut self) {

@@ -187,7 +187,11 @@ fn mistakes_are_told_with_file_line_card_field_found_and_allowed() {
             ".5,.2,.104,.003",
             "PBARL 1, field 4 (DIM3): found 0.104; less than half of the height, 0.1, is allowed",
         ),
-        ("GRID, 5, 9,", "GRID,5,8,", "GRID 5 (place): found 8; a coordinate system is needed"),
+        (
+            "GRID, 5, 9,",
+            "GRID,5,8,",
+            "GRID 5 (place): found 8; a CORD1R, CORD2R or CORD2C of the deck is needed",
+        ),
         (
             "CBAR, 1, 1, 1, 2, 0., 0., 1.",
             "CBAR,1,1,1,2,.1,2.,.05",

@@ -154,7 +154,7 @@ fn units_are_those_that_are_said() {
         );
         let text = wrapped(&text);
         let source = OneText(&text);
-        let found = import(&Request { units: UnitSystem::Mm, ..with_options(&source) }).unwrap().aircraft;
+        let found = import(&Request { units: UnitSystem::Mm, ..Request::of_text(&source) }).unwrap().aircraft;
         assert_eq!(found.nodes.len(), aircraft.nodes.len());
         for (one, other) in found.nodes.iter().zip(&aircraft.nodes) {
             assert!((one - other).norm() < 1e-9);

@@ -6,11 +6,12 @@ use super::super::members::Member;
 use super::super::pairs::Side;
 use super::super::stiffness::Stiffness;
 use super::super::structure::{
-    Component, ComponentHinge, HALVES, NodeRef, PlacedLump, Springs, turned_inertia,
+    Component, ComponentHinge, HALVES, LIGHTEST, NodeRef, PlacedLump, Springs, turned_inertia,
 };
 use super::control::Moved;
 use super::law::per_element;
-use super::{Written, beside, comment, list, number, surface, vector};
+use super::{Written, beside, list, number, surface, vector};
+use crate::commented::comment;
 
 /// Elements whose spans differ by less than this share of their length are alike.
 const ALIKE: f64 = 1e-9;
@@ -87,10 +88,7 @@ fn attachment(written: &Written, component: &Component) -> String {
         NodeRef::Node { component, node } => {
             let distances = written.structure.components[component].distances();
             let at = distances[node] / distances[distances.len() - 1];
-            // A written one hangs on what is written.
-            let parent = match written.sides[component] {
-                Side::Image { .. } | Side::Alone | Side::Written { .. } => &written.names[component],
-            };
+            let parent = &written.names[component];
             format!("attached_to = {{ component = \"{parent}\", at = {} }}\n", number(at))
         }
     }
@@ -156,7 +154,7 @@ fn masses_of_elements(written: &Written, place: usize) -> String {
     let distances = component.distances();
     let mut groups: Vec<(Matrix3<f64>, Vector3<f64>, Vec<usize>)> = Vec::new();
     for element in 0..component.elements.len() {
-        let Some(member) = written.member(place, element).filter(|member| member.mass() >= 4e-9) else {
+        let Some(member) = written.member(place, element).filter(|member| member.mass() >= LIGHTEST) else {
             continue;
         };
         let (inertia, centre) = (turned_inertia(member) * 0.5, member.mass_centre);

@@ -1,9 +1,9 @@
 //! Controls, and how their gains pass to mirror images.
 
-use super::super::aero::{Control, Role};
-use super::super::layout::middle;
+use super::super::aero::{self, Control, Role};
 use super::super::pairs::Side;
-use super::{Written, comment, number};
+use super::{Written, number};
+use crate::commented::comment;
 
 /// How gains pass to the images of components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +49,35 @@ fn gain(moves: &[(usize, f64)], control: usize) -> f64 {
     moves.iter().filter(|(other, _)| *other == control).map(|(_, gain)| gain).sum()
 }
 
+/// A flap that a control turns: how far to the right it is, whether it stands upright as a fin's, which way it turns.
+struct Turn {
+    side: f64,
+    is_upright: bool,
+    sign: f64,
+}
+
+fn turns(written: &Written, control: usize) -> Vec<Turn> {
+    let mut turns = Vec::new();
+    for surface in written.surfaces {
+        let gain = surface.flap.as_ref().map_or(0.0, |flap| gain(&flap.moves, control));
+        if gain != 0.0 {
+            let (at, span) = aero::middle(written.structure, surface);
+            turns.push(Turn { side: at.y, is_upright: span.z.abs() > span.y.abs(), sign: gain.signum() });
+        }
+    }
+    turns
+}
+
+/// Which way flaps on the right turn, and those on the left, if all on a side turn one way.
+fn by_side(turns: &[Turn]) -> [Option<f64>; 2] {
+    [1.0, -1.0].map(|side| one_sign(turns.iter().filter(|turn| turn.side * side > 0.0)))
+}
+
+fn one_sign<'t>(mut turns: impl Iterator<Item = &'t Turn>) -> Option<f64> {
+    let first = turns.next()?.sign;
+    turns.all(|turn| turn.sign == first).then_some(first)
+}
+
 fn mirroring(written: &Written, images: &[Vec<(usize, f64)>], control: usize) -> Mirroring {
     let mut signs = Vec::new();
     for (surface, own) in written.surfaces.iter().enumerate() {
@@ -67,7 +96,10 @@ fn mirroring(written: &Written, images: &[Vec<(usize, f64)>], control: usize) ->
         }
     }
     if signs.is_empty() {
-        return of_sides(written, control);
+        // Nothing is an image: what the sides do shows what it is.
+        let is_opposite =
+            matches!(by_side(&turns(written, control)), [Some(right), Some(left)] if right == -left);
+        return if is_opposite { Mirroring::Opposite } else { Mirroring::Same };
     }
     if signs.iter().all(|sign| *sign == 1) {
         Mirroring::Same
@@ -78,30 +110,19 @@ fn mirroring(written: &Written, images: &[Vec<(usize, f64)>], control: usize) ->
     }
 }
 
-/// What a control does to components without images: opposite where all that is on the right turns against all that is on the left.
-fn of_sides(written: &Written, control: usize) -> Mirroring {
-    let mut sides = [Vec::new(), Vec::new()];
-    for surface in written.surfaces {
-        let gain = surface.flap.as_ref().map_or(0.0, |flap| gain(&flap.moves, control));
-        let y = middle(&written.structure.components[surface.component]).y;
-        if gain != 0.0 {
-            sides[usize::from(y < 0.0)].push(gain);
-        }
-    }
-    let [right, left] = sides;
-    let is_opposite = !left.is_empty() && right.iter().all(|one| left.iter().all(|other| one * other < 0.0));
-    if is_opposite && !right.is_empty() { Mirroring::Opposite } else { Mirroring::Same }
-}
-
 pub fn controls(written: &Written, moved: &Moved) -> String {
     let mut text = String::new();
     for (place, control) in written.controls.iter().enumerate() {
-        text += &one(written, control, (moved.mirroring[place], written.roles[place]));
+        text += &one(written, (place, control), (moved.mirroring[place], written.roles[place]));
     }
     text
 }
 
-fn one(written: &Written, control: &Control, (mirroring, role): (Mirroring, Option<Role>)) -> String {
+fn one(
+    written: &Written,
+    (place, control): (usize, &Control),
+    (mirroring, role): (Mirroring, Option<Role>),
+) -> String {
     let mirror = match mirroring {
         Mirroring::Same => "same",
         Mirroring::Opposite => "opposite",
@@ -111,32 +132,37 @@ fn one(written: &Written, control: &Control, (mirroring, role): (Mirroring, Opti
     text += &format!(
         "[[control]]\nname = \"{}\"\ndescription = \"{}\"\npositive = \"{}\"\nmirror = \"{mirror}\"\n",
         control.name,
-        control.label.replace(|letter: char| matches!(letter, '"' | '\\') || letter.is_control(), "_"),
-        positive(control, (mirroring, role))
+        description(control),
+        positive(&turns(written, place))
     );
     if let Some(role) = role {
         text += &format!("trim = \"{}\"\n", role.name());
     }
-    let limits = control.limits.map(|limit| limit.map(f64::to_degrees));
-    if let [Some(low), Some(high)] = limits {
+    if let Some([low, high]) = control.limits.map(|limits| limits.map(f64::to_degrees)) {
         text += &format!("minimum_deg = {}\nmaximum_deg = {}\n", number(low), number(high));
     }
     text + "\n"
 }
 
+/// What the deck calls it, without what stands in no line.
+fn description(control: &Control) -> String {
+    let plain: String =
+        control.label.chars().filter(|c| !c.is_control() && !['"', '\\'].contains(c)).collect();
+    if plain.trim().is_empty() { control.name.clone() } else { plain.trim().to_owned() }
+}
+
 /// What a positive angle does.
-fn positive(control: &Control, (mirroring, role): (Mirroring, Option<Role>)) -> &'static str {
-    let is_down = control.parts.first().is_none_or(|part| part.gain > 0.0);
-    match (mirroring, role, is_down) {
-        (Mirroring::Opposite, _, true) => {
-            "trailing edge down on the first of its surfaces, up on the other side"
-        }
-        (Mirroring::Opposite, _, false) => {
-            "trailing edge up on the first of its surfaces, down on the other side"
-        }
-        (_, Some(Role::Yaw), true) => "trailing edge to the right",
-        (_, Some(Role::Yaw), false) => "trailing edge to the left",
-        (_, _, true) => "trailing edge down, of a fin to the right",
-        (_, _, false) => "trailing edge up, of a fin to the left",
+fn positive(turns: &[Turn]) -> &'static str {
+    let uprights = turns.iter().filter(|turn| turn.is_upright).count();
+    match (one_sign(turns.iter()), by_side(turns)) {
+        (Some(1.0), _) if uprights == 0 => "trailing edge down",
+        (Some(_), _) if uprights == 0 => "trailing edge up",
+        (Some(1.0), _) if uprights == turns.len() => "trailing edge to the right",
+        (Some(_), _) if uprights == turns.len() => "trailing edge to the left",
+        (Some(1.0), _) => "trailing edge down, of a fin to the right",
+        (Some(_), _) => "trailing edge up, of a fin to the left",
+        (None, [Some(1.0), Some(-1.0)]) => "trailing edge down on the right, up on the left",
+        (None, [Some(-1.0), Some(1.0)]) => "trailing edge up on the right, down on the left",
+        _ => "trailing edge down, of a fin to the right, where its gain is above 0",
     }
 }

@@ -10,10 +10,11 @@ use super::aero::{Control, Role, Surface};
 use super::members::Member;
 use super::pairs::Side;
 use super::structure::{PlacedLump, Structure};
+use crate::commented::{self, comment};
 use crate::numbers::Plain;
 
-/// Longest line of a comment.
-const WIDTH: usize = 118;
+/// Where comments begin that stand behind a value.
+const COLUMN: usize = 40;
 
 /// What is written.
 pub struct Written<'a> {
@@ -96,9 +97,11 @@ fn top(written: &Written) -> String {
 
 fn engines(written: &Written) -> String {
     let one = |engine: &Engine| {
-        let (component, distance, offset) = written.place((engine.component, engine.node), engine.offset);
-        let offset =
-            if offset.norm() > 0.0 { format!("offset_m = {}\n", vector(&offset)) } else { String::new() };
+        let (component, distance) = written.place(engine.component, engine.node);
+        let offset = match engine.offset {
+            offset if offset.norm() > 0.0 => format!("offset_m = {}\n", vector(&offset)),
+            _ => String::new(),
+        };
         format!(
             "[[engine]]\nname = \"{}\"\ncomponent = \"{component}\"\nat_m = {}\n{offset}direction = [1, 0, 0]\n\n",
             engine.name,
@@ -165,34 +168,15 @@ impl Written<'_> {
         self.structure.lumps.iter().filter(move |lump| lump.component == component)
     }
 
-    /// A node with an offset as a file has it: on a component that is written or its image.
-    fn place(
-        &self,
-        (component, node): (usize, usize),
-        offset: nalgebra::Vector3<f64>,
-    ) -> (&str, f64, nalgebra::Vector3<f64>) {
-        let distance = self.structure.components[component].distances()[node];
-        (&self.names[component], distance, offset)
+    /// A component's name, and how far along it a node is, m.
+    fn place(&self, component: usize, node: usize) -> (&str, f64) {
+        (&self.names[component], self.structure.components[component].distances()[node])
     }
 }
 
 /// A line with a comment behind it.
 fn beside(text: &str, comment: &str) -> String {
-    if comment.is_empty() { format!("{text}\n") } else { format!("{text:<40} # {comment}\n") }
-}
-
-/// Lines of a comment.
-fn comment(text: &str) -> String {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        let place = lines.len() - 1;
-        if lines[place].len() + word.len() + 3 > WIDTH {
-            lines.push(format!(" {word}"));
-        } else {
-            lines[place] += &format!(" {word}");
-        }
-    }
-    lines.iter().filter(|line| !line.is_empty()).map(|line| format!("#{line}\n")).collect()
+    commented::beside(text, comment, COLUMN)
 }
 
 /// With twelve digits: what rounding has left over does not show.

@@ -1,0 +1,194 @@
+//! All panels: CAERO1 with the grids that carry them, and those of `--surface`.
+
+use std::collections::BTreeSet;
+
+use nalgebra::Vector3;
+
+use super::super::cards::{AeroCards, Cards, Division, PanelCard, Spline};
+use super::super::frames::World;
+use super::super::mistakes::{Mistakes, Needed, Origin, Remarks};
+use super::super::structure::Structure;
+use super::chordwise::joined;
+use super::line::SurfaceLine;
+use super::panel::{CarriedBy, Panel, Patch};
+
+/// All panels, of the deck and of the command line.
+pub fn panels(
+    (cards, world): (&Cards, &World),
+    structure: &Structure,
+    lines: &[SurfaceLine],
+    (mistakes, remarks): (&mut Mistakes, &mut Remarks),
+) -> Vec<Panel> {
+    let aero = &cards.aero;
+    let of_cards = aero
+        .panels
+        .iter()
+        .filter_map(|card| of_card(card, (cards, world), structure, (mistakes, remarks)))
+        .collect();
+    let mut panels = joined(of_cards, remarks);
+    for (place, line) in lines.iter().enumerate() {
+        panels.extend(of_line((place, line), world, structure, mistakes));
+    }
+    let known: BTreeSet<i64> = aero.panels.iter().map(|panel| panel.origin.id).collect();
+    for spline in aero.splines.iter().filter(|spline| !known.contains(&spline.panel)) {
+        mistakes.missing(&spline.origin, "CAERO", spline.panel, Needed::Card("a CAERO1"));
+    }
+    panels
+}
+
+fn of_card(
+    card: &PanelCard,
+    (cards, world): (&Cards, &World),
+    structure: &Structure,
+    (mistakes, remarks): (&mut Mistakes, &mut Remarks),
+) -> Option<Panel> {
+    let corners =
+        card.corners.map(|corner| world.point(card.frame, corner).map(|place| place - structure.origin));
+    let [Some(inboard), Some(outboard)] = corners else {
+        mistakes.missing(&card.origin, "CP", card.frame, Needed::Frame);
+        return None;
+    };
+    let spanwise = edges(&cards.aero, card, (card.spanwise, "LSPAN"), mistakes)?;
+    let chordwise = edges(&cards.aero, card, (card.chordwise, "LCHORD"), mistakes)?;
+    let chords = card.chords.map(|chord| chord * world.length());
+    let patch =
+        Patch { origin: card.origin.clone(), corners: [inboard, outboard], chords, spanwise, chordwise };
+    let carried_by = carried_by(cards, card, mistakes)?;
+    tell_boxes_without_splines(cards, &patch, remarks);
+    if carried_by == CarriedBy::Nearest {
+        remarks.note(format!(
+            "{}: no SPLINE1 or SPLINE2 names it, it is carried by the beam beside it",
+            card.origin
+        ));
+    }
+    let panel = Panel {
+        origin: card.origin.clone(),
+        corners: [inboard, outboard],
+        chords,
+        patches: vec![patch],
+        carried_by,
+        flap: None,
+    };
+    if panel.span().norm() < 1e-6 {
+        let found = "found no span across the flow";
+        mistakes.of_origin(
+            &card.origin,
+            "X1, X4",
+            found,
+            "corners are needed that are apart across x of the aerodynamic frame",
+        );
+        return None;
+    }
+    Some(panel)
+}
+
+fn edges(
+    aero: &AeroCards,
+    card: &PanelCard,
+    (division, name): (Division, &str),
+    mistakes: &mut Mistakes,
+) -> Option<Vec<f64>> {
+    match division {
+        Division::Equal(count) => Some((0..=count).map(|edge| edge as f64 / count as f64).collect()),
+        Division::List(id) => {
+            let fractions = aero.fractions.get(&id);
+            let found = fractions
+                .map_or_else(|| format!("found {id}"), |list| format!("found {list:?} in AEFACT {id}"));
+            let is_good = |list: &&Vec<f64>| {
+                list.len() > 1
+                    && list.windows(2).all(|pair| pair[0] < pair[1])
+                    && list.iter().all(|edge| (-1e-9..=1.0 + 1e-9).contains(edge))
+            };
+            let good = fractions.filter(is_good);
+            if good.is_none() {
+                mistakes.of_origin(
+                    &card.origin,
+                    name,
+                    found,
+                    "an AEFACT of the deck is needed with ascending fractions from 0 to 1",
+                );
+            }
+            good.cloned()
+        }
+    }
+}
+
+fn carried_by(cards: &Cards, card: &PanelCard, mistakes: &mut Mistakes) -> Option<CarriedBy> {
+    let mut grids = BTreeSet::new();
+    let mut has_spline = false;
+    for spline in splines(cards, &card.origin) {
+        let Some(set) = cards.aero.sets.get(&spline.set) else {
+            mistakes.missing(&spline.origin, "SETG", spline.set, Needed::Card("a SET1"));
+            return None;
+        };
+        cards.missing_grids((&set.origin, "G"), &set.ids, mistakes);
+        grids.extend(cards.grids_in(&set.ids));
+        has_spline = true;
+    }
+    Some(if has_spline { CarriedBy::Grids(grids.into_iter().collect()) } else { CarriedBy::Nearest })
+}
+
+fn splines<'c>(cards: &'c Cards, panel: &Origin) -> impl Iterator<Item = &'c Spline> {
+    let id = panel.id;
+    cards.aero.splines.iter().filter(move |spline| spline.panel == id)
+}
+
+/// Says that boxes which no spline moves are carried as the others are: BOX1 and BOX2 are corners of a rectangle.
+fn tell_boxes_without_splines(cards: &Cards, patch: &Patch, remarks: &mut Remarks) {
+    let boxes = patch.boxes();
+    let mut is_moved = vec![false; boxes.clone().count()];
+    let mut has_spline = false;
+    for spline in splines(cards, &patch.origin) {
+        has_spline = true;
+        let corners = [spline.boxes[0].unwrap_or(boxes.start), spline.boxes[1].unwrap_or(boxes.end - 1)];
+        let [Some((strip, row)), Some((last_strip, last_row))] = corners.map(|id| patch.place(id)) else {
+            continue;
+        };
+        for strip in strip..=last_strip {
+            for row in row..=last_row {
+                is_moved[patch.index((strip, row))] = true;
+            }
+        }
+    }
+    let still = is_moved.iter().filter(|moved| !**moved).count();
+    if has_spline && still > 0 {
+        remarks.note(format!(
+            "{}: no spline moves {still} of its {} boxes (BOX1, BOX2); all are carried by the grids of its splines",
+            patch.origin,
+            is_moved.len()
+        ));
+    }
+}
+
+fn of_line(
+    (place, line): (usize, &SurfaceLine),
+    world: &World,
+    structure: &Structure,
+    mistakes: &mut Mistakes,
+) -> Option<Panel> {
+    let places = line.grids.map(|grid| world.grid(grid).map(|at| at - structure.origin));
+    let [Some(one), Some(other)] = places else {
+        mistakes.of_whole(format!(
+            "--surface: found {} and {}, two GRIDs of the deck are needed",
+            line.grids[0], line.grids[1]
+        ));
+        return None;
+    };
+    let ahead = |at: Vector3<f64>, chord: f64| at + Vector3::x() * (line.axis * chord);
+    let panel = Panel {
+        origin: Origin { card: "--surface", id: place as i64 + 1, place: Default::default() },
+        corners: [ahead(one, line.chords[0]), ahead(other, line.chords[1])],
+        chords: line.chords,
+        patches: Vec::new(),
+        carried_by: CarriedBy::Between(line.grids),
+        flap: line.flap.clone(),
+    };
+    if panel.span().norm() < 1e-6 {
+        mistakes.of_whole(format!(
+            "--surface {}:{}: found no span, two grids apart across x are needed",
+            line.grids[0], line.grids[1]
+        ));
+        return None;
+    }
+    Some(panel)
+}
