@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # All tests: Rust, then the packaged FMU through FMPy, through every importer that a registry has, and coupled with control
 # laws, then what `flexair view` writes, files and pages in Chromium, and Nastran decks beside pyNastran. With platforms in PLATFORMS (win64, aarch64-linux) their
-# libraries are built and flown too, with WHEEL=1, or platforms in WHEEL, the Python package is built, installed and tested: that is
-# slow, and rarely breaks. Needs Rust, a C compiler and Python 3.11 or newer.
+# libraries are built and flown too, with WHEEL=1, or platforms in WHEEL, the Python package is built, installed and tested, with SLOW=1
+# the tests in Rust that take a minute and more are run too: that is slow, and rarely breaks. Needs Rust, a C compiler and Python 3.11 or
+# newer.
 #
 # What the tests in Rust are made of is compiled with the release's optimisations but linked quickly (profile `checked`); the FMU and the
 # command, which the tests in Python fly, are those of a release.
@@ -44,9 +45,9 @@ is_made() {
 }
 
 if cargo nextest --version >/dev/null 2>&1; then
-    cargo nextest run --workspace --cargo-profile checked --no-fail-fast
+    cargo nextest run --workspace --cargo-profile checked --no-fail-fast ${SLOW:+--run-ignored all}
 else
-    cargo test --workspace --lib --bins --tests --profile checked --no-fail-fast
+    cargo test --workspace --lib --bins --tests --profile checked --no-fail-fast ${SLOW:+-- --include-ignored}
 fi
 cargo test --workspace --doc --profile checked
 # With the packages that the tests above had, so that nothing is compiled anew.
@@ -62,6 +63,8 @@ for tests in fmpy masters coupling view nastran; do
 done
 
 bash tests/view/run.sh
+
+[ -n "${SLOW:-}" ] || echo 'tests/run.sh: tests in Rust that take a minute and more are left out; SLOW=1 runs them too'
 
 if [ -n "${PLATFORMS:-}" ]; then
     bash tests/platforms/run.sh

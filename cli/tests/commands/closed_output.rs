@@ -101,6 +101,7 @@ fn a_flight_is_drawn_to_its_end_when_nobody_reads_its_rows() {
 
 /// Apart from the others, because it takes long.
 #[test]
+#[ignore = "a minute: SLOW=1 bash tests/run.sh runs it"]
 fn bench_does_its_work_when_nobody_reads_what_it_says() {
     let folder = tempfile::tempdir().unwrap();
     let package = format!("package --modes 4 --no-check --binary {} --output a.fmu", library());
