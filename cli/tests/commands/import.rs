@@ -75,6 +75,18 @@ fn a_wrong_option_ends_with_1_for_nothing_is_written() {
 }
 
 #[test]
+fn several_beams_on_one_sprung_root_are_nothing_unusual() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let beams = "MAT1,1,7.+10,,.3,2700.\nPBAR,1,1,.01,1.-5,1.-4,2.-5\nGRID,1,,0.,0.,0.\nGRID,2,,0.,5.,0.\nGRID,3,,0.,-5.,0.\n\
+                 CBAR,1,1,1,2,0.,0.,1.\nCBAR,2,1,1,3,0.,0.,1.\nCBUSH,9,9,1\nPBUSH,9,K,RIGID,RIGID,RIGID,1.+6,2.+6,3.+6\n";
+    write(folder, "sprung.bdf", beams);
+    let (code, output, errors) = ended(folder, "import nastran sprung.bdf");
+    assert_eq!(code, Some(0), "{output}{errors}");
+    assert!(!output.contains("[[joint]]") && !errors.contains("[[joint]]"), "{output}{errors}");
+}
+
+#[test]
 fn a_file_that_exists_stays_unless_it_is_forced_and_the_deck_always() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();

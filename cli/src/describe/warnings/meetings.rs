@@ -1,4 +1,6 @@
 //! Nodes in one place that nothing joins: components form a tree, and those that only meet do not touch.
+//!
+//! Not told are nodes that short elements join, as the link of 1 mm there and back by which several beams hang on one hinge.
 
 use flexible_aircraft::Aircraft;
 use flexible_aircraft::aircraft::Joint;
@@ -37,13 +39,17 @@ fn meeting(aircraft: &Aircraft, pair: [usize; 2]) -> Option<[f64; 2]> {
     Some(places)
 }
 
-/// Whether two nodes are the same, or joints join them, be it by others in the same place.
+/// Whether two nodes are the same, or joints or short elements join them, be it by others in the same place.
 fn are_one(aircraft: &Aircraft, [one, other]: [usize; 2]) -> bool {
     let mut reached = vec![one];
     let mut next = 0;
     while next < reached.len() {
-        for joint in &aircraft.joints {
-            let [from, to] = joint.nodes();
+        let joints = aircraft.joints.iter().map(Joint::nodes);
+        let beams = aircraft.beams.iter().map(|beam| beam.nodes);
+        let is_short = |[from, to]: &[usize; 2]| {
+            (aircraft.nodes[*from] - aircraft.nodes[*to]).norm() <= 2.0 * Joint::REACH
+        };
+        for [from, to] in joints.chain(beams.filter(is_short)) {
             for (from, to) in [(from, to), (to, from)] {
                 if from == reached[next] && !reached.contains(&to) {
                     reached.push(to);
@@ -61,7 +67,7 @@ fn fraction(aircraft: &Aircraft, component: usize, node: usize) -> f64 {
     let lengths = nodes.windows(2).map(|pair| (aircraft.nodes[pair[1]] - aircraft.nodes[pair[0]]).norm());
     let inboard = nodes.iter().position(|other| *other == node).unwrap_or(0);
     let whole: f64 = lengths.clone().sum();
-    lengths.take(inboard).sum::<f64>() / whole
+    lengths.take(inboard).fold(0.0, |sum, length| sum + length) / whole
 }
 
 fn text(aircraft: &Aircraft, pair: [usize; 2], places: [f64; 2]) -> String {

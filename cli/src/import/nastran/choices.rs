@@ -67,10 +67,8 @@ pub fn used(
         })
         .collect();
     for (control, _) in controls.iter().zip(&is_used).filter(|(_, used)| !**used) {
-        remarks.card(
-            &control.origin,
-            format!("{}: its flaps are where no beam carries the panel, it is left out", control.label),
-        );
+        remarks
+            .card(&control.origin, format!("{}: no strip has a flap of it, it is left out", control.label));
     }
     for (control, _) in
         surfaces.iter_mut().filter_map(|surface| surface.flap.as_mut()).flat_map(|flap| &mut flap.moves)
@@ -125,9 +123,11 @@ pub fn airspeed(
         if flies(&airspeed) && is_plausible {
             return (airspeed, "VELOCITY of AERO".to_owned());
         }
-        remarks.note(format!(
-            "AERO: its VELOCITY, {airspeed} m/s, is not taken for the trim: the lift coefficient would be {coefficient:.3}"
-        ));
+        let why = match () {
+            () if area <= 0.0 => "there is no panel".to_owned(),
+            () => format!("the lift coefficient would be {coefficient:.3}"),
+        };
+        remarks.note(format!("AERO: its VELOCITY, {airspeed} m/s, is not taken for the trim: {why}"));
     }
     let airspeed = libm::sqrt(squared / LIFT_COEFFICIENT).round();
     match support {

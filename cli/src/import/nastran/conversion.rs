@@ -182,8 +182,9 @@ fn built(request: &Request, (deck, cards): (&Deck, &Cards), remarks: &mut Remark
         return Err(Error::Rejected(RejectedFiles::default()));
     };
     let members = members::members((cards, &world, &units), (&mut mistakes, remarks));
-    let lumps = lumps::lumps((cards, &world, &units), (&mut mistakes, remarks));
-    let masses = [sum(lumps.iter().map(|lump| lump.mass)), sum(members.iter().map(members::Member::mass))];
+    let of_elements = sum(members.iter().map(members::Member::mass));
+    let lumps = lumps::lumps((cards, &world, &units), of_elements, (&mut mistakes, remarks));
+    let masses = [sum(lumps.iter().map(|lump| lump.mass)), of_elements];
     mistakes.checked(deck)?;
     let parts = Parts {
         cards,
@@ -212,8 +213,8 @@ fn built(request: &Request, (deck, cards): (&Deck, &Cards), remarks: &mut Remark
 }
 
 /// Of none 0, not −0.
-fn sum(masses: impl Iterator<Item = f64>) -> f64 {
-    masses.fold(0.0, |sum, mass| sum + mass)
+fn sum(numbers: impl Iterator<Item = f64>) -> f64 {
+    numbers.fold(0.0, |sum, number| sum + number)
 }
 
 /// What the air does to it.
@@ -240,13 +241,13 @@ impl Flown {
         let (mut surfaces, mut controls) = choices::used(surfaces, controls, remarks);
         let moments = aero::moments(structure, &surfaces, controls.len());
         let mut roles = aero::roles(&moments);
-        if !roles.contains(&Some(Role::Pitch))
-            && let Some(said) = aero::join_for_pitch(&mut controls, &mut surfaces, &moments)
-        {
+        let holder = roles.iter().position(|role| *role == Some(Role::Pitch));
+        let least = holder.map_or(0.0, |control| moments[control].y.abs());
+        if let Some(said) = aero::join_for_pitch((&mut controls, &mut surfaces), &moments, least) {
             remarks.note(said);
             roles = aero::roles(&aero::moments(structure, &surfaces, controls.len()));
         }
-        let area = panels.iter().map(|panel| panel.area(0.0, 1.0) * panel.span().normalize().y.powi(2)).sum();
+        let area = sum(panels.iter().map(|panel| panel.area(0.0, 1.0) * panel.span().normalize().y.powi(2)));
         Flown { surfaces, controls, roles, engines, area }
     }
 }

@@ -29,9 +29,10 @@ pub struct Lump {
     pub inertia: Matrix3<f64>,
 }
 
-/// All masses of CONM1 and CONM2.
+/// All masses of CONM1 and CONM2, beside so many kg of elements.
 pub fn lumps(
     (cards, world, units): (&Cards, &World, &Units),
+    of_elements: f64,
     (mistakes, remarks): (&mut Mistakes, &mut Remarks),
 ) -> Vec<Lump> {
     let mut lumps = Vec::new();
@@ -69,7 +70,7 @@ pub fn lumps(
         };
         lumps.extend(lump.filter(|lump| is_a_body(lump, (mistakes, remarks))));
     }
-    let total: f64 = lumps.iter().map(|lump| lump.mass).sum();
+    let total = lumps.iter().fold(of_elements, |sum, lump| sum + lump.mass);
     lumps.into_iter().filter_map(|lump| mended(lump, total, remarks)).collect()
 }
 

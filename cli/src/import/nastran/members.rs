@@ -276,9 +276,7 @@ impl Making<'_> {
                 "found no {}: held as if rigid there, for a beam here resists everything",
                 lacking.join(", ")
             );
-            if !self.remarks.has_told(&property.origin) {
-                self.remarks.card(&property.origin, said);
-            }
+            self.remarks.card_once(&property.origin, "stiffness", said);
         }
         let all = [stiffness.ea, stiffness.gj, stiffness.ei_y, stiffness.ei_z];
         if let Some(bad) = all.into_iter().find(|number| !(1e-6..=1e15).contains(number)) {

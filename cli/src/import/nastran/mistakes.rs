@@ -158,8 +158,8 @@ pub struct Remarks {
     pub general: Vec<String>,
     /// The same notes, each there once.
     noted: BTreeSet<String>,
-    /// Cards that reports are about as a whole.
-    told: BTreeSet<(&'static str, i64)>,
+    /// What was told once of which card.
+    told: BTreeSet<(&'static str, i64, String)>,
 }
 
 impl Remarks {
@@ -175,13 +175,14 @@ impl Remarks {
 
     /// Of a whole card.
     pub fn card(&mut self, source: &Origin, said: impl Into<String>) {
-        self.told.insert((source.card, source.id));
         self.reports.push(Remark { place: source.place, what: source.to_string(), said: said.into() });
     }
 
-    /// Whether a card was told about already.
-    pub fn has_told(&self, source: &Origin) -> bool {
-        self.told.contains(&(source.card, source.id))
+    /// Of a whole card, if it was not told of this yet.
+    pub fn card_once(&mut self, source: &Origin, about: impl Into<String>, said: impl Into<String>) {
+        if self.told.insert((source.card, source.id, about.into())) {
+            self.card(source, said);
+        }
     }
 
     pub fn note(&mut self, said: impl Into<String>) {

@@ -104,7 +104,11 @@ fn reports(imported: &Imported) -> String {
             let places: Vec<Place> = rest[..told].iter().map(|remark| remark.place).collect();
             text += &format!("  {}: {told} {}: {}\n", lines(imported, &places), card(first), first.said);
         } else {
-            text += &format!("  {}: {}: {}\n", imported.deck.shown(first.place), first.what, first.said);
+            let place = match first.what.starts_with("--") {
+                true => "command line".to_owned(),
+                false => imported.deck.shown(first.place),
+            };
+            text += &format!("  {place}: {}: {}\n", first.what, first.said);
         }
         rest = &rest[told..];
     }

@@ -9,6 +9,7 @@ mod mutated;
 mod panels;
 mod read;
 mod sections;
+mod told;
 
 use std::path::Path;
 

@@ -3,11 +3,9 @@
 //! Along the span of a panel its fraction runs from 0 to 1; so it does along the elements that carry it. What of the panel lies beyond the last
 //! of them widens the strip there, if it is less than half of the element.
 
-use std::collections::BTreeMap;
-
 use nalgebra::Vector3;
 
-use super::super::mistakes::{Mistakes, Origin, Remarks};
+use super::super::mistakes::{Mistakes, Remarks};
 use super::super::structure::{Component, NodeRef, Structure};
 use super::controls::{Control, ControlPart};
 use super::panel::{CarriedBy, Panel, SAME};
@@ -16,13 +14,16 @@ use super::strip::{Run, Surface, of_stretch};
 /// Elements whose direction has at least this cosine with the span of a panel can carry it.
 const SPANWISE: f64 = 0.3;
 
+/// Panels whose spans have a smaller cosine than this, 45° apart and a little more, may both have strips on a stretch, as the format has it.
+const CROSSING: f64 = 0.70;
+
 /// More stretches with strips are no stick model.
 const MOST_STRETCHES: usize = 20_000;
 
 /// Stretches that lie over one another by less than this fraction of their component only meet: decks have few digits.
 const SLACK: f64 = 1e-3;
 
-/// All surfaces, panel by panel.
+/// All surfaces, panel by panel, the largest first: where panels lie over one another, that one stays.
 pub fn surfaces(
     structure: &Structure,
     panels: &[Panel],
@@ -33,64 +34,72 @@ pub fn surfaces(
     for (control, found) in controls.iter().enumerate() {
         found.parts.iter().for_each(|part| parts[part.panel].push((control, part)));
     }
+    let area = |place: &usize| panels[*place].area(0.0, 1.0);
+    let mut order: Vec<usize> = (0..panels.len()).collect();
+    order.sort_by(|one, other| area(other).total_cmp(&area(one)));
+    let mut taken = Taken(vec![Vec::new(); structure.components.len()]);
     let mut surfaces = Vec::new();
-    for (panel, parts) in panels.iter().zip(&parts) {
-        surfaces.extend(of_panel(structure, panel, parts, remarks));
+    for place in order {
+        let panel = &panels[place];
+        surfaces.extend(of_panel((structure, panel), &parts[place], &mut taken, remarks));
         if surfaces.len() > MOST_STRETCHES {
             let found = format!("found {} stretches of beams with strips up to here", surfaces.len());
             mistakes.of_origin(&panel.origin, "EID", found, format!("up to {MOST_STRETCHES} are allowed"));
             return Vec::new();
         }
     }
-    apart(surfaces, remarks)
+    surfaces.sort_by(|one, other| one.component.cmp(&other.component).then(one.from.total_cmp(&other.from)));
+    surfaces
 }
 
-/// Where panels lie over one another, the larger stretch stays, and of the other one it is said what is left out.
-fn apart(mut surfaces: Vec<Surface>, remarks: &mut Remarks) -> Vec<Surface> {
-    surfaces.sort_by(|one, other| {
-        one.component
-            .cmp(&other.component)
-            .then(other.area.total_cmp(&one.area))
-            .then(one.from.total_cmp(&other.from))
-    });
-    let mut kept: Vec<Surface> = Vec::new();
-    // Of the component at hand, by where they begin: each with its end and its panel.
-    let mut taken: BTreeMap<u64, (f64, Origin)> = BTreeMap::new();
-    for mut surface in surfaces {
-        if kept.last().is_some_and(|last| last.component != surface.component) {
-            taken.clear();
-        }
-        // Fractions are not below 0, so that their bits have their order.
-        let before =
-            taken.range(..=surface.from.to_bits()).next_back().map(|(_, (to, origin))| (*to, origin.clone()));
-        let after = taken.range(surface.from.to_bits() + 1..).next();
-        let after = after.map(|(from, (_, origin))| (f64::from_bits(*from), origin.clone()));
-        let reach = SLACK.min(0.5 * (surface.to - surface.from));
-        let over = match (&before, &after) {
-            (Some((to, origin)), _) if to - surface.from > reach => Some(origin),
-            (_, Some((from, origin))) if surface.to - from > reach => Some(origin),
-            _ => None,
+/// What of each component has strips already, as fractions of its length, each with its panel.
+struct Taken<'p>(Vec<Vec<Stretch<'p>>>);
+
+/// A stretch with strips, the span of its panel, and this.
+type Stretch<'p> = ([f64; 2], Vector3<f64>, &'p Panel);
+
+impl<'p> Taken<'p> {
+    /// The part of a stretch, as fractions of its panel, that may have strips: none lie there but of panels whose spans cross its own.
+    /// What else of it is left out is told.
+    fn take(
+        &mut self,
+        (component, run, panel): (&Component, &Run, &'p Panel),
+        stretch: [f64; 2],
+        remarks: &mut Remarks,
+    ) -> Option<[f64; 2]> {
+        let [from, to] = run.along(component, stretch);
+        let span = panel.span().normalize();
+        let taken = &mut self.0[run.component];
+        let is_over = |(ends, other, _): &&Stretch| {
+            to.min(ends[1]) - from.max(ends[0]) > SAME && other.dot(&span).abs() >= CROSSING
         };
-        if let Some(origin) = over {
+        let over: Vec<&Stretch> = taken.iter().filter(is_over).collect();
+        let Some((.., other)) = over.first() else {
+            taken.push(([from, to], span, panel));
+            return Some(stretch);
+        };
+        let slack = SLACK.min(0.5 * (to - from));
+        let intervals: Vec<[f64; 2]> = over.iter().map(|(ends, ..)| *ends).collect();
+        let kept = free([from, to], &intervals).filter(|kept| kept[1] - kept[0] > slack);
+        let across = kept.map(|kept| run.across(component, kept));
+        if to - from - kept.map_or(0.0, |kept| kept[1] - kept[0]) > slack {
+            let area =
+                panel.area(stretch[0], stretch[1]) - across.map_or(0.0, |[from, to]| panel.area(from, to));
             let said = format!(
-                "its {:.4} m² from {:.4} to {:.4} of a beam lie where {origin} has strips already: they are left out",
-                surface.area, surface.from, surface.to
+                "{area:.4} m² of what is from {from:.4} to {to:.4} of a beam lie where {} has strips: they are left out",
+                other.origin
             );
-            remarks.card(&surface.origin, said);
-            continue;
+            remarks.card(&panel.origin, said);
         }
-        surface.shrink(before.map_or(0.0, |(to, _)| to), after.map_or(1.0, |(from, _)| from));
-        taken.insert(surface.from.to_bits(), (surface.to, surface.origin.clone()));
-        kept.push(surface);
+        taken.extend(kept.map(|kept| (kept, span, panel)));
+        across
     }
-    kept.sort_by(|one, other| one.component.cmp(&other.component).then(one.from.total_cmp(&other.from)));
-    kept
 }
 
-fn of_panel(
-    structure: &Structure,
-    panel: &Panel,
+fn of_panel<'p>(
+    (structure, panel): (&Structure, &'p Panel),
     parts: &[(usize, &ControlPart)],
+    all: &mut Taken<'p>,
     remarks: &mut Remarks,
 ) -> Vec<Surface> {
     let mut runs: Vec<Run> = candidates(structure, panel)
@@ -141,11 +150,13 @@ fn of_panel(
         }
         let stretches = stretches(*ends, parts);
         for (place, stretch) in stretches.iter().enumerate() {
+            let Some(kept) = all.take((component, run, panel), *stretch, remarks) else { continue };
             let widened = [
-                beyond[0].filter(|_| place == 0).map(|gap| gap[1] - gap[0]),
-                beyond[1].filter(|_| place + 1 == stretches.len()).map(|gap| gap[1] - gap[0]),
+                beyond[0].filter(|_| place == 0 && kept[0] <= stretch[0] + SAME),
+                beyond[1].filter(|_| place + 1 == stretches.len() && kept[1] >= stretch[1] - SAME),
             ];
-            surfaces.extend(of_stretch((component, run, panel), (*stretch, widened), parts, remarks));
+            let widened = widened.map(|gap| gap.map(|gap| gap[1] - gap[0]));
+            surfaces.extend(of_stretch((component, run, panel), (kept, widened), parts, remarks));
         }
     }
     surfaces

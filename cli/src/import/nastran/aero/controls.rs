@@ -184,21 +184,19 @@ impl Making<'_> {
                          there are held, these boxes are left out",
                         card.label, panel.origin
                     );
-                    if !self.remarks.has_told(&card.origin) {
-                        self.remarks.card(&card.origin, said);
-                    }
+                    self.remarks.card_once(&card.origin, format!("ahead on {}", panel.origin), said);
                     continue;
                 }
             };
             match found.last_mut().filter(|(before, _)| (before[1] - ends[0]).abs() <= SAME) {
                 Some((before, first)) => {
                     before[1] = ends[1];
-                    if (edge - *first).abs() > TAPER && !self.remarks.has_told(&card.origin) {
+                    if (edge - *first).abs() > TAPER {
                         let said = format!(
                             "{}: its boxes on {} begin at {first:.3} and at {edge:.3} of the chord: one flap is held, with its hinge",
                             card.label, panel.origin
                         );
-                        self.remarks.card(&card.origin, said);
+                        self.remarks.card_once(&card.origin, format!("edges on {}", panel.origin), said);
                     }
                     *first = first.min(edge);
                 }

@@ -10,7 +10,7 @@ use super::super::mistakes::{Mistakes, Needed, Origin, Remarks};
 use super::super::structure::Structure;
 use super::chordwise::joined;
 use super::line::SurfaceLine;
-use super::panel::{CarriedBy, Panel, Patch};
+use super::panel::{CarriedBy, Panel, Patch, SAME};
 
 /// All panels, of the deck and of the command line.
 pub fn panels(
@@ -97,7 +97,8 @@ fn edges(
             let is_good = |list: &&Vec<f64>| {
                 list.len() > 1
                     && list.windows(2).all(|pair| pair[0] < pair[1])
-                    && list.iter().all(|edge| (-1e-9..=1.0 + 1e-9).contains(edge))
+                    && list[0].abs() <= SAME
+                    && (list[list.len() - 1] - 1.0).abs() <= SAME
             };
             let good = fractions.filter(is_good);
             if good.is_none() {
@@ -141,11 +142,15 @@ fn tell_boxes_without_splines(cards: &Cards, patch: &Patch, remarks: &mut Remark
     for spline in splines(cards, &patch.origin) {
         has_spline = true;
         let corners = [spline.boxes[0].unwrap_or(boxes.start), spline.boxes[1].unwrap_or(boxes.end - 1)];
-        let [Some((strip, row)), Some((last_strip, last_row))] = corners.map(|id| patch.place(id)) else {
+        let places = corners.map(|id| patch.place(id));
+        let [Some((strip, row)), Some((last_strip, last_row))] = places else {
+            let said =
+                format!("found {} to {}, of which {} has no box", corners[0], corners[1], patch.origin);
+            remarks.card(&spline.origin, said);
             continue;
         };
-        for strip in strip..=last_strip {
-            for row in row..=last_row {
+        for strip in strip.min(last_strip)..=strip.max(last_strip) {
+            for row in row.min(last_row)..=row.max(last_row) {
                 is_moved[patch.index((strip, row))] = true;
             }
         }

@@ -46,16 +46,6 @@ pub struct Surface {
     /// Of each element of the component, m.
     pub widths: Option<Vec<f64>>,
     pub flap: Option<Flap>,
-    /// Of the panel, m².
-    pub area: f64,
-}
-
-impl Surface {
-    /// Keeps it between two fractions of its component, which cut off next to nothing.
-    pub fn shrink(&mut self, from: f64, to: f64) {
-        (self.from, self.to) = (self.from.max(from), self.to.min(to));
-        self.at.iter_mut().for_each(|at| *at = at.clamp(self.from, self.to));
-    }
 }
 
 /// Part of a component that runs along a panel: its nodes, and the fractions of the panel there.
@@ -89,6 +79,30 @@ impl Run {
         });
         let [begin, end] = [self.fractions[element], self.fractions[element + 1]];
         (self.first + element, ((fraction - begin) / (end - begin)).clamp(0.0, 1.0))
+    }
+
+    /// Where along the component, as fractions of its length, the panel has two of its fractions, in ascending order.
+    pub fn along(&self, component: &Component, ends: [f64; 2]) -> [f64; 2] {
+        let distances = component.distances();
+        let [one, other] = ends.map(|fraction| {
+            let (element, share) = self.place(fraction);
+            let at = distances[element] + share * (distances[element + 1] - distances[element]);
+            at / distances[distances.len() - 1]
+        });
+        [one.min(other), one.max(other)]
+    }
+
+    /// The panel's fractions at two places along the component, in ascending order.
+    pub fn across(&self, component: &Component, ends: [f64; 2]) -> [f64; 2] {
+        let distances = component.distances();
+        let nodes = &distances[self.first..self.first + self.fractions.len()];
+        let [one, other] = ends.map(|end| {
+            let at = (end * distances[distances.len() - 1]).clamp(nodes[0], nodes[nodes.len() - 1]);
+            let element = nodes.windows(2).position(|pair| at <= pair[1]).unwrap_or(nodes.len() - 2);
+            let share = (at - nodes[element]) / (nodes[element + 1] - nodes[element]);
+            self.fractions[element] + share * (self.fractions[element + 1] - self.fractions[element])
+        });
+        [one.min(other), one.max(other)]
     }
 
     /// Whether a gap beside what the run carries is less than half of its element there.
@@ -138,11 +152,11 @@ pub fn of_stretch(
         remarks.card(&panel.origin, said);
         return None;
     }
-    if high > HIGH && !remarks.has_told(&panel.origin) {
+    if high > HIGH {
         let said = format!(
             "it lies up to {high:.3} chords above or below its beam: its strips are in the height of the beam"
         );
-        remarks.card(&panel.origin, said);
+        remarks.card_once(&panel.origin, "height", said);
     }
     let at: Vec<f64> = ends.iter().map(|fraction| place(*fraction).0).collect();
     Some(Surface {
@@ -157,7 +171,6 @@ pub fn of_stretch(
         span_axis: span_axis(component, run, panel),
         widths: widths(component, (run, panel), ([from, to], widened)),
         flap: flap([from, to], parts, remarks),
-        area: panel.area(from, to),
     })
 }
 
@@ -224,14 +237,12 @@ fn flap([from, to]: [f64; 2], parts: &[(usize, &ControlPart)], remarks: &mut Rem
             && (part.effectiveness - largest.effectiveness).abs() <= SAME_FLAP * largest.effectiveness
     };
     for (_, other) in here.iter().filter(|(_, part)| !is_same(part)) {
-        if !remarks.has_told(&other.origin) {
-            let said = format!(
-                "from {from:.4} to {to:.4} of a panel's span its flap has its hinge at {:.3} of the chord and {:.3} of a flap's lift, \
-                 that of {} at {:.3} and {:.3}: one flap is held of a strip, so that this one moves nothing there",
-                other.hinge, other.effectiveness, largest.origin, largest.hinge, largest.effectiveness
-            );
-            remarks.card(&other.origin, said);
-        }
+        let said = format!(
+            "from {from:.4} to {to:.4} of a panel's span its flap has its hinge at {:.3} of the chord and {:.3} of a flap's lift, \
+             that of {} at {:.3} and {:.3}: one flap is held of a strip, so that this one moves nothing there",
+            other.hinge, other.effectiveness, largest.origin, largest.hinge, largest.effectiveness
+        );
+        remarks.card_once(&other.origin, format!("below {} on {}", largest.origin, other.panel), said);
     }
     let moves = here.iter().filter(|(_, part)| is_same(part)).map(|(control, part)| (*control, part.gain));
     Some(Flap { hinge: largest.hinge, effectiveness: largest.effectiveness, moves: moves.collect() })

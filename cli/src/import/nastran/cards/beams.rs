@@ -90,8 +90,15 @@ pub fn bar_or_beam(
     if grids[0] == grids[1] {
         return card.wrong(3, "GB", format!("found {} at both ends", grids[0]), "two grids are allowed");
     }
-    let usual = defaults.orientation.clone().filter(|_| (4..7).all(|index| card.is_blank(index)));
-    let orientation = usual.or_else(|| orientation(card, frames[0] == 'B'))?;
+    let is_basic = frames[0] == 'B';
+    let usual = match &defaults.orientation {
+        Some(Orientation::Vector { numbers, .. }) => {
+            Some(Orientation::Vector { numbers: *numbers, is_basic })
+        }
+        usual => usual.clone(),
+    };
+    let usual = usual.filter(|_| (4..7).all(|index| card.is_blank(index)));
+    let orientation = usual.or_else(|| orientation(card, is_basic))?;
     let pins = [pin(card, id, (8, "PA"))?, pin(card, id, (9, "PB"))?];
     if kind == ElementKind::Beam {
         for (index, name) in

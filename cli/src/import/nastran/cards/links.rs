@@ -103,6 +103,13 @@ pub fn rbe3(card: &Reader, remarks: &mut Remarks) -> Option<Spread> {
         index += 1;
     }
     carriers.retain(|(_, weight)| *weight > 0.0);
+    let [of_reference, of_carriers] =
+        [components(card, 3, "REFC", card.text(3))?, components(card, 5, "C1", card.text(5))?];
+    if carriers.len() == 1 && !(is_all(&of_reference) && is_all(&of_carriers)) {
+        let said =
+            format!("found {of_reference} of {of_carriers}: links are held rigid in all six components");
+        remarks.field((card.card, id), (3, "REFC"), said);
+    }
     if carriers.is_empty() {
         return card.wrong(
             4,

@@ -270,20 +270,23 @@ impl Reading<'_> {
     }
 
     /// The first grid that a card names is supported; others are told of.
-    fn supported(&mut self, card: &Reader, index: usize) {
-        let Some(grid) = card.integer(index, "ID1") else { return };
-        match self.cards.reference_grid {
-            Some(first) if first != grid => {
-                self.remarks.note(format!(
+    fn supported(&mut self, card: &Reader, first: usize) {
+        // Each grid with its components.
+        let fields =
+            (first..card.card.len()).step_by(2).filter(|&index| index == first || !card.is_blank(index));
+        for (number, index) in fields.enumerate() {
+            let Some(grid) = card.integer(index, &format!("ID{}", number + 1)) else { return };
+            match self.cards.reference_grid {
+                Some(first) if first != grid => self.remarks.note(format!(
                     "{}: GRID {grid} is supported too; of all, GRID {first} is O",
                     card.card.name
-                ));
+                )),
+                _ => self.cards.reference_grid = Some(grid),
             }
-            _ => self.cards.reference_grid = Some(grid),
         }
     }
 
-    /// Elements have numbers of their own, and so have masses, links, panels, splines; of AERO and AEROS there is one.
+    /// Elements have numbers of their own, and so have masses, links, panels, splines; of some cards there is one.
     fn number(&mut self, card: &Reader) {
         let kind = match card.card.name.as_str() {
             "CBAR" | "CBEAM" | "CROD" | "CBUSH" => "element",
@@ -292,17 +295,22 @@ impl Reading<'_> {
             "CAERO1" => "panel",
             "SPLINE1" | "SPLINE2" => "spline",
             "AESURF" => "surface",
-            "AERO" => "AERO",
-            "AEROS" => "AEROS",
+            "AERO" => return self.only(card, ("AERO", "ACSID")),
+            "AEROS" => return self.only(card, ("AEROS", "ACSID")),
+            "GRDSET" => return self.only(card, ("GRDSET", "blank")),
+            "BAROR" => return self.only(card, ("BAROR", "blank")),
+            "BEAMOR" => return self.only(card, ("BEAMOR", "blank")),
             _ => return,
         };
-        if matches!(kind, "AERO" | "AEROS") {
-            if !self.numbers.insert((kind, 0)) {
-                let _: Option<()> =
-                    card.wrong(0, "ACSID", format!("found a second {kind}"), "one is allowed");
-            }
-        } else if let Some(id) = deck::integer(card.text(0)).filter(|id| !self.numbers.insert((kind, *id))) {
+        if let Some(id) = deck::integer(card.text(0)).filter(|id| !self.numbers.insert((kind, *id))) {
             self.second(card, id);
+        }
+    }
+
+    /// Of a card that a deck has once.
+    fn only(&mut self, card: &Reader, (name, field): (&'static str, &str)) {
+        if !self.numbers.insert((name, 0)) {
+            let _: Option<()> = card.wrong(0, field, format!("found a second {name}"), "one is allowed");
         }
     }
 

@@ -170,8 +170,12 @@ fn mean(
         weights[place - 1] += half;
         weights[place] += half;
     }
-    if stations.iter().any(|(_, section, _)| *section != stations[0].1) {
-        let said = "the section changes along the element: its mean is held, elements are uniform here";
+    let changes = [
+        ("the section", stations.iter().any(|(_, section, _)| *section != stations[0].1)),
+        ("other mass (NSM)", stations.iter().any(|(.., mass)| *mass != stations[0].2)),
+    ];
+    for (what, _) in changes.into_iter().filter(|(_, changes)| *changes) {
+        let said = format!("{what} changes along the element: its mean is held, elements are uniform here");
         remarks.field((card.card, id), (0, "PID"), said);
     }
     let sections: Vec<(Section, f64)> =
@@ -180,13 +184,17 @@ fn mean(
     (Section::mean(&sections), mass)
 }
 
-fn place(card: &Reader, index: usize) -> Option<f64> {
+/// Where a station is, from 0 to 1, where no other one is.
+fn another_place(card: &Reader, index: usize, others: &[Station<Option<f64>>]) -> Option<f64> {
     let at = card.real_or(index, "X/XB", 1.0)?;
-    if (0.0..=1.0).contains(&at) {
-        Some(at)
-    } else {
-        card.wrong(index, "X/XB", format!("found {at}"), "0 to 1 is allowed")
+    if !(0.0..=1.0).contains(&at) {
+        return card.wrong(index, "X/XB", format!("found {at}"), "0 to 1 is allowed");
     }
+    if others.iter().any(|other| other.at == at) {
+        let allowed = "a place is allowed where no other station is, above 0";
+        return card.wrong(index, "X/XB", format!("found {at} a second time"), allowed);
+    }
+    Some(at)
 }
 
 pub fn pbeaml(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
@@ -205,7 +213,8 @@ pub fn pbeaml(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
     let mut stations = vec![station(0.0, 8)?];
     let mut first = 8 + count + 1;
     while first < card.card.len() {
-        stations.push(station(place(card, first + 1)?, first + 2)?);
+        let at = another_place(card, first + 1, &stations)?;
+        stations.push(station(at, first + 2)?);
         first += count + 3;
     }
     if !shape.is_doubly_symmetric() {
@@ -231,7 +240,8 @@ pub fn pbeam(card: &Reader, remarks: &mut Remarks) -> Option<Property> {
     // Stresses of end A stand on the second line, unless it is a station.
     let mut line = if is_station(1) { 1 } else { 2 };
     while is_station(line) {
-        stations.push(beam_station(card, 8 * line + 2, place(card, 8 * line + 1)?)?);
+        let at = another_place(card, 8 * line + 1, &stations)?;
+        stations.push(beam_station(card, 8 * line + 2, at)?);
         let has_stresses = card.text(8 * line).eq_ignore_ascii_case("YES");
         line += if has_stresses { 2 } else { 1 };
     }
@@ -298,6 +308,10 @@ fn beam_rest(card: &Reader, id: i64, first: usize, remarks: &mut Remarks) -> Opt
     }
     let at_a = card.not_negative(first + 4, "NSI(A)", 0.0)?;
     let at_b = card.not_negative(first + 5, "NSI(B)", at_a)?;
+    if at_a != at_b {
+        let said = format!("found {at_b}, and {at_a} at end A: the mean is held, elements are uniform here");
+        remarks.field((card.card, id), (first + 5, "NSI(B)"), said);
+    }
     let unheld = [
         (2, "S1", "shear relief of taper"),
         (3, "S2", "shear relief of taper"),

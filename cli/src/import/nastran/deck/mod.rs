@@ -100,7 +100,7 @@ impl Deck {
         for line in &lines[..bulk] {
             let words = words(line);
             let Some(first) = words.first() else { continue };
-            if first == "PARAM" && self.line(line).contains(',') {
+            if first == "PARAM" {
                 parameters.push(line);
                 continue;
             }

@@ -39,6 +39,17 @@ impl Structure {
                 spreads.entry(body).or_insert(spread);
             }
         }
+        let is_reached = |grid: i64| self.bodies.of(grid).is_some_and(|body| tree.is_reached[body]);
+        for spread in
+            cards.spreads.iter().filter(|spread| spread.carriers.len() > 1 && is_reached(spread.grid))
+        {
+            let said = format!(
+                "GRID {} is on beams of its own: that it moves with the mean of {} grids is not held",
+                spread.grid,
+                spread.carriers.len()
+            );
+            remarks.card(&spread.origin, said);
+        }
         let mut left = MOST_SHARES;
         for lump in lumps.into_iter().chain(of_elements) {
             self.spread((&spreads, tree), &lump, (DEEPEST, &mut left), remarks);

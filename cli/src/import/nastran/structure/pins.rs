@@ -77,9 +77,7 @@ pub fn tell(tree: &Tree, members: &[Member], remarks: &mut Remarks) {
                 if members[element].resists_twist {
                     let said =
                         "it closes a loop and is pinned at both ends: its torsional stiffness is not held";
-                    if !remarks.has_told(&members[element].origin) {
-                        remarks.card(&members[element].origin, said);
-                    }
+                    remarks.card_once(&members[element].origin, "torsion", said);
                 }
                 continue;
             };
