@@ -2,8 +2,8 @@
 # All tests: Rust, then the packaged FMU through FMPy, through every importer that a registry has, and coupled with control
 # laws, then what `flexair view` writes, files and pages in Chromium, and Nastran decks beside pyNastran. With platforms in PLATFORMS (win64, aarch64-linux) their
 # libraries are built and flown too, with WHEEL=1, or platforms in WHEEL, the Python package is built, installed and tested, with SLOW=1
-# the tests in Rust that take a minute and more are run too: that is slow, and rarely breaks. Needs Rust, a C compiler and Python 3.11 or
-# newer.
+# the tests in Rust that take a minute and more are run too, and more pages: that is slow, and rarely breaks. Needs Rust, a C compiler and
+# Python 3.11 or newer.
 #
 # What the tests in Rust are made of is compiled with the release's optimisations but linked quickly (profile `checked`); the FMU and the
 # command, which the tests in Python fly, are those of a release.
@@ -64,7 +64,7 @@ done
 
 bash tests/view/run.sh
 
-[ -n "${SLOW:-}" ] || echo 'tests/run.sh: tests in Rust that take a minute and more are left out; SLOW=1 runs them too'
+[ -n "${SLOW:-}" ] || echo 'tests/run.sh: tests in Rust that take a minute and more, and some pages, are left out; SLOW=1 runs them too'
 
 if [ -n "${PLATFORMS:-}" ]; then
     bash tests/platforms/run.sh

@@ -35,6 +35,9 @@ function findDriver() {
 const chromium = findChromium();
 const driver = findDriver();
 
+/** Whether what is slow and rarely breaks is tested too. */
+export const slow = Boolean(process.env.SLOW);
+
 /** Why the tests cannot run, if they cannot. */
 export const missing =
   (!chromium && "no Chromium: name one in CHROMIUM, or apt-get install chromium") ||

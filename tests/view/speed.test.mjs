@@ -4,7 +4,7 @@
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { launch, missing, sample } from "./browser.mjs";
+import { launch, missing, sample, slow } from "./browser.mjs";
 import { bareRate, played } from "./measure.mjs";
 
 /** ms */
@@ -14,7 +14,8 @@ const RATE = 8;
 
 if (missing) console.error(`\n*** SKIPPED: the test of the speed of the page of flexair view: ${missing} ***\n`);
 
-test("a frame is little work, and frames come often enough", { skip: missing, timeout: 300_000 }, async (context) => {
+const skip = missing ?? (slow ? undefined : "SLOW=1 runs it");
+test("a frame is little work, and frames come often enough", { skip, timeout: 300_000 }, async (context) => {
   const browser = await launch();
   const bare = await bareRate(browser, 3);
   const { work, rate, quality, firstPicture } = await played(browser, await sample(), 11);
