@@ -22,7 +22,8 @@ POUND = 0.45359237 * 9.80665
 
 # Coordinate systems within one another, offsets in all of their frames, masses in basic, rectangular and cylindrical ones, inches and pounds:
 # a deck, its units by options, a length in m, a force in N, and how far frequencies may be from those of a frame with the same places of
-# masses: ten times what was measured.
+# masses. Measured are 4.4e-8, and 6.1e-5 where a short stiff link is at each grid: by as much rounding moves the lowest frequency there, 8e-5
+# either way when these links are made up to ten times as stiff.
 FRAMED = [
     ("t-tail-inch", ["--units", "in"], INCH, POUND, 5e-7),
     ("frames-in-frames", [], 1.0, 1.0, 1.5e-4),

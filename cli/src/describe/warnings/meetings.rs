@@ -5,6 +5,9 @@
 use flexible_aircraft::Aircraft;
 use flexible_aircraft::aircraft::Joint;
 
+/// Elements up to this long, m, make one place of what they are between: as far as joints reach, and rounding.
+const SHORT: f64 = 1.01 * Joint::REACH;
+
 /// A pair of components with nodes in one place, the first of their nodes; of mirrored pairs one.
 pub fn unjoined(aircraft: &Aircraft) -> Vec<String> {
     let components = &aircraft.components;
@@ -46,9 +49,8 @@ fn are_one(aircraft: &Aircraft, [one, other]: [usize; 2]) -> bool {
     while next < reached.len() {
         let joints = aircraft.joints.iter().map(Joint::nodes);
         let beams = aircraft.beams.iter().map(|beam| beam.nodes);
-        let is_short = |[from, to]: &[usize; 2]| {
-            (aircraft.nodes[*from] - aircraft.nodes[*to]).norm() <= 2.0 * Joint::REACH
-        };
+        let is_short =
+            |[from, to]: &[usize; 2]| (aircraft.nodes[*from] - aircraft.nodes[*to]).norm() <= SHORT;
         for [from, to] in joints.chain(beams.filter(is_short)) {
             for (from, to) in [(from, to), (to, from)] {
                 if from == reached[next] && !reached.contains(&to) {

@@ -247,7 +247,9 @@ impl Flown {
             remarks.note(said);
             roles = aero::roles(&aero::moments(structure, &surfaces, controls.len()));
         }
-        let area = sum(panels.iter().map(|panel| panel.area(0.0, 1.0) * panel.span().normalize().y.powi(2)));
+        let area = sum(panels
+            .iter()
+            .map(|panel| panel.outline.area(0.0, 1.0) * panel.outline.span().normalize().y.powi(2)));
         Flown { surfaces, controls, roles, engines, area }
     }
 }

@@ -34,7 +34,7 @@ pub fn surfaces(
     for (control, found) in controls.iter().enumerate() {
         found.parts.iter().for_each(|part| parts[part.panel].push((control, part)));
     }
-    let area = |place: &usize| panels[*place].area(0.0, 1.0);
+    let area = |place: &usize| panels[*place].outline.area(0.0, 1.0);
     let mut order: Vec<usize> = (0..panels.len()).collect();
     order.sort_by(|one, other| area(other).total_cmp(&area(one)));
     let mut taken = Taken(vec![Vec::new(); structure.components.len()]);
@@ -67,8 +67,9 @@ impl<'p> Taken<'p> {
         stretch: [f64; 2],
         remarks: &mut Remarks,
     ) -> Option<[f64; 2]> {
-        let [from, to] = run.along(component, stretch);
-        let span = panel.span().normalize();
+        let [one, other] = stretch.map(run.along(component));
+        let [from, to] = [one.min(other), one.max(other)];
+        let span = panel.outline.span().normalize();
         let taken = &mut self.0[run.component];
         let is_over = |(ends, other, _): &&Stretch| {
             to.min(ends[1]) - from.max(ends[0]) > SAME && other.dot(&span).abs() >= CROSSING
@@ -83,8 +84,8 @@ impl<'p> Taken<'p> {
         let kept = free([from, to], &intervals).filter(|kept| kept[1] - kept[0] > slack);
         let across = kept.map(|kept| run.across(component, kept));
         if to - from - kept.map_or(0.0, |kept| kept[1] - kept[0]) > slack {
-            let area =
-                panel.area(stretch[0], stretch[1]) - across.map_or(0.0, |[from, to]| panel.area(from, to));
+            let area = panel.outline.area(stretch[0], stretch[1])
+                - across.map_or(0.0, |[from, to]| panel.outline.area(from, to));
             let said = format!(
                 "{area:.4} m² of what is from {from:.4} to {to:.4} of a beam lie where {} has strips: they are left out",
                 other.origin
@@ -118,7 +119,7 @@ fn of_panel<'p>(
         carried.push((run, [from, to]));
     }
     if carried.is_empty() {
-        let said = format!("no beam runs along it: its {:.4} m² are left out", panel.area(0.0, 1.0));
+        let said = format!("no beam runs along it: its {:.4} m² are left out", panel.outline.area(0.0, 1.0));
         remarks.card(&panel.origin, said);
         return surfaces;
     }
@@ -136,7 +137,7 @@ fn of_panel<'p>(
             let [from, to] = left_out.0.unwrap_or_default();
             let said = format!(
                 "{:.4} m² of it, from {from:.4} to {to:.4} of its span, are beside no beam and are left out",
-                panel.area(from, to)
+                panel.outline.area(from, to)
             );
             remarks.card(&panel.origin, said);
         }
@@ -144,7 +145,7 @@ fn of_panel<'p>(
             let said = format!(
                 "{}: {:.4} m² beyond the end of the beam widen the last strip",
                 panel.origin,
-                panel.area(from, to)
+                panel.outline.area(from, to)
             );
             remarks.note(said);
         }
@@ -190,12 +191,12 @@ fn candidates(structure: &Structure, panel: &Panel) -> Vec<usize> {
 
 /// The components beside the middles of the panel's boxes.
 fn nearest(structure: &Structure, panel: &Panel) -> Vec<usize> {
-    let span = panel.span().normalize();
+    let span = panel.outline.span().normalize();
     let strips = panel.strips();
     let middles = strips.windows(2).map(|edges| 0.5 * (edges[0] + edges[1]));
     middles
         .filter_map(|fraction| {
-            let place = panel.leading_edge(fraction) - Vector3::x() * (0.4 * panel.chord(fraction));
+            let place = panel.outline.at(fraction, 0.4);
             let distance = |component: &Component| {
                 let elements =
                     component.points.windows(2).filter(|ends| is_spanwise(&(ends[1] - ends[0]), &span));
@@ -222,7 +223,7 @@ fn is_spanwise(along: &Vector3<f64>, span: &Vector3<f64>) -> bool {
 
 /// The runs of elements of a component along which a panel's fraction goes one way.
 fn runs(component: &Component, place: usize, panel: &Panel) -> Vec<Run> {
-    let span = panel.span().normalize();
+    let span = panel.outline.span().normalize();
     let ways: Vec<i8> = component
         .points
         .windows(2)
@@ -240,7 +241,7 @@ fn runs(component: &Component, place: usize, panel: &Panel) -> Vec<Run> {
             let run = Run {
                 component: place,
                 first,
-                fractions: nodes.iter().map(|node| panel.fraction(node)).collect(),
+                fractions: nodes.iter().map(|node| panel.outline.fraction(node)).collect(),
             };
             if run.from() < 1.0 - SAME && run.to() > SAME {
                 runs.push(run);

@@ -1,10 +1,9 @@
 //! Panels behind one another, as decks have a wing box and the control surface on a CAERO1 of its own: where the leading edge of one lies
 //! on the rear edge of another, they are one panel with the sum of the chords. Of the one ahead what has none behind it stays a panel.
 
-use nalgebra::Vector3;
-
 use super::super::mistakes::Remarks;
 use super::panel::{CarriedBy, Panel};
+use super::trapezium::Trapezium;
 
 /// Edges that are nearer than this share of both chords meet: decks are written with few digits.
 const MEET: f64 = 1e-3;
@@ -50,10 +49,11 @@ fn meeting(front: &Panel, rear: &Panel) -> Option<[f64; 2]> {
     if !is_card(front) || !is_card(rear) {
         return None;
     }
+    let (front, rear) = (&front.outline, &rear.outline);
     let fractions = rear.corners.map(|corner| front.fraction(&corner));
     let meets = |end: usize| {
         let fraction = fractions[end];
-        let edge = front.leading_edge(fraction) - Vector3::x() * front.chord(fraction);
+        let edge = front.at(fraction, 1.0);
         let chords = front.chords[0].max(front.chords[1]) + rear.chords[0].max(rear.chords[1]);
         (-LEAST..=1.0 + LEAST).contains(&fraction) && (rear.corners[end] - edge).norm() <= MEET * chords
     };
@@ -72,20 +72,18 @@ fn meeting(front: &Panel, rear: &Panel) -> Option<[f64; 2]> {
 
 /// A part of a panel along its span.
 fn piece(panel: &Panel, ends: [f64; 2]) -> Panel {
-    Panel {
-        corners: ends.map(|fraction| panel.leading_edge(fraction)),
-        chords: ends.map(|fraction| panel.chord(fraction)),
-        ..panel.clone()
-    }
+    Panel { outline: panel.outline.part(ends), ..panel.clone() }
 }
 
 /// Both as one, along the span of the one behind.
 fn one(front: &Panel, rear: &Panel, ends: [f64; 2]) -> Panel {
     let ahead = piece(front, ends);
-    let rear_ends = ahead.corners.map(|corner| rear.fraction(&corner).clamp(0.0, 1.0));
-    let chords = [0, 1].map(|end| ahead.chords[end] + rear.chord(rear_ends[end]));
+    let Trapezium { corners, chords } = ahead.outline;
+    let rear_ends = corners.map(|corner| rear.outline.fraction(&corner).clamp(0.0, 1.0));
+    let chords = [0, 1].map(|end| chords[end] + rear.outline.chord(rear_ends[end]));
+    let outline = Trapezium { corners, chords };
     let patches = front.patches.iter().chain(&rear.patches).cloned().collect();
-    Panel { chords, patches, carried_by: both(&front.carried_by, &rear.carried_by), ..ahead }
+    Panel { outline, patches, carried_by: both(&front.carried_by, &rear.carried_by), ..ahead }
 }
 
 fn both(one: &CarriedBy, other: &CarriedBy) -> CarriedBy {

@@ -93,23 +93,36 @@ fn boxes_of_no_panel(cards: &Cards, remarks: &mut Remarks) {
     let mut ranges: Vec<std::ops::Range<i64>> =
         cards.aero.panels.iter().map(|panel| boxes(cards, panel)).collect();
     ranges.sort_by_key(|range| range.start);
-    let is_box = |id: &i64| {
-        let after = ranges.partition_point(|range| range.start <= *id);
-        after.checked_sub(1).is_some_and(|place| ranges[place].contains(id))
-    };
     let used: BTreeSet<i64> =
         cards.aero.surfaces.iter().flat_map(|card| &card.parts).map(|(_, list)| *list).collect();
     for list in used.iter().filter_map(|list| cards.aero.boxes.get(list)) {
-        let mut none = list.ids.singles().filter(|id| !is_box(id));
-        if let Some(first) = none.next() {
-            let more = match none.count() {
-                0 => String::new(),
-                more => format!(" and {more} more"),
-            };
+        if let Some((first, count)) = beside(&list.ids, &ranges) {
+            let more = if count > 1 { format!(" and {} more", count - 1) } else { String::new() };
             let said = format!("found {first}{more}, of which no CAERO1 has a box: nothing is moved there");
             remarks.card(&list.origin, said);
         }
     }
+}
+
+/// The first number of a list that is in none of some ascending ranges, and how many there are.
+fn beside(ids: &Ids, ranges: &[std::ops::Range<i64>]) -> Option<(i64, u64)> {
+    let mut found = None;
+    let mut add = |from: i64, to: i64| {
+        if from < to {
+            let (_, count) = found.get_or_insert((from, 0));
+            *count += to.abs_diff(from);
+        }
+    };
+    for (from, to) in ids.runs() {
+        let mut next = from;
+        let first = ranges.partition_point(|range| range.end <= from);
+        for range in ranges[first..].iter().take_while(|range| range.start <= to) {
+            add(next, range.start);
+            next = range.end;
+        }
+        add(next, to.saturating_add(1));
+    }
+    found
 }
 
 /// To the right, or up where it is upright: the sense of span axes.
@@ -213,7 +226,7 @@ impl Making<'_> {
         ([from, to], edge): ([f64; 2], f64),
         (at, axis): (&Vector3<f64>, &Vector3<f64>),
     ) -> Option<ControlPart> {
-        let span = panel.span().normalize();
+        let span = panel.outline.span().normalize();
         let across = axis.dot(&span);
         if across.abs() < 0.2 {
             let said = format!(
@@ -224,9 +237,9 @@ impl Making<'_> {
             return None;
         }
         let hinge_at = |fraction: f64| {
-            let out = (panel.leading_edge(fraction) - at).dot(&span);
+            let out = (panel.outline.leading_edge(fraction) - at).dot(&span);
             let place = at + axis * (out / across);
-            panel.chord_fraction(&place, fraction)
+            panel.outline.chord_fraction(&place, fraction)
         };
         let middle = hinge_at(0.5 * (from + to));
         let [one, other] = [hinge_at(from), hinge_at(to)];

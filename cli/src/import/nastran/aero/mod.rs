@@ -9,6 +9,7 @@ mod panel;
 mod panels;
 mod roles;
 mod strip;
+mod trapezium;
 
 pub use attach::surfaces;
 pub use controls::{Control, controls};

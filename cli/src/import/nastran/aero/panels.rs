@@ -11,6 +11,7 @@ use super::super::structure::Structure;
 use super::chordwise::joined;
 use super::line::SurfaceLine;
 use super::panel::{CarriedBy, Panel, Patch, SAME};
+use super::trapezium::Trapezium;
 
 /// All panels, of the deck and of the command line.
 pub fn panels(
@@ -51,8 +52,8 @@ fn of_card(
     let spanwise = edges(&cards.aero, card, (card.spanwise, "LSPAN"), mistakes)?;
     let chordwise = edges(&cards.aero, card, (card.chordwise, "LCHORD"), mistakes)?;
     let chords = card.chords.map(|chord| chord * world.length());
-    let patch =
-        Patch { origin: card.origin.clone(), corners: [inboard, outboard], chords, spanwise, chordwise };
+    let outline = Trapezium { corners: [inboard, outboard], chords };
+    let patch = Patch { origin: card.origin.clone(), outline: outline.clone(), spanwise, chordwise };
     let carried_by = carried_by(cards, card, mistakes)?;
     tell_boxes_without_splines(cards, &patch, remarks);
     if carried_by == CarriedBy::Nearest {
@@ -61,15 +62,8 @@ fn of_card(
             card.origin
         ));
     }
-    let panel = Panel {
-        origin: card.origin.clone(),
-        corners: [inboard, outboard],
-        chords,
-        patches: vec![patch],
-        carried_by,
-        flap: None,
-    };
-    if panel.span().norm() < 1e-6 {
+    let panel = Panel { origin: card.origin.clone(), outline, patches: vec![patch], carried_by, flap: None };
+    if panel.outline.span().norm() < 1e-6 {
         let found = "found no span across the flow";
         mistakes.of_origin(
             &card.origin,
@@ -182,13 +176,15 @@ fn of_line(
     let ahead = |at: Vector3<f64>, chord: f64| at + Vector3::x() * (line.axis * chord);
     let panel = Panel {
         origin: Origin { card: "--surface", id: place as i64 + 1, place: Default::default() },
-        corners: [ahead(one, line.chords[0]), ahead(other, line.chords[1])],
-        chords: line.chords,
+        outline: Trapezium {
+            corners: [ahead(one, line.chords[0]), ahead(other, line.chords[1])],
+            chords: line.chords,
+        },
         patches: Vec::new(),
         carried_by: CarriedBy::Between(line.grids),
         flap: line.flap.clone(),
     };
-    if panel.span().norm() < 1e-6 {
+    if panel.outline.span().norm() < 1e-6 {
         mistakes.of_whole(format!(
             "--surface {}:{}: found no span, two grids apart across x are needed",
             line.grids[0], line.grids[1]

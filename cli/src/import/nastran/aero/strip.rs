@@ -81,15 +81,20 @@ impl Run {
         (self.first + element, ((fraction - begin) / (end - begin)).clamp(0.0, 1.0))
     }
 
-    /// Where along the component, as fractions of its length, the panel has two of its fractions, in ascending order.
-    pub fn along(&self, component: &Component, ends: [f64; 2]) -> [f64; 2] {
+    /// Where along the component, as a fraction of its length, the panel has a fraction.
+    pub fn along(&self, component: &Component) -> impl Fn(f64) -> f64 + '_ {
         let distances = component.distances();
-        let [one, other] = ends.map(|fraction| {
+        move |fraction| {
             let (element, share) = self.place(fraction);
             let at = distances[element] + share * (distances[element + 1] - distances[element]);
             at / distances[distances.len() - 1]
-        });
-        [one.min(other), one.max(other)]
+        }
+    }
+
+    /// The point of the component there, m from O.
+    fn point(&self, component: &Component, fraction: f64) -> Vector3<f64> {
+        let (element, share) = self.place(fraction);
+        component.points[element].lerp(&component.points[element + 1], share)
     }
 
     /// The panel's fractions at two places along the component, in ascending order.
@@ -122,32 +127,25 @@ pub fn of_stretch(
     parts: &[(usize, &ControlPart)],
     remarks: &mut Remarks,
 ) -> Option<Surface> {
-    let distances = component.distances();
-    let length = distances[distances.len() - 1];
-    // Where along the component, and which point of it.
-    let place = |fraction: f64| {
-        let (element, share) = run.place(fraction);
-        let along = distances[element] + share * (distances[element + 1] - distances[element]);
-        (along / length, component.points[element].lerp(&component.points[element + 1], share))
-    };
+    let along = run.along(component);
     let inside = run.fractions.iter().copied().filter(|node| (from + SAME..to - SAME).contains(node));
     let mut ends: Vec<f64> = inside.chain([from, to]).collect();
-    ends.sort_by(|one, other| place(*one).0.total_cmp(&place(*other).0));
-    let least = 1e-3 * panel.chords[0].max(panel.chords[1]);
+    ends.sort_by(|one, other| along(*one).total_cmp(&along(*other)));
+    let least = 1e-3 * panel.outline.chords[0].max(panel.outline.chords[1]);
     // Strips stand in the middle between two ends: laws that are exact there.
     let mut middles = Vec::with_capacity(ends.len());
     let mut high = 0.0_f64;
     for pair in ends.windows(2) {
         let fraction = 0.5 * (pair[0] + pair[1]);
-        let (along, at) = place(fraction);
-        middles.push((along, panel.chord_fraction(&at, fraction)));
-        let above = (at - panel.leading_edge(fraction)).dot(&up(panel));
-        high = high.max(above.abs() / panel.chord(fraction).max(least));
+        let at = run.point(component, fraction);
+        middles.push((along(fraction), panel.outline.chord_fraction(&at, fraction)));
+        let above = (at - panel.outline.leading_edge(fraction)).dot(&up(panel));
+        high = high.max(above.abs() / panel.outline.chord(fraction).max(least));
     }
     if let Some((_, bad)) = middles.iter().find(|(_, axis)| !ELASTIC_AXES.contains(axis)) {
         let said = format!(
             "the beam runs {bad:.3} chords behind its leading edge, where -1 to 2 is held: {:.4} m² from {from:.4} to {to:.4} of its span are left out",
-            panel.area(from, to)
+            panel.outline.area(from, to)
         );
         remarks.card(&panel.origin, said);
         return None;
@@ -158,14 +156,14 @@ pub fn of_stretch(
         );
         remarks.card_once(&panel.origin, "height", said);
     }
-    let at: Vec<f64> = ends.iter().map(|fraction| place(*fraction).0).collect();
+    let at: Vec<f64> = ends.iter().map(|fraction| along(*fraction)).collect();
     Some(Surface {
         origin: panel.origin.clone(),
         component: run.component,
         from: at[0],
         to: at[at.len() - 1],
         at,
-        chords: ends.iter().map(|fraction| panel.chord(*fraction).max(least)).collect(),
+        chords: ends.iter().map(|fraction| panel.outline.chord(*fraction).max(least)).collect(),
         middles: middles.iter().map(|(along, _)| *along).collect(),
         elastic_axes: middles.iter().map(|(_, axis)| *axis).collect(),
         span_axis: span_axis(component, run, panel),
@@ -176,12 +174,12 @@ pub fn of_stretch(
 
 /// Across the chords and the span of a panel.
 fn up(panel: &Panel) -> Vector3<f64> {
-    Vector3::x().cross(&panel.span().normalize())
+    Vector3::x().cross(&panel.outline.span().normalize())
 }
 
 /// That of the panel, where the beam's own direction is another one.
 fn span_axis(component: &Component, run: &Run, panel: &Panel) -> Option<Vector3<f64>> {
-    let span = panel.span().normalize();
+    let span = panel.outline.span().normalize();
     let span = if is_rightwards(&span) { span } else { -span };
     let elements = component.points[run.first..run.first + run.fractions.len()].windows(2);
     let is_off = elements.map(|ends| ends[1] - ends[0]).any(|along| {
@@ -200,7 +198,7 @@ fn widths(
     if widened == [None, None] {
         return None;
     }
-    let span = panel.span();
+    let span = panel.outline.span();
     let unit = span.normalize();
     let own = component.points.windows(2).map(|ends| (ends[1] - ends[0]).dot(&unit).abs().max(1e-6));
     let mut widths: Vec<f64> = own.collect();
@@ -220,7 +218,8 @@ fn widths(
             [to + 0.5 * beyond, to - 0.5 * part]
         };
         widths[element] += beyond * span.norm() / share
-            * (panel.chord(outer) / panel.chord(middle).max(1e-3 * panel.chord(outer)));
+            * (panel.outline.chord(outer)
+                / panel.outline.chord(middle).max(1e-3 * panel.outline.chord(outer)));
     }
     Some(widths)
 }

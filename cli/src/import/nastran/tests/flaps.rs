@@ -138,6 +138,8 @@ fn slats_spoilers_tabs_and_boxes_of_no_panel_are_told_of() {
     assert!(said.contains("AELIST 1: found 9919, of which no CAERO1 has a box"), "{said}");
     // The other strip has its last row alone, as the list has it.
     assert!(said.contains("begin at 0.800 and at 0.900"), "{said}");
+    let (said, _) = told("AELIST,1,1059,THRU,1070\nAESURF,1,AIL,2,1\n");
+    assert!(said.contains("AELIST 1: found 1061 and 9 more, of which no CAERO1 has a box"), "{said}");
     let (said, _) = told("AELIST,1,1006,THRU,1010,1019,1020\nAESURF,1,AIL,2,1\n");
     assert!(
         said.contains("AIL: its boxes on CAERO1 1001 begin at 0.500 and at 0.800 of the chord"),
