@@ -136,6 +136,9 @@ fn reference_lengths(aircraft: &Aircraft) -> Vec<String> {
     let given = aircraft.reference;
     let plain = Aircraft { reference: Default::default(), ..aircraft.clone() };
     let Some(wing) = plain.reference_lengths() else { return Vec::new() };
+    if !is_largest(aircraft) {
+        return Vec::new();
+    }
     let all = [
         ("chord_m", given.chord, wing.chord),
         ("area_m2", given.area, wing.area),
@@ -147,6 +150,17 @@ fn reference_lengths(aircraft: &Aircraft) -> Vec<String> {
         Some(format!("[reference] {field} is {}, the wing has {wing}: usual is about that", Plain(given)))
     });
     odd.collect()
+}
+
+/// Whether no other surface has more area than the component that the library takes for the wing: where a file has a wing as a component
+/// for each side, that is a tail.
+fn is_largest(aircraft: &Aircraft) -> bool {
+    let area = |component: usize| -> f64 {
+        strips(aircraft, component).iter().map(|strip| 2.0 * strip.semichord * strip.width).sum()
+    };
+    let lifting = (0..aircraft.components.len()).filter(|&component| is_lifting(aircraft, component));
+    let largest = lifting.map(area).fold(0.0, f64::max);
+    aircraft.wing().is_some_and(|wing| area(wing) > 0.99 * largest)
 }
 
 /// A component with strips and no mass.

@@ -224,6 +224,15 @@ fn given_reference_lengths_are_about_those_of_the_wing() {
     assert!(reference_lengths(&jet(|jet| jet.reference.chord = Some(3.5))).is_empty());
     let odd = reference_lengths(&jet(|jet| jet.reference.chord = Some(37.0)));
     assert_eq!(odd, ["[reference] chord_m is 37, the wing has 3.73073: usual is about that"]);
+    // A component for each side: what has an image is the tail alone.
+    let by_sides = jet(|jet| {
+        let wing = wing(jet);
+        let image = jet.components[wing].image.unwrap();
+        [wing, image].into_iter().for_each(|side| jet.components[side].image = None);
+        jet.reference.area = Some(80.0);
+    });
+    assert!(by_sides.components[by_sides.wing().unwrap()].name.contains("tail"));
+    assert!(reference_lengths(&by_sides).is_empty());
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::names::Names;
-use super::structure::{Component, NodeRef, Structure};
+use super::structure::{Component, ComponentElement, NodeRef, Structure};
 
 /// Places that are nearer to the plane of symmetry than this share of the aircraft are in it.
 pub const IN_PLANE: f64 = 1e-6;
@@ -24,13 +24,23 @@ pub fn size(structure: &Structure) -> f64 {
     structure.components.iter().flat_map(|component| &component.points).map(Vector3::norm).fold(0.0, f64::max)
 }
 
-/// The mean of a component's nodes.
+/// A component's nodes without the rigid links that it begins and ends with: a fin may begin with one as long as the fuselage.
+fn own(component: &Component) -> &[Vector3<f64>] {
+    let of_deck = |element: &ComponentElement| element.member.is_some();
+    let first = component.elements.iter().position(of_deck);
+    let last = component.elements.iter().rposition(of_deck);
+    first.zip(last).map_or(&component.points, |(first, last)| &component.points[first..last + 2])
+}
+
+/// The mean of a component's own nodes.
 pub fn middle(component: &Component) -> Vector3<f64> {
-    component.points.iter().sum::<Vector3<f64>>() / component.points.len() as f64
+    let own = own(component);
+    own.iter().sum::<Vector3<f64>>() / own.len() as f64
 }
 
 fn reach(component: &Component) -> Vector3<f64> {
-    component.points[component.points.len() - 1] - component.points[0]
+    let own = own(component);
+    own[own.len() - 1] - own[0]
 }
 
 fn way(component: &Component) -> Way {

@@ -142,6 +142,10 @@ fn of_matrix(
     })
 }
 
+/// What is said of many masses whose inertia no body has.
+const MENDED: &str =
+    "no body has their principal moments: those that are too small are held larger, none smaller";
+
 /// As a body has it.
 fn mended(mut lump: Lump, total: f64, remarks: &mut Remarks) -> Option<Lump> {
     let Some(mended) = inertia::mend(&lump.inertia) else {
@@ -155,7 +159,7 @@ fn mended(mut lump: Lump, total: f64, remarks: &mut Remarks) -> Option<Lump> {
             shown(before),
             shown(mended.to)
         );
-        remarks.card(&lump.origin, said);
+        remarks.card_of_many(&lump.origin, said, MENDED);
         lump.inertia = mended.inertia;
     }
     if lump.mass == 0.0 {

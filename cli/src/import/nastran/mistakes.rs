@@ -145,6 +145,8 @@ pub struct Remark {
     /// `PBAR 101, field 2 (K1)`.
     pub what: String,
     pub said: String,
+    /// What is said instead of many cards of one kind that differ in numbers alone.
+    pub of_many: Option<&'static str>,
 }
 
 /// What the importer has to say, in the order of the deck.
@@ -170,12 +172,22 @@ impl Remarks {
 
     /// Of a field that was kept.
     pub fn of_field(&mut self, field: &Field, said: impl Into<String>) {
-        self.reports.push(Remark { place: field.place, what: field.what.clone(), said: said.into() });
+        self.report((field.place, field.what.clone()), said);
     }
 
     /// Of a whole card.
     pub fn card(&mut self, source: &Origin, said: impl Into<String>) {
-        self.reports.push(Remark { place: source.place, what: source.to_string(), said: said.into() });
+        self.report((source.place, source.to_string()), said);
+    }
+
+    /// Of what there may be many cards, with numbers of their own.
+    pub fn card_of_many(&mut self, source: &Origin, said: String, of_many: &'static str) {
+        let of_many = Some(of_many);
+        self.reports.push(Remark { place: source.place, what: source.to_string(), said, of_many });
+    }
+
+    pub fn report(&mut self, (place, what): (Place, String), said: impl Into<String>) {
+        self.reports.push(Remark { place, what, said: said.into(), of_many: None });
     }
 
     /// Of a whole card, if it was not told of this yet.

@@ -97,12 +97,19 @@ fn reports(imported: &Imported) -> String {
     reports.sort_by_key(|remark| remark.place);
     let mut rest = reports.as_slice();
     while let Some(first) = rest.first() {
-        let is_same = |remark: &&&Remark| remark.said == first.said && card(remark) == card(first);
+        let is_alike = |remark: &Remark| {
+            remark.said == first.said || (first.of_many.is_some() && remark.of_many == first.of_many)
+        };
+        let is_same = |remark: &&&Remark| is_alike(remark) && card(remark) == card(first);
         let same = rest.iter().take_while(is_same).count();
         let told = if same >= TOGETHER { same } else { 1 };
         if told > 1 {
             let places: Vec<Place> = rest[..told].iter().map(|remark| remark.place).collect();
-            text += &format!("  {}: {told} {}: {}\n", lines(imported, &places), card(first), first.said);
+            let said = match first.of_many {
+                Some(of_many) => format!("{of_many}; {}: {}", first.what, first.said),
+                None => first.said.clone(),
+            };
+            text += &format!("  {}: {told} {}: {said}\n", lines(imported, &places), card(first));
         } else {
             let place = match first.what.starts_with("--") {
                 true => "command line".to_owned(),

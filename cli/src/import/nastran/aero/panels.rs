@@ -21,11 +21,12 @@ pub fn panels(
     (mistakes, remarks): (&mut Mistakes, &mut Remarks),
 ) -> Vec<Panel> {
     let aero = &cards.aero;
-    let of_cards = aero
+    let of_cards: Vec<Panel> = aero
         .panels
         .iter()
         .filter_map(|card| of_card(card, (cards, world), structure, (mistakes, remarks)))
         .collect();
+    tell_panels_without_splines(&of_cards, remarks);
     let mut panels = joined(of_cards, remarks);
     for (place, line) in lines.iter().enumerate() {
         panels.extend(of_line((place, line), world, structure, mistakes));
@@ -56,12 +57,6 @@ fn of_card(
     let patch = Patch { origin: card.origin.clone(), outline: outline.clone(), spanwise, chordwise };
     let carried_by = carried_by(cards, card, mistakes)?;
     tell_boxes_without_splines(cards, &patch, remarks);
-    if carried_by == CarriedBy::Nearest {
-        remarks.note(format!(
-            "{}: no SPLINE1 or SPLINE2 names it, it is carried by the beam beside it",
-            card.origin
-        ));
-    }
     let panel = Panel { origin: card.origin.clone(), outline, patches: vec![patch], carried_by, flap: None };
     if panel.outline.span().norm() < 1e-6 {
         let found = "found no span across the flow";
@@ -126,6 +121,20 @@ fn carried_by(cards: &Cards, card: &PanelCard, mistakes: &mut Mistakes) -> Optio
 fn splines<'c>(cards: &'c Cards, panel: &Origin) -> impl Iterator<Item = &'c Spline> {
     let id = panel.id;
     cards.aero.splines.iter().filter(move |spline| spline.panel == id)
+}
+
+fn tell_panels_without_splines(panels: &[Panel], remarks: &mut Remarks) {
+    let without = panels.iter().filter(|panel| panel.carried_by == CarriedBy::Nearest);
+    let names: Vec<String> = without.map(|panel| panel.origin.to_string()).collect();
+    match names.as_slice() {
+        [] => {}
+        [one] => remarks
+            .note(format!("{one}: no SPLINE1 or SPLINE2 names it, it is carried by the beam beside it")),
+        several => remarks.note(format!(
+            "{}: no SPLINE1 or SPLINE2 names them, each is carried by the beam beside it",
+            several.join(", ")
+        )),
+    }
 }
 
 /// Says that boxes which no spline moves are carried as the others are: BOX1 and BOX2 are corners of a rectangle.

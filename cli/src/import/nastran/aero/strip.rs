@@ -87,7 +87,10 @@ impl Run {
         move |fraction| {
             let (element, share) = self.place(fraction);
             let at = distances[element] + share * (distances[element + 1] - distances[element]);
-            at / distances[distances.len() - 1]
+            let along = at / distances[distances.len() - 1];
+            // Rounding of a panel that begins or ends with the beam.
+            let end = along.round();
+            if (along - end).abs() < 1e-3 * SAME { end } else { along }
         }
     }
 

@@ -210,7 +210,8 @@ pub fn surface(card: &Reader, remarks: &mut Remarks) -> Option<SurfaceCard> {
         return card.wrong(1, "LABEL", "found nothing", "a name is needed");
     }
     let mut parts = vec![(card.integer(2, "CID1")?, card.integer(3, "ALID1")?)];
-    if !card.is_blank(4) || !card.is_blank(5) {
+    // Editors write CID2 = 0 where there is no second list.
+    if !matches!((card.text(4), card.text(5)), ("" | "0", "" | "0")) {
         parts.push((card.integer(4, "CID2")?, card.integer(5, "ALID2")?));
     }
     let effectiveness = card.real_or(6, "EFF", 1.0)?;

@@ -132,8 +132,8 @@ fn pin(card: &Reader, id: i64, (index, name): (usize, &str)) -> Option<Option<Pi
 /// The letters of OFFT: of the orientation, of the offsets.
 fn frames(card: &Reader, usual: [char; 3]) -> Option<[char; 3]> {
     let text = card.text(7).to_uppercase();
-    // BIT of a CBEAM is a number and has to do with p-elements.
-    if text.is_empty() || text.contains('.') {
+    // BIT of a CBEAM is a number and has to do with p-elements; in old decks 1 and 2 say that a vector or a grid stands before it.
+    if matches!(text.as_str(), "" | "1" | "2") || text.contains('.') {
         return Some(usual);
     }
     let letters: Vec<char> = text.chars().collect();

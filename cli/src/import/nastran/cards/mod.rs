@@ -228,9 +228,8 @@ impl Reading<'_> {
             return Some(());
         }
         let what = format!("{} {}", deck::cut_short(&card.card.name), deck::cut_short(card.text(0)));
-        let said = "this card is not read: what it says is not in the aircraft".to_owned();
-        let (place, what) = (card.card.place, what.trim_end().to_owned());
-        self.remarks.reports.push(super::mistakes::Remark { place, what, said });
+        let said = "this card is not read: what it says is not in the aircraft";
+        self.remarks.report((card.card.place, what.trim_end().to_owned()), said);
         Some(())
     }
 

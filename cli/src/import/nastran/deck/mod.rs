@@ -15,6 +15,12 @@ pub use number::{integer, real};
 
 use super::mistakes::Mistakes;
 
+/// The name of a card of text, in which commas divide nothing.
+const EQUATION: &str = "DEQATN";
+
+/// What a line begins with that has its fields from the line above.
+const REPEATS: char = '=';
+
 /// Letters of a field that messages show.
 const LONGEST_SHOWN: usize = 40;
 
@@ -125,23 +131,15 @@ impl Deck {
             if said.eq_ignore_ascii_case("ENDDATA") {
                 break;
             }
-            let cut = match fields::cut(text, line.bytes.start as u32) {
-                Ok(cut) => cut,
-                Err(Unreadable::TooMany { found, allowed }) => {
-                    let found = format!("found {found} fields between commas");
-                    let allowed =
-                        format!("up to {allowed} are allowed on a line, the last for the continuation");
-                    mistakes.add(line.place.file, line.bytes.clone(), "line".to_owned(), found, allowed);
-                    continue;
+            if let Some(word) = equation(text, cards.last()) {
+                match cards.last_mut().filter(|_| word.is_empty()) {
+                    Some(card) => card.end = line.place.line + 1,
+                    None => cards.push(Card::of_text(word, line)),
                 }
-                Err(Unreadable::TooLong { found, allowed }) => {
-                    let found = format!("found a line of {found} bytes without its comment");
-                    let begin = line.bytes.start..line.bytes.start + DATA.min(text.len());
-                    let allowed = format!("up to {allowed} are allowed");
-                    mistakes.add(line.place.file, begin, "line".to_owned(), found, allowed);
-                    continue;
-                }
-            };
+                tail.clear();
+                continue;
+            }
+            let Some(cut) = Self::cut(text, line, mistakes) else { continue };
             let of = |span: &Span| &self.files[line.place.file].text[span.start as usize..span.end as usize];
             let head = of(&cut.head);
             let is_continuation = head.is_empty() || head.starts_with(['+', '*']);
@@ -169,6 +167,30 @@ impl Deck {
             tail = of(&cut.tail).to_owned();
         }
         self.cards = cards;
+    }
+
+    /// The fields of a line; if it has none, says why.
+    fn cut(text: &str, line: &DeckLine, mistakes: &mut Mistakes) -> Option<fields::Line> {
+        let (bytes, found, allowed) = match fields::cut(text, line.bytes.start as u32) {
+            Ok(_) if text.trim_start().starts_with(REPEATS) => {
+                let found =
+                    format!("found {:?}, which repeats fields of the line above", cut_short(text.trim()));
+                (line.bytes.clone(), found, "cards that are written out are allowed".to_owned())
+            }
+            Ok(cut) => return Some(cut),
+            Err(Unreadable::TooMany { found, allowed }) => (
+                line.bytes.clone(),
+                format!("found {found} fields between commas"),
+                format!("up to {allowed} are allowed on a line, the last for the continuation"),
+            ),
+            Err(Unreadable::TooLong { found, allowed }) => (
+                line.bytes.start..line.bytes.start + DATA.min(text.len()),
+                format!("found a line of {found} bytes without its comment"),
+                format!("up to {allowed} are allowed"),
+            ),
+        };
+        mistakes.add(line.place.file, bytes, "line".to_owned(), found, allowed);
+        None
     }
 
     fn line(&self, line: &DeckLine) -> &str {
@@ -202,15 +224,25 @@ impl Deck {
     }
 }
 
-/// The card that a line continues, if it does: marks at both ends are alike where both are there.
+/// Of a line of an equation the name that it begins with, which a line that continues one has not.
+fn equation<'t>(text: &'t str, before: Option<&Card>) -> Option<&'t str> {
+    let word = text.get(..EQUATION.len()).filter(|word| word.eq_ignore_ascii_case(EQUATION));
+    let goes_on =
+        before.is_some_and(|card| card.name == EQUATION) && text.starts_with([' ', '\t', '+', '*', ',']);
+    word.or(goes_on.then_some(""))
+}
+
+/// The card that a line continues, if it does: marks at both ends are alike where both are there. Of the one that a line ends with, the
+/// first letter may be any: `KFREQ` is continued by `+FREQ`.
 fn continued<'c>(
     card: Option<&'c mut Card>,
     place: Place,
     (tail, head): (&str, &str),
 ) -> Option<&'c mut Card> {
     let bare = |mark: &str| mark.trim_start_matches(['+', '*']).to_uppercase();
+    let behind_first = tail.chars().skip(1).collect::<String>().to_uppercase();
     let (tail, head) = (bare(tail), bare(head));
-    let fits = tail.is_empty() || head.is_empty() || tail == head;
+    let fits = tail.is_empty() || head.is_empty() || tail == head || behind_first == head;
     card.filter(|card| fits && card.place.file == place.file)
 }
 
@@ -219,6 +251,19 @@ fn bytes(span: &Span) -> Range<usize> {
 }
 
 impl Card {
+    /// One of which only the name is read.
+    fn of_text(name: &str, line: &DeckLine) -> Card {
+        let begin = line.bytes.start as u32;
+        let head = begin..begin + name.len() as u32;
+        Card {
+            name: name.to_uppercase(),
+            place: line.place,
+            end: line.place.line + 1,
+            head,
+            fields: Vec::new(),
+        }
+    }
+
     /// Lines have eight fields: after a large one alone the rest is blank.
     fn pad(&mut self, is_large: bool) {
         if !is_large {

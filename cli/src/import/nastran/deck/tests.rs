@@ -108,6 +108,30 @@ fn continuations_in_another_place_and_before_any_card_are_mistakes() {
 }
 
 #[test]
+fn the_first_letter_of_the_mark_that_a_line_ends_with_may_be_any() {
+    let text = "FLFACT  3       .1      .2      .3      .4      .5      .6      .7      KFREQ\n+FREQ   .8\n";
+    let (deck, told) = read(&[("a.bdf", text)]);
+    assert_eq!(told, "");
+    assert_eq!((deck.cards.len(), deck.text(&deck.cards[0], 8)), (1, ".8"));
+}
+
+#[test]
+fn equations_are_text_and_lines_that_repeat_others_are_refused() {
+    let text =
+        "DEQATN  301     Z(A,B,C,D,E,F,G,H,I,J,K)=SUM(A,B,C)\n        +MAX(A,B,C,D,E,F,G,H,I,J,K)\nGRID,1\n";
+    let (deck, told) = read(&[("a.bdf", text)]);
+    assert_eq!(told, "");
+    assert_eq!(deck.cards.iter().map(|card| card.name.as_str()).collect::<Vec<_>>(), ["DEQATN", "GRID"]);
+    assert_eq!(deck.cards[0].end, 3);
+    let (_, told) = read(&[("a.bdf", "GRID,101,2,48.,0.,0.,1\n=,*(1),=,=,*(12.5),==\n=(8)\n")]);
+    assert_eq!(
+        told,
+        "a.bdf:2:1: line: found \"=,*(1),=,=,*(12.5),==\", which repeats fields of the line above; cards that are written out are allowed\n\
+         a.bdf:3:1: line: found \"=(8)\", which repeats fields of the line above; cards that are written out are allowed"
+    );
+}
+
+#[test]
 fn includes_go_neither_in_circles_nor_without_end_nor_to_what_is_missing() {
     let (_, told) = read(&[("a.bdf", "GRID,1\nINCLUDE 'b.bdf'\n"), ("b.bdf", "$\nINCLUDE 'a.bdf'\n")]);
     assert!(

@@ -29,6 +29,9 @@ const BESIDE: f64 = 0.05;
 /// Ends nearer than this share of the next element's length are one place: a rigid link there would be as stiff as rounding is fine.
 pub const NEAR_BY_LENGTH: f64 = 1e-3;
 
+/// Ends that are nearer, m, are apart by rounding: of what is moved so far nothing is said.
+const ROUNDING: f64 = 1e-9;
+
 /// The shortest element of the format, m.
 const SHORTEST: f64 = 1e-6;
 
@@ -109,7 +112,7 @@ impl<'a> Growth<'a> {
                 waiting.push_front((body, element));
                 break;
             }
-            if !is_apart && gap > 0.0 {
+            if !is_apart && gap > ROUNDING {
                 self.moved.push((element, gap));
             }
             chain = longer;

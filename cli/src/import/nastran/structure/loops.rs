@@ -35,10 +35,6 @@ pub fn close(growth: &mut Growth, (tree, members): (&Tree, &[Member]), remarks: 
         let gap = (place - at).norm();
         let target =
             if gap > slack { growth.add_link((at, target), place, closing.joined_to) } else { target };
-        remarks.note(format!(
-            "{} closes a loop at GRID {grid}: a [[joint]] there, and model = \"exact\", for the geometrically exact level has no loops",
-            member.origin
-        ));
         let rotations = pins::joint(members, closing).rotations;
         let ends = [tip, target].map(|node| match node {
             NodeRef::Origin => (0, 0),
@@ -46,7 +42,22 @@ pub fn close(growth: &mut Growth, (tree, members): (&Tree, &[Member]), remarks: 
         });
         joints.push(Joint { origin: member.origin.clone(), grid, ends, rotations });
     }
+    tell(&joints, remarks);
     joints
+}
+
+fn tell(joints: &[Joint], remarks: &mut Remarks) {
+    let why = "and model = \"exact\", for the geometrically exact level has no loops";
+    match joints {
+        [] => {}
+        [one] => remarks
+            .note(format!("{} closes a loop at GRID {}: a [[joint]] there, {why}", one.origin, one.grid)),
+        several => {
+            let at = |joint: &Joint| format!("{} at GRID {}", joint.origin, joint.grid);
+            let all = several.iter().map(at).collect::<Vec<_>>().join(", ");
+            remarks.note(format!("{} loops are closed, by {all}: a [[joint]] at each, {why}", several.len()));
+        }
+    }
 }
 
 impl Structure {

@@ -22,6 +22,7 @@ use super::members::Member;
 use super::mistakes::{Mistakes, Origin, Remarks};
 use super::stiffness::Stiffness;
 use super::units::Units;
+use crate::numbers::short;
 use bodies::Bodies;
 use growth::Growth;
 use hinges::Hinges;
@@ -176,7 +177,7 @@ impl Structure {
         let mut growth = Growth::new((&members, &tree), (origin, &hinges), stiffest);
         let joints = loops::close(&mut growth, (&tree, &members), remarks);
         for &(element, gap) in &growth.moved {
-            let said = format!("its end is moved by {:.3} mm onto the node beside it", gap * 1e3);
+            let said = format!("its end is moved by {} mm onto the node beside it", short(gap * 1e3));
             remarks.note(format!("{}: {said}", members[element].origin));
         }
         let Growth { mut components, ports, .. } = growth;

@@ -93,6 +93,33 @@ fn a_panel_behind_part_of_another_one_leaves_the_rest_as_it_was() {
     assert!(!flaps.is_empty() && flaps.iter().all(|(semichord, hinge)| (semichord - 0.75).abs() < 1e-9 && (hinge - 2.0 / 3.0).abs() < 1e-7));
 }
 
+/// As an elevator with a horn, or one that is as wide as the beam where the stabiliser is not.
+#[test]
+fn a_panel_wider_than_the_one_ahead_of_it_is_behind_it_where_both_are() {
+    let narrow = half("").replace("-.25,3.,0.,1.", "-.25,2.,0.,1.");
+    let rear = "CAERO1,2001,1,,3,2,,,1\n,.75,0.,0.,1.,.75,3.,0.,1.\nAELIST,1,2001,THRU,2006\nCORD2R,5,,.75,0.,0.,.75,0.,1.\n,1.,0.,0.\n\
+                AESURF,1,FLAP,5,1,0,,1.\n";
+    let found = read(&(narrow + rear));
+    let told = reports(&found);
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert!(
+        told[0].contains("FLAP: its hinge, y of its frame, is at 0.000 of the chord of CAERO1 2001"),
+        "{told:?}"
+    );
+    assert!((area(&found) - (2.0 * 2.0 + 1.0)).abs() < 1e-9, "{}", area(&found));
+    for strip in &found.aircraft.strips {
+        let beam = &found.aircraft.beams[strip.attachment.beam];
+        let y = beam.nodes.map(|node| found.aircraft.nodes[node].y);
+        let place = y[0] + strip.attachment.fraction * (y[1] - y[0]);
+        let (semichord, hinge) = if place < 2.0 { (1.0, 0.5) } else { (0.5, 0.02) };
+        let flap = strip.flap.as_ref().unwrap();
+        assert!(
+            (strip.semichord - semichord).abs() < 1e-9 && (flap.hinge - hinge).abs() < 1e-7,
+            "{place} {flap:?}"
+        );
+    }
+}
+
 #[test]
 fn panels_over_one_another_are_told_of_by_their_cards() {
     let over = "CAERO1,2001,1,,2,2,,,1\n,-.25,1.,0.,1.,-.25,2.,0.,1.\n";
@@ -186,6 +213,9 @@ fn a_swept_fin_on_a_link_and_wings_beyond_a_kink_are_components_with_their_names
         names
     };
     assert_eq!(names(fin), ["fuselage_aft", "fin"]);
+    // On a body that is rigid as a whole.
+    let on_link = fin.replace("CBAR,1,1,1,2,0.,0.,1.\nCBAR,2,1,2,3,0.,0.,1.\nRBE2,3,3,", "RBE2,3,1,");
+    assert_eq!(names(&on_link), ["fin"]);
     // A gull wing.
     let wing = "MAT1,1,7.+10,,.33,2700.\nPBAR,1,1,.01,1.-4,4.-4,1.-4\nGRID,1,,0.,0.,0.\nGRID,2,,0.,3.,2.9\nGRID,3,,0.,7.,0.\n\
                 CBAR,1,1,1,2,0.,0.,1.\nCBAR,2,1,2,3,0.,0.,1.\nSPC1,1,123456,1\n";

@@ -130,7 +130,8 @@ fn a_deck_with_panels_trims_and_flies() {
 #[test]
 fn panels_that_no_spline_names_are_carried_by_the_beam_beside_them_and_say_so() {
     let found = imported(&wing_text());
-    let note = "CAERO1 3001: no SPLINE1 or SPLINE2 names it, it is carried by the beam beside it";
+    let note =
+        "CAERO1 3001, CAERO1 4001: no SPLINE1 or SPLINE2 names them, each is carried by the beam beside it";
     assert!(found.remarks.notes.iter().any(|said| said == note), "{:?}", found.remarks.notes);
 }
 

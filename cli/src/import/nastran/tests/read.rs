@@ -171,6 +171,9 @@ fn fields_that_bars_leave_blank_are_those_of_baror() {
     assert!(told.contains("CBAR 2, field 6 (X1): found no direction"), "{told}");
     let found = imported(&format!("BAROR,,1,,,0.,0.,1.\n{whole}"));
     assert_eq!(found.aircraft, imported(FREE).aircraft);
+    // In old decks 1 says that a vector stands before it.
+    let old = FREE.replace("CBAR,2,1,1,3,0.,0.,1.", "CBAR,2,1,1,3,0.,0.,1.,1");
+    assert_eq!(imported(&old).aircraft, found.aircraft);
     // What is not read may be why another card lacks something.
     let told = refused(&format!("XYZ,1\n{whole}"));
     assert!(told.ends_with("reported beside the mistakes:\ndeck.bdf:1: XYZ 1: this card is not read: what it says is not in the aircraft"), "{told}");
