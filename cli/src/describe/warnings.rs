@@ -136,7 +136,7 @@ fn reference_lengths(aircraft: &Aircraft) -> Vec<String> {
     let given = aircraft.reference;
     let plain = Aircraft { reference: Default::default(), ..aircraft.clone() };
     let Some(wing) = plain.reference_lengths() else { return Vec::new() };
-    if !is_largest(aircraft) {
+    if !has_whole_wing(aircraft) {
         return Vec::new();
     }
     let all = [
@@ -152,15 +152,20 @@ fn reference_lengths(aircraft: &Aircraft) -> Vec<String> {
     odd.collect()
 }
 
-/// Whether no other surface has more area than the component that the library takes for the wing: where a file has a wing as a component
-/// for each side, that is a tail.
-fn is_largest(aircraft: &Aircraft) -> bool {
+/// Whether the component that the library takes for the wing is one: of half a model, and where a file has a component for each side, it
+/// is one half, or a tail that has both.
+fn has_whole_wing(aircraft: &Aircraft) -> bool {
+    let Some(wing) = aircraft.wing() else { return false };
     let area = |component: usize| -> f64 {
         strips(aircraft, component).iter().map(|strip| 2.0 * strip.semichord * strip.width).sum()
     };
     let lifting = (0..aircraft.components.len()).filter(|&component| is_lifting(aircraft, component));
     let largest = lifting.map(area).fold(0.0, f64::max);
-    aircraft.wing().is_some_and(|wing| area(wing) > 0.99 * largest)
+    let places: Vec<f64> = strips(aircraft, wing).iter().map(|strip| middle(aircraft, strip).y).collect();
+    let is_on_one_side = places.iter().all(|y| *y > 0.0) || places.iter().all(|y| *y < 0.0);
+    let is_half =
+        aircraft.support == Support::Free && aircraft.components[wing].image.is_none() && is_on_one_side;
+    area(wing) > 0.99 * largest && !is_half
 }
 
 /// A component with strips and no mass.

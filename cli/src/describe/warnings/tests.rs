@@ -1,4 +1,5 @@
 use flexible_aircraft::ReducedModel;
+use flexible_aircraft::aircraft::Component;
 
 use super::*;
 
@@ -201,7 +202,7 @@ fn what_continues_a_wing_is_no_tail() {
         split.beams[beam].component = "outer".into();
     }
     let (name, image, parent) = ("outer".into(), None, Some((wing, half - 1)));
-    split.components.push(flexible_aircraft::aircraft::Component { name, nodes, first_beam, image, parent });
+    split.components.push(Component { name, nodes, first_beam, image, parent });
     assert!(tails::continues(&split, split.components.len() - 1, wing));
     let tail = usual.components.iter().position(|component| component.name.contains("tail")).unwrap();
     assert!(!tails::continues(&usual, tail, wing));
@@ -233,6 +234,17 @@ fn given_reference_lengths_are_about_those_of_the_wing() {
     });
     assert!(by_sides.components[by_sides.wing().unwrap()].name.contains("tail"));
     assert!(reference_lengths(&by_sides).is_empty());
+    // And no tail either.
+    let halves = Aircraft {
+        components: by_sides
+            .components
+            .iter()
+            .cloned()
+            .map(|component| Component { image: None, ..component })
+            .collect(),
+        ..by_sides
+    };
+    assert!(reference_lengths(&halves).is_empty());
 }
 
 #[test]

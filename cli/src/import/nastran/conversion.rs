@@ -116,9 +116,9 @@ struct Found {
 
 fn found(request: &Request, (deck, cards): (&Deck, &Cards), remarks: &mut Remarks) -> Result<Found, Error> {
     let built = built(request, (deck, cards), remarks)?;
-    let Built { structure, world, mut taken, masses } = built;
+    let Built { mut structure, world, mut taken, masses } = built;
     let mut mistakes = Mistakes::default();
-    let flown = Flown::new(request, (cards, &world), &structure, (&mut mistakes, remarks));
+    let flown = Flown::new(request, (cards, &world), &mut structure, (&mut mistakes, remarks));
     mistakes.checked(deck)?;
     let Flown { surfaces, controls, roles, engines, area } = flown;
     let sides = joints::agreed(&structure, pairs::sides(&structure, &surfaces));
@@ -231,10 +231,11 @@ impl Flown {
     fn new(
         request: &Request,
         (cards, world): (&Cards, &World),
-        structure: &Structure,
+        structure: &mut Structure,
         (mistakes, remarks): (&mut Mistakes, &mut Remarks),
     ) -> Flown {
         let panels = aero::panels((cards, world), structure, request.surfaces, (mistakes, remarks));
+        aero::carry(structure, &panels, remarks);
         let controls = aero::controls((cards, world), structure, &panels, (mistakes, remarks));
         let surfaces = aero::surfaces(structure, &panels, &controls, (mistakes, remarks));
         let engines = choices::engines(request.engines, (world, structure), mistakes);

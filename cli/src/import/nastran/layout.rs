@@ -26,6 +26,9 @@ pub fn size(structure: &Structure) -> f64 {
 
 /// A component's nodes without the rigid links that it begins and ends with: a fin may begin with one as long as the fuselage.
 fn own(component: &Component) -> &[Vector3<f64>] {
+    if component.made_for.is_some() && component.points.len() > 2 {
+        return &component.points[1..];
+    }
     let of_deck = |element: &ComponentElement| element.member.is_some();
     let first = component.elements.iter().position(of_deck);
     let last = component.elements.iter().rposition(of_deck);
@@ -109,7 +112,7 @@ fn outer(base: &'static str) -> Option<&'static str> {
 }
 
 fn is_link(component: &Component) -> bool {
-    component.elements.iter().all(|element| element.member.is_none())
+    component.made_for.is_none() && component.elements.iter().all(|element| element.member.is_none())
 }
 
 fn base(component: &Component, wing: Option<&Component>, size: f64) -> &'static str {

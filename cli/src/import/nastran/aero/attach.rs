@@ -6,13 +6,11 @@
 use nalgebra::Vector3;
 
 use super::super::mistakes::{Mistakes, Remarks};
-use super::super::structure::{Component, NodeRef, Structure};
+use super::super::structure::{Component, Structure};
 use super::controls::{Control, ControlPart};
-use super::panel::{CarriedBy, Panel, SAME};
-use super::strip::{Run, Surface, of_stretch};
-
-/// Elements whose direction has at least this cosine with the span of a panel can carry it.
-const SPANWISE: f64 = 0.3;
+use super::panel::{Panel, SAME};
+use super::runs::{Run, beside};
+use super::strip::{Surface, of_stretch};
 
 /// Panels whose spans have a smaller cosine than this, 45° apart and a little more, may both have strips on a stretch, as the format has it.
 const CROSSING: f64 = 0.70;
@@ -41,7 +39,7 @@ pub fn surfaces(
     let mut surfaces = Vec::new();
     for place in order {
         let panel = &panels[place];
-        surfaces.extend(of_panel((structure, panel), &parts[place], &mut taken, remarks));
+        surfaces.extend(of_panel((structure, place, panel), &parts[place], &mut taken, remarks));
         if surfaces.len() > MOST_STRETCHES {
             let found = format!("found {} stretches of beams with strips up to here", surfaces.len());
             mistakes.of_origin(&panel.origin, "EID", found, format!("up to {MOST_STRETCHES} are allowed"));
@@ -98,15 +96,12 @@ impl<'p> Taken<'p> {
 }
 
 fn of_panel<'p>(
-    (structure, panel): (&Structure, &'p Panel),
+    (structure, place, panel): (&Structure, usize, &'p Panel),
     parts: &[(usize, &ControlPart)],
     all: &mut Taken<'p>,
     remarks: &mut Remarks,
 ) -> Vec<Surface> {
-    let mut runs: Vec<Run> = candidates(structure, panel)
-        .into_iter()
-        .flat_map(|component| runs(&structure.components[component], component, panel))
-        .collect();
+    let mut runs = beside(structure, (place, panel));
     // The longest first: what it covers is its own, and of others only what lies beside that is carried by them.
     let covered = |run: &Run| run.to().min(1.0) - run.from().max(0.0);
     runs.sort_by(|one, other| covered(other).total_cmp(&covered(one)));
@@ -161,95 +156,6 @@ fn of_panel<'p>(
         }
     }
     surfaces
-}
-
-/// Components that may carry a panel.
-fn candidates(structure: &Structure, panel: &Panel) -> Vec<usize> {
-    let component = |node: NodeRef| match node {
-        NodeRef::Origin => None,
-        NodeRef::Node { component, .. } => Some(component),
-    };
-    let mut found: Vec<usize> = match &panel.carried_by {
-        CarriedBy::Grids(grids) => {
-            // A beam that begins at a node of another one has it too.
-            let nodes = structure.nodes_of(grids);
-            let begins = |component: &Component| nodes.contains(&component.parent);
-            let beginning =
-                (0..structure.components.len()).filter(|&place| begins(&structure.components[place]));
-            nodes.iter().copied().filter_map(component).chain(beginning).collect()
-        }
-        CarriedBy::Between(grids) => {
-            let nodes = structure.nodes_of(grids).into_iter().filter_map(component);
-            nodes.flat_map(|component| structure.with_parents(component)).collect()
-        }
-        CarriedBy::Nearest => nearest(structure, panel),
-    };
-    found.sort_unstable();
-    found.dedup();
-    found
-}
-
-/// The components beside the middles of the panel's boxes.
-fn nearest(structure: &Structure, panel: &Panel) -> Vec<usize> {
-    let span = panel.outline.span().normalize();
-    let strips = panel.strips();
-    let middles = strips.windows(2).map(|edges| 0.5 * (edges[0] + edges[1]));
-    middles
-        .filter_map(|fraction| {
-            let place = panel.outline.at(fraction, 0.4);
-            let distance = |component: &Component| {
-                let elements =
-                    component.points.windows(2).filter(|ends| is_spanwise(&(ends[1] - ends[0]), &span));
-                elements.map(|ends| distance(&place, [&ends[0], &ends[1]])).fold(f64::INFINITY, f64::min)
-            };
-            let distances = structure.components.iter().map(distance).enumerate();
-            distances
-                .filter(|(_, distance)| distance.is_finite())
-                .min_by(|one, other| one.1.total_cmp(&other.1))
-        })
-        .map(|(component, _)| component)
-        .collect()
-}
-
-fn distance(place: &Vector3<f64>, [from, to]: [&Vector3<f64>; 2]) -> f64 {
-    let along = to - from;
-    let share = ((place - from).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
-    (place - from - along * share).norm()
-}
-
-fn is_spanwise(along: &Vector3<f64>, span: &Vector3<f64>) -> bool {
-    along.dot(span).abs() > SPANWISE * along.norm()
-}
-
-/// The runs of elements of a component along which a panel's fraction goes one way.
-fn runs(component: &Component, place: usize, panel: &Panel) -> Vec<Run> {
-    let span = panel.outline.span().normalize();
-    let ways: Vec<i8> = component
-        .points
-        .windows(2)
-        .map(|ends| {
-            let along = ends[1] - ends[0];
-            if is_spanwise(&along, &span) { if along.dot(&span) > 0.0 { 1 } else { -1 } } else { 0 }
-        })
-        .collect();
-    let mut runs = Vec::new();
-    let mut first = 0;
-    while first < ways.len() {
-        let length = ways[first..].iter().take_while(|way| **way == ways[first]).count();
-        if ways[first] != 0 {
-            let nodes = &component.points[first..=first + length];
-            let run = Run {
-                component: place,
-                first,
-                fractions: nodes.iter().map(|node| panel.outline.fraction(node)).collect(),
-            };
-            if run.from() < 1.0 - SAME && run.to() > SAME {
-                runs.push(run);
-            }
-        }
-        first += length;
-    }
-    runs
 }
 
 /// The part of an interval that is not taken; of two the longer one.

@@ -1,6 +1,7 @@
 //! Panels, splines and control surfaces as strips on components.
 
 mod attach;
+mod carriers;
 mod chordwise;
 mod controls;
 mod joined;
@@ -8,10 +9,12 @@ mod line;
 mod panel;
 mod panels;
 mod roles;
+mod runs;
 mod strip;
 mod trapezium;
 
 pub use attach::surfaces;
+pub use carriers::carry;
 pub use controls::{Control, controls};
 pub use joined::join_for_pitch;
 pub use line::SurfaceLine;

@@ -6,6 +6,7 @@ use super::super::mistakes::{Origin, Remarks};
 use super::super::structure::Component;
 use super::controls::{ControlPart, is_rightwards};
 use super::panel::{Panel, SAME};
+use super::runs::{ELASTIC_AXES, Run};
 
 /// A span axis is written where the beam's own direction across x is off by more than this, rad.
 const OFF: f64 = 1e-4;
@@ -15,9 +16,6 @@ const SAME_FLAP: f64 = 2e-3;
 
 /// A panel that lies higher or lower than its beam by more than this share of the chord is told of.
 const HIGH: f64 = 0.1;
-
-/// What the format takes of the beam's place along the chord.
-const ELASTIC_AXES: std::ops::RangeInclusive<f64> = -1.0..=2.0;
 
 /// A flap of a surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,81 +44,6 @@ pub struct Surface {
     /// Of each element of the component, m.
     pub widths: Option<Vec<f64>>,
     pub flap: Option<Flap>,
-}
-
-/// Part of a component that runs along a panel: its nodes, and the fractions of the panel there.
-pub struct Run {
-    pub component: usize,
-    /// The first of its nodes.
-    pub first: usize,
-    pub fractions: Vec<f64>,
-}
-
-impl Run {
-    fn ends(&self) -> [f64; 2] {
-        [self.fractions[0], self.fractions[self.fractions.len() - 1]]
-    }
-
-    pub fn from(&self) -> f64 {
-        self.ends()[0].min(self.ends()[1])
-    }
-
-    pub fn to(&self) -> f64 {
-        self.ends()[0].max(self.ends()[1])
-    }
-
-    /// The place between its nodes where the panel has a fraction: an element of the component, and the share of it.
-    fn place(&self, fraction: f64) -> (usize, f64) {
-        let last = self.fractions.len() - 2;
-        let holds = |pair: &[f64]| (pair[0] - fraction) * (pair[1] - fraction) <= 0.0;
-        let element = self.fractions.windows(2).position(holds).unwrap_or({
-            let [begin, end] = self.ends().map(|end| (end - fraction).abs());
-            if begin < end { 0 } else { last }
-        });
-        let [begin, end] = [self.fractions[element], self.fractions[element + 1]];
-        (self.first + element, ((fraction - begin) / (end - begin)).clamp(0.0, 1.0))
-    }
-
-    /// Where along the component, as a fraction of its length, the panel has a fraction.
-    pub fn along(&self, component: &Component) -> impl Fn(f64) -> f64 + '_ {
-        let distances = component.distances();
-        move |fraction| {
-            let (element, share) = self.place(fraction);
-            let at = distances[element] + share * (distances[element + 1] - distances[element]);
-            let along = at / distances[distances.len() - 1];
-            // Rounding of a panel that begins or ends with the beam.
-            let end = along.round();
-            if (along - end).abs() < 1e-3 * SAME { end } else { along }
-        }
-    }
-
-    /// The point of the component there, m from O.
-    fn point(&self, component: &Component, fraction: f64) -> Vector3<f64> {
-        let (element, share) = self.place(fraction);
-        component.points[element].lerp(&component.points[element + 1], share)
-    }
-
-    /// The panel's fractions at two places along the component, in ascending order.
-    pub fn across(&self, component: &Component, ends: [f64; 2]) -> [f64; 2] {
-        let distances = component.distances();
-        let nodes = &distances[self.first..self.first + self.fractions.len()];
-        let [one, other] = ends.map(|end| {
-            let at = (end * distances[distances.len() - 1]).clamp(nodes[0], nodes[nodes.len() - 1]);
-            let element = nodes.windows(2).position(|pair| at <= pair[1]).unwrap_or(nodes.len() - 2);
-            let share = (at - nodes[element]) / (nodes[element + 1] - nodes[element]);
-            self.fractions[element] + share * (self.fractions[element + 1] - self.fractions[element])
-        });
-        [one.min(other), one.max(other)]
-    }
-
-    /// Whether a gap beside what the run carries is less than half of its element there.
-    pub fn is_near(&self, gap: &[f64; 2], ends: &[f64; 2]) -> bool {
-        let at = if gap[1] <= ends[0] + SAME { ends[0] } else { ends[1] };
-        let (element, _) = self.place(at);
-        let place = element - self.first;
-        let width = (self.fractions[place + 1] - self.fractions[place]).abs();
-        gap[1] - gap[0] <= 0.5 * width
-    }
 }
 
 /// The surface of a stretch between two fractions of a panel; what lies beyond its ends widens it there.

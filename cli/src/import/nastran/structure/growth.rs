@@ -248,7 +248,7 @@ impl Chain {
     }
 
     fn component(self, stiffest: &[Stiffness], members: &[Member]) -> Component {
-        let y_axis = self.y_axis.unwrap_or_else(|| self.any_y_axis());
+        let y_axis = self.y_axis.unwrap_or_else(|| across_all(&self.points));
         let mut elements = Vec::with_capacity(self.elements.len());
         for (place, (element, stiffness)) in self.elements.iter().zip(&self.stiffness).enumerate() {
             let length = (self.points[place + 1] - self.points[place]).norm();
@@ -260,16 +260,17 @@ impl Chain {
                 Err(body) => ComponentElement { member: None, stiffness: rigid(&stiffest[*body], length) },
             });
         }
-        Component { parent: self.parent, points: self.points, elements, y_axis, hinge: None, is_strut: false }
+        let Chain { parent, points, .. } = self;
+        Component { parent, points, elements, y_axis, hinge: None, is_strut: false, made_for: None }
     }
+}
 
-    /// Of round sections: the one of the body's axes that is most across all elements.
-    fn any_y_axis(&self) -> Vector3<f64> {
-        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
-        let worst =
-            |axis: &Vector3<f64>| self.directions().map(|along| along.cross(axis).norm()).fold(1.0, f64::min);
-        axes.into_iter().max_by(|one, other| worst(one).total_cmp(&worst(other))).unwrap_or_else(Vector3::y)
-    }
+/// Of round sections: the one of the body's axes that is most across all elements between some points.
+pub fn across_all(points: &[Vector3<f64>]) -> Vector3<f64> {
+    let directions = || points.windows(2).map(|ends| (ends[1] - ends[0]).normalize());
+    let worst = |axis: &Vector3<f64>| directions().map(|along| along.cross(axis).norm()).fold(1.0, f64::min);
+    let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+    axes.into_iter().max_by(|one, other| worst(one).total_cmp(&worst(other))).unwrap_or_else(Vector3::y)
 }
 
 fn is_beside(y: &Vector3<f64>, along: &Vector3<f64>) -> bool {

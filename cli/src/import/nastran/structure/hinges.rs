@@ -142,6 +142,7 @@ impl Hinges {
                     y_axis: column(y),
                     hinge: Some(hinge(column(y))),
                     is_strut: false,
+                    made_for: None,
                 });
             }
         }

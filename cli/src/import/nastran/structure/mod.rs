@@ -9,6 +9,7 @@ mod loops;
 mod masses;
 mod pins;
 mod rigid;
+mod sticks;
 mod tree;
 
 use std::collections::{BTreeSet, HashSet};
@@ -45,7 +46,7 @@ const MOST_LUMPS: usize = 20_000;
 const MOST_LOOPS: usize = 200;
 
 /// A node of the aircraft.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum NodeRef {
     Origin,
     Node { component: usize, node: usize },
@@ -63,6 +64,15 @@ pub struct Component {
     pub hinge: Option<ComponentHinge>,
     /// Whether it leads from one beam to another.
     pub is_strut: bool,
+    /// None of what the deck has.
+    pub made_for: Option<MadeFor>,
+}
+
+/// The panel that a rigid beam is for, among all, with its card.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MadeFor {
+    pub panel: usize,
+    pub origin: Origin,
 }
 
 /// Between two nodes.
@@ -119,6 +129,8 @@ pub struct Structure {
     pub origin: Vector3<f64>,
     bodies: Bodies,
     ports: Vec<Vec<(Vector3<f64>, NodeRef)>>,
+    /// Of each body the greatest stiffness by length of the elements on it.
+    stiffest: Vec<Stiffness>,
 }
 
 /// What a structure is made of.
@@ -180,7 +192,7 @@ impl Structure {
             let said = format!("its end is moved by {} mm onto the node beside it", short(gap * 1e3));
             remarks.note(format!("{}: {said}", members[element].origin));
         }
-        let Growth { mut components, ports, .. } = growth;
+        let Growth { mut components, ports, stiffest, .. } = growth;
         name_struts(&mut components, &tree);
         let held = match held {
             Held::Hinged { by, .. } => Held::Hinged { by, needs_links: hinges.before_root.is_some() },
@@ -197,6 +209,7 @@ impl Structure {
             origin: zero,
             bodies,
             ports,
+            stiffest,
         };
         structure.hang_masses(cards, &tree, lumps, remarks);
         structure.move_to_origin();

@@ -163,6 +163,38 @@ fn elevators_of_one_side_each_are_joined_for_the_trim() {
     assert!(found.aircraft.reduce().is_ok());
 }
 
+/// As BAH's tail and the foreplane of a forward-swept wing in Nastran's own examples.
+#[test]
+fn a_panel_on_a_rigid_body_gets_a_rigid_beam_of_its_own() {
+    let whole = imported(&wing_text());
+    let (mut text, mut stiff) = (wing_text(), wing_text() + "PBAR,9,1,10.,10.,10.,10.\n");
+    for base in [300, 400] {
+        let bar = format!("CBAR,{base},1,2,{base},0.,0.,1.\n");
+        stiff = stiff.replace(&bar, &bar.replace(",1,2,", ",9,2,"));
+        let panel = 10 * base + 1;
+        text = text.replace(&bar, &format!("RBE2,{base},2,123456,{base}\n"));
+        text += &format!("SET1,{base},{base}\nSPLINE1,{base},{panel},{panel},{},{base}\n", panel + 11);
+    }
+    let found = imported(&text);
+    assert_eq!(reports(&found), [""; 0]);
+    let note = "CAERO1 3001: no beam runs along it: a rigid one carries it, from the node at x -5.0000, y 0.0000, z 0.0000 m in body axes";
+    assert!(found.remarks.notes.iter().any(|said| said == note), "{:?}", found.remarks.notes);
+    assert!(found.text().contains("# no beam of the deck: CAERO1 3001 (deck.bdf:"), "{}", found.text());
+    assert!(found.text().contains("name = \"tail_right\"\nmirror = \"tail_left\"\n"), "{}", found.text());
+    // Strips where they were, moved by the node alone.
+    assert_eq!(found.aircraft.strips.len(), whole.aircraft.strips.len() + 2 * (3 - 1));
+    let area: f64 = found.aircraft.strips.iter().map(|strip| 2.0 * strip.semichord * strip.width).sum();
+    assert!((area - 17.4).abs() < 1e-9, "{area}");
+    // It is trimmed as with beams that are 10⁵ times as stiff as the others: to 2e-13 rad, where those of the deck have 4e-10.
+    let attitude = |found: &Imported| {
+        let model = std::sync::Arc::new(found.aircraft.reduce().unwrap());
+        let settings = flexible_aircraft::flight::Settings::of(&model);
+        flexible_aircraft::flight::Simulation::new(model, &settings, 0.0).unwrap().outputs().attitude
+    };
+    let [on_stick, on_stiff, on_soft] = [&found, &imported(&stiff), &whole].map(attitude);
+    assert!((on_stick - on_stiff).norm() < 2e-12 && (on_stick - on_soft).norm() > 1e-10);
+}
+
 #[test]
 fn surfaces_of_the_command_line_stand_in_for_panels() {
     let text = wing_text();

@@ -6,7 +6,7 @@ use super::super::members::Member;
 use super::super::pairs::Side;
 use super::super::stiffness::Stiffness;
 use super::super::structure::{
-    Component, ComponentHinge, HALVES, LIGHTEST, NodeRef, PlacedLump, Springs, turned_inertia,
+    Component, ComponentHinge, HALVES, LIGHTEST, MadeFor, NodeRef, PlacedLump, Springs, turned_inertia,
 };
 use super::control::Moved;
 use super::law::per_element;
@@ -59,6 +59,12 @@ pub fn text(written: &Written, place: usize, moved: &Moved) -> String {
 
 /// The cards that it comes from.
 fn source(written: &Written, place: usize) -> String {
+    if let Some(MadeFor { origin, .. }) = &written.structure.components[place].made_for {
+        return format!(
+            "no beam of the deck: {origin} ({}) is on this one, which is rigid: 1e5 times as stiff as what is beside it",
+            (written.shown)(origin)
+        );
+    }
     let count = written.structure.components[place].elements.len();
     let members: Vec<_> = (0..count).filter_map(|element| written.member(place, element)).collect();
     let links = count - members.len();
