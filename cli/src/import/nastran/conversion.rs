@@ -12,7 +12,7 @@ use super::frames::World;
 use super::mistakes::{Mistakes, Needed, Origin, Remark, Remarks};
 use super::pairs::{self, Side};
 use super::request::{OneText, Request};
-use super::structure::{Parts, Structure};
+use super::structure::{Component, Parts, Structure};
 use super::write::{self, Engine, Written};
 use super::{joints, layout, lumps, members};
 use crate::marked::RejectedFiles;
@@ -281,7 +281,12 @@ fn turned(
 }
 
 fn check_size(structure: &Structure, mistakes: &mut Mistakes) {
-    let size = layout::size(structure);
+    // The format has the axes of components from their beginnings.
+    let along = |component: &Component| {
+        let reach = component.points.iter().map(|point| (point - component.points[0]).norm());
+        reach.fold(0.0, f64::max)
+    };
+    let size = structure.components.iter().map(along).fold(layout::size(structure), f64::max);
     let offsets = structure.lumps.iter().map(|lump| lump.offset.norm()).fold(0.0, f64::max);
     if size.max(offsets) > FARTHEST {
         mistakes.of_whole(format!(

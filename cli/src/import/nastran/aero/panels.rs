@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use nalgebra::Vector3;
 
-use super::super::cards::{AeroCards, Cards, Division, PanelCard, Spline};
+use super::super::cards::{AeroCards, Cards, Division, PanelCard, Spline, SplineBoxes};
 use super::super::frames::World;
 use super::super::mistakes::{Mistakes, Needed, Origin, Remarks};
 use super::super::structure::Structure;
@@ -112,6 +112,11 @@ fn carried_by(cards: &Cards, card: &PanelCard, mistakes: &mut Mistakes) -> Optio
             return None;
         };
         cards.missing_grids((&set.origin, "G"), &set.ids, mistakes);
+        if let SplineBoxes::List(list) = spline.boxes
+            && !cards.aero.boxes.contains_key(&list)
+        {
+            mistakes.missing(&spline.origin, "AELIST", list, Needed::Card("an AELIST"));
+        }
         grids.extend(cards.grids_in(&set.ids));
         has_spline = true;
     }
@@ -128,23 +133,33 @@ fn tell_panels_without_splines(panels: &[Panel], remarks: &mut Remarks) {
     let names: Vec<String> = without.map(|panel| panel.origin.to_string()).collect();
     match names.as_slice() {
         [] => {}
-        [one] => remarks
-            .note(format!("{one}: no SPLINE1 or SPLINE2 names it, it is carried by the beam beside it")),
+        [one] => remarks.note(format!("{one}: no spline names it, it is carried by the beam beside it")),
         several => remarks.note(format!(
-            "{}: no SPLINE1 or SPLINE2 names them, each is carried by the beam beside it",
+            "{}: no spline names them, each is carried by the beam beside it",
             several.join(", ")
         )),
     }
 }
 
-/// Says that boxes which no spline moves are carried as the others are: BOX1 and BOX2 are corners of a rectangle.
+/// Says that boxes which no spline moves are carried as the others are: BOX1 and BOX2 are corners of a rectangle, an AELIST lists them.
 fn tell_boxes_without_splines(cards: &Cards, patch: &Patch, remarks: &mut Remarks) {
     let boxes = patch.boxes();
     let mut is_moved = vec![false; boxes.clone().count()];
     let mut has_spline = false;
     for spline in splines(cards, &patch.origin) {
         has_spline = true;
-        let corners = [spline.boxes[0].unwrap_or(boxes.start), spline.boxes[1].unwrap_or(boxes.end - 1)];
+        let of_panel = |id: i64| patch.place(id).map(|place| patch.index(place));
+        let corners = match spline.boxes {
+            SplineBoxes::Corners(corners) => corners,
+            SplineBoxes::List(list) => {
+                let runs =
+                    cards.aero.boxes.get(&list).into_iter().flat_map(|list| list.ids.within(boxes.clone()));
+                let moved = runs.flat_map(|(from, to)| from..=to).filter_map(of_panel);
+                moved.for_each(|place| is_moved[place] = true);
+                continue;
+            }
+        };
+        let corners = [corners[0].unwrap_or(boxes.start), corners[1].unwrap_or(boxes.end - 1)];
         let places = corners.map(|id| patch.place(id));
         let [Some((strip, row)), Some((last_strip, last_row))] = places else {
             let said =
@@ -161,7 +176,7 @@ fn tell_boxes_without_splines(cards: &Cards, patch: &Patch, remarks: &mut Remark
     let still = is_moved.iter().filter(|moved| !**moved).count();
     if has_spline && still > 0 {
         remarks.note(format!(
-            "{}: no spline moves {still} of its {} boxes (BOX1, BOX2); all are carried by the grids of its splines",
+            "{}: no spline moves {still} of its {} boxes (BOX1, BOX2, AELIST); all are carried by the grids of its splines",
             patch.origin,
             is_moved.len()
         ));

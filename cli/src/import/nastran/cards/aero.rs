@@ -1,4 +1,4 @@
-//! AERO, AEROS, CAERO1, AEFACT, SPLINE1, SPLINE2, SET1, AESURF, AELIST.
+//! AERO, AEROS, CAERO1, AEFACT, SPLINE1, SPLINE2, SPLINE4, SPLINE5, SET1, AESURF, AELIST.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -46,9 +46,17 @@ pub enum Division {
 pub struct Spline {
     pub origin: Origin,
     pub panel: i64,
-    /// The first and the last box that it moves, where the card says so.
-    pub boxes: [Option<i64>; 2],
+    pub boxes: SplineBoxes,
     pub set: i64,
+}
+
+/// Which boxes of its panel a spline moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SplineBoxes {
+    /// Those of a rectangle from the first to the last of them, where the card names them.
+    Corners([Option<i64>; 2]),
+    /// Those of an AELIST.
+    List(i64),
 }
 
 /// Numbers with the card that lists them.
@@ -194,7 +202,10 @@ pub fn spline(card: &Reader, name: &'static str) -> Option<Spline> {
         true => Some(None),
         false => card.integer(index, name).map(Some),
     };
-    let boxes = [optional(2, "BOX1")?, optional(3, "BOX2")?];
+    let boxes = match name {
+        "SPLINE4" | "SPLINE5" => SplineBoxes::List(card.integer(2, "AELIST")?),
+        _ => SplineBoxes::Corners([optional(2, "BOX1")?, optional(3, "BOX2")?]),
+    };
     Some(Spline { origin: card.origin(name, id), panel: panel?, boxes, set: set? })
 }
 
@@ -239,13 +250,13 @@ fn limits(card: &Reader, id: i64, remarks: &mut Remarks) -> Option<Option<[f64; 
     }
     let [low, high] = [given[0].unwrap_or(-FRAC_PI_2), given[1].unwrap_or(FRAC_PI_2)];
     let held = [low.max(-FRAC_PI_2), high.min(FRAC_PI_2)];
-    if low >= high {
+    if low > high {
         let allowed = "a least angle below the greatest is allowed, rad";
         return card.wrong(10, "PLLIM", format!("found {low} to {high} rad"), allowed);
     }
-    if held[0] > 0.0 || held[1] < 0.0 {
-        let said =
-            format!("found limits from {low} to {high} rad, between which 0 is not: they are not held");
+    if low == high || held[0] > 0.0 || held[1] < 0.0 {
+        let why = if low == high { "which let it turn nowhere" } else { "between which 0 is not" };
+        let said = format!("found limits from {low} to {high} rad, {why}: they are not held");
         remarks.field((card.card, id), (10, "PLLIM"), said);
         return Some(None);
     }

@@ -13,7 +13,7 @@ mod reader;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
-pub use aero::{AeroCards, Division, List, PanelCard, Spline, SurfaceCard};
+pub use aero::{AeroCards, Division, List, PanelCard, Spline, SplineBoxes, SurfaceCard};
 pub use beams::{Element, ElementKind, Offset, Orientation, Pin};
 pub use bounds::boxes;
 pub use geometry::{FrameBy, FrameCard, FrameShape, Grid};
@@ -203,6 +203,8 @@ impl Reading<'_> {
             }
             "SPLINE1" => aero.splines.extend(aero::spline(card, "SPLINE1")),
             "SPLINE2" => aero.splines.extend(aero::spline(card, "SPLINE2")),
+            "SPLINE4" => aero.splines.extend(aero::spline(card, "SPLINE4")),
+            "SPLINE5" => aero.splines.extend(aero::spline(card, "SPLINE5")),
             "SET1" => {
                 let set = aero::list(card, ("SET1", "G"));
                 self.keep(card, set, |cards| &mut cards.aero.sets);
@@ -292,7 +294,7 @@ impl Reading<'_> {
             "CONM1" | "CONM2" => "mass",
             "RBE2" | "RBAR" | "RBE3" => "link",
             "CAERO1" => "panel",
-            "SPLINE1" | "SPLINE2" => "spline",
+            "SPLINE1" | "SPLINE2" | "SPLINE4" | "SPLINE5" => "spline",
             "AESURF" => "surface",
             "AERO" => return self.only(card, ("AERO", "ACSID")),
             "AEROS" => return self.only(card, ("AEROS", "ACSID")),

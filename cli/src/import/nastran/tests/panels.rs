@@ -130,8 +130,7 @@ fn a_deck_with_panels_trims_and_flies() {
 #[test]
 fn panels_that_no_spline_names_are_carried_by_the_beam_beside_them_and_say_so() {
     let found = imported(&wing_text());
-    let note =
-        "CAERO1 3001, CAERO1 4001: no SPLINE1 or SPLINE2 names them, each is carried by the beam beside it";
+    let note = "CAERO1 3001, CAERO1 4001: no spline names them, each is carried by the beam beside it";
     assert!(found.remarks.notes.iter().any(|said| said == note), "{:?}", found.remarks.notes);
 }
 
@@ -234,6 +233,13 @@ fn boxes_without_splines_second_cards_and_supports_are_told() {
     let notes = imported(&half).remarks.notes;
     assert!(
         notes.iter().any(|note| note.starts_with("CAERO1 1001: no spline moves 12 of its 24 boxes")),
+        "{notes:?}"
+    );
+    let by_list =
+        whole.replace("SPLINE1,1,1001,1001,1024,1", "SPLINE5,1,1001,91,,1\nAELIST,91,1001,THRU,1020");
+    let notes = imported(&by_list).remarks.notes;
+    assert!(
+        notes.iter().any(|note| note.starts_with("CAERO1 1001: no spline moves 4 of its 24 boxes")),
         "{notes:?}"
     );
     let notes = imported(&(whole.clone() + "SUPORT,1,123456\nSUPORT,2,35\n")).remarks.notes;

@@ -99,6 +99,8 @@ fn limits_of_control_surfaces_are_held_as_nastran_has_them() {
     let ([low, high], (told, _)) = limits("LDW,1.,1.,.2,.5");
     assert_eq!([low, high], [None, None]);
     assert!(told[0].contains("found limits from 0.2 to 0.5 rad, between which 0 is not"), "{told:?}");
+    let (_, (told, _)) = limits("LDW,1.,1.,0.,0.");
+    assert!(told[0].contains("found limits from 0 to 0 rad, which let it turn nowhere"), "{told:?}");
 }
 
 #[test]
