@@ -16,12 +16,14 @@ impl Structure {
         }
     }
 
-    /// All nodes, O first.
-    pub fn nodes(&self) -> impl Iterator<Item = NodeRef> + '_ {
-        let of_components = self.components.iter().enumerate().flat_map(|(component, found)| {
+    /// All nodes of the deck's own beams, O first.
+    pub fn nodes_of_deck(&self) -> impl Iterator<Item = NodeRef> + '_ {
+        let of_deck =
+            self.components.iter().enumerate().filter(|(_, component)| component.made_for.is_none());
+        let nodes = of_deck.flat_map(|(component, found)| {
             (1..found.points.len()).map(move |node| NodeRef::Node { component, node })
         });
-        std::iter::once(NodeRef::Origin).chain(of_components)
+        std::iter::once(NodeRef::Origin).chain(nodes)
     }
 
     /// A rigid beam from a node through some points, m from O.

@@ -180,6 +180,9 @@ fn a_panel_on_a_rigid_body_gets_a_rigid_beam_of_its_own() {
     assert!(found.remarks.notes.iter().any(|said| said == note), "{:?}", found.remarks.notes);
     assert!(found.text().contains("# no beam of the deck: CAERO1 3001 (deck.bdf:"), "{}", found.text());
     assert!(found.text().contains("name = \"tail_right\"\nmirror = \"tail_left\"\n"), "{}", found.text());
+    // Without splines too, and neither half hangs on the other.
+    let without = text.split("SET1,300").next().unwrap().to_owned();
+    assert_eq!(imported(&without).aircraft.strips, found.aircraft.strips);
     // Strips where they were, moved by the node alone.
     assert_eq!(found.aircraft.strips.len(), whole.aircraft.strips.len() + 2 * (3 - 1));
     let area: f64 = found.aircraft.strips.iter().map(|strip| 2.0 * strip.semichord * strip.width).sum();
