@@ -240,14 +240,10 @@ impl Flown {
         let surfaces = aero::surfaces(structure, &panels, &controls, (mistakes, remarks));
         let engines = choices::engines(request.engines, (world, structure), mistakes);
         let (mut surfaces, mut controls) = choices::used(surfaces, controls, remarks);
-        let moments = aero::moments(structure, &surfaces, controls.len());
-        let mut roles = aero::roles(&moments);
-        let holder = roles.iter().position(|role| *role == Some(Role::Pitch));
-        let least = holder.map_or(0.0, |control| moments[control].y.abs());
-        if let Some(said) = aero::join_for_pitch((&mut controls, &mut surfaces), &moments, least) {
-            remarks.note(said);
-            roles = aero::roles(&aero::moments(structure, &surfaces, controls.len()));
-        }
+        let moments = |surfaces: &[Surface], controls: usize| aero::moments(structure, surfaces, controls);
+        let said = aero::join((&mut controls, &mut surfaces), moments);
+        said.into_iter().for_each(|said| remarks.note(said));
+        let roles = aero::roles(&moments(&surfaces, controls.len()));
         let area = sum(panels
             .iter()
             .map(|panel| panel.outline.area(0.0, 1.0) * panel.outline.span().normalize().y.powi(2)));

@@ -11,6 +11,9 @@ pub const IN_PLANE: f64 = 1e-6;
 /// Surfaces that are apart along x by more than this share of the aircraft are not one wing.
 const APART: f64 = 0.1;
 
+/// A rigid link along the plane of symmetry that is longer than this share of the aircraft is a rigid body.
+const BODY: f64 = 0.25;
+
 /// Which way a component runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Way {
@@ -117,8 +120,10 @@ fn is_link(component: &Component) -> bool {
 
 fn base(component: &Component, wing: Option<&Component>, size: f64) -> &'static str {
     let is_in_plane = middle(component).y.abs() <= IN_PLANE * size;
-    if is_link(component) {
-        return if reach(component).norm() < 1e-6 { "root" } else { "link" };
+    let length = reach(component).norm();
+    let is_body = is_in_plane && way(component) == Way::Along && length > BODY * size;
+    if is_link(component) && !is_body {
+        return if length < 1e-6 { "root" } else { "link" };
     }
     if component.is_strut {
         return "strut";

@@ -1,39 +1,73 @@
-//! Two controls of one side each, joined by a third that moves both alike: trims need one that pitches and does nothing else.
+//! Two controls of one side each, joined by a third that moves both alike, or one against the other: trims need one that pitches and does
+//! nothing else, and one that rolls.
 
 use nalgebra::Vector3;
 
 use super::super::names::Names;
 use super::controls::Control;
+use super::roles::{Role, roles};
 use super::strip::Surface;
 
 /// Moments of images that differ by more than this share are none of each other.
 const ALIKE: f64 = 0.02;
 
-/// Two controls, the other one turned as the first one or against it, which together pitch the aircraft and do nothing else.
+/// Two controls that are images of each other, the other one turned as the first one or against it, and what both do together.
 struct Pair {
     controls: [usize; 2],
     sense: f64,
-    pitch: f64,
+    moment: f64,
 }
 
-/// Adds a control that moves the two which pitch most, if two are images of each other and pitch more than the one that does by itself; says
-/// which.
-pub fn join_for_pitch(
+/// What joins two controls.
+struct Joint {
+    role: Role,
+    /// Whether they turn as images of each other do, or against that.
+    sense: f64,
+    name: &'static str,
+    how: &'static str,
+}
+
+const JOINTS: [Joint; 2] = [
+    Joint { role: Role::Pitch, sense: 1.0, name: "both_elevators", how: "moves both alike" },
+    Joint { role: Role::Roll, sense: -1.0, name: "both_ailerons", how: "moves one against the other" },
+];
+
+/// Adds controls that move the two which pitch most, or roll most, if two are images of each other and do more of it than the one that does
+/// by itself; says which. What each does is found anew in between.
+pub fn join(
     (controls, surfaces): (&mut Vec<Control>, &mut [Surface]),
-    moments: &[Vector3<f64>],
-    least: f64,
-) -> Option<String> {
+    moments: impl Fn(&[Surface], usize) -> Vec<Vector3<f64>>,
+) -> Vec<String> {
+    let mut said = Vec::new();
+    for joint in JOINTS {
+        let moments = moments(surfaces, controls.len());
+        if let Some(pair) = most(&joint, &moments) {
+            said.push(add(&joint, &pair, (controls, surfaces)));
+        }
+    }
+    said
+}
+
+/// The pair that does most for a role, if it does more than what holds it.
+fn most(joint: &Joint, moments: &[Vector3<f64>]) -> Option<Pair> {
+    let axis = joint.role.axis();
+    let holder = roles(moments).iter().position(|role| *role == Some(joint.role));
+    let least = holder.map_or(0.0, |control| moments[control][axis].abs());
     let places = (0..moments.len()).flat_map(|one| (one + 1..moments.len()).map(move |other| [one, other]));
     let pairs = places.flat_map(|controls| [1.0, -1.0].map(|sense| (controls, sense)));
     let pair = |(controls, sense): ([usize; 2], f64)| {
         let [one, other] = [moments[controls[0]], moments[controls[1]] * sense];
         let image = Vector3::new(-one.x, one.y, -one.z);
-        let pitch = (one.y + other.y).abs();
-        let is_pair = one.y != 0.0 && (image - other).norm() <= ALIKE * one.norm();
-        (is_pair && pitch > least).then_some(Pair { controls, sense, pitch })
+        let sense = sense * joint.sense;
+        let moment = (one + moments[controls[1]] * sense)[axis].abs();
+        let is_pair = one[axis] != 0.0 && (image - other).norm() <= ALIKE * one.norm();
+        (is_pair && moment > least).then_some(Pair { controls, sense, moment })
     };
-    let most = pairs.filter_map(pair).max_by(|one, other| one.pitch.total_cmp(&other.pitch))?;
-    let senses = [(most.controls[0], 1.0), (most.controls[1], most.sense)];
+    pairs.filter_map(pair).max_by(|one, other| one.moment.total_cmp(&other.moment))
+}
+
+fn add(joint: &Joint, pair: &Pair, (controls, surfaces): (&mut Vec<Control>, &mut [Surface])) -> String {
+    let senses = [(pair.controls[0], 1.0), (pair.controls[1], pair.sense)];
     let joined = controls.len();
     for flap in surfaces.iter_mut().filter_map(|surface| surface.flap.as_mut()) {
         let of = |(control, sense): (usize, f64)| {
@@ -44,20 +78,20 @@ pub fn join_for_pitch(
             flap.moves.push((joined, gain));
         }
     }
-    let [one, other] = most.controls.map(|control| &controls[control]);
+    let [one, other] = pair.controls.map(|control| &controls[control]);
     let label = format!("{} and {}", one.label, other.label);
     let parts = one.parts.iter().chain(&other.parts).cloned().collect();
-    let name = free(controls);
+    let name = free(controls, joint.name);
     let origin = one.origin.clone();
     let said = format!(
-        "{label} are images of each other: {name} moves both alike, so that a trim has a control for pitch"
+        "{label} are images of each other: {name} {}, so that a trim has a control for {}",
+        joint.how,
+        joint.role.name()
     );
-    let limits = both(
-        one.limits,
-        other.limits.map(|[low, high]| if most.sense > 0.0 { [low, high] } else { [-high, -low] }),
-    );
+    let turned = other.limits.map(|[low, high]| if pair.sense > 0.0 { [low, high] } else { [-high, -low] });
+    let limits = both(one.limits, turned);
     controls.push(Control { origin, name, label, limits, parts });
-    Some(said)
+    said
 }
 
 /// Angles that both may have.
@@ -69,8 +103,8 @@ fn both(one: Option<[f64; 2]>, other: Option<[f64; 2]>) -> Option<[f64; 2]> {
 }
 
 /// A name that none has.
-fn free(controls: &[Control]) -> String {
+fn free(controls: &[Control], name: &str) -> String {
     let mut names = Names::default();
     controls.iter().for_each(|control| drop(names.free(&control.name, "control")));
-    names.free("both_elevators", "control")
+    names.free(name, "control")
 }

@@ -16,7 +16,7 @@ mod trapezium;
 pub use attach::surfaces;
 pub use carriers::carry;
 pub use controls::{Control, controls};
-pub use joined::join_for_pitch;
+pub use joined::join;
 pub use line::SurfaceLine;
 pub use panels::panels;
 pub use roles::{Role, middle, moments, roles};

@@ -18,6 +18,15 @@ impl Role {
     /// By the axis of its moment.
     const OF_AXES: [Role; 3] = [Role::Roll, Role::Pitch, Role::Yaw];
 
+    /// That of its moment: x, y, z.
+    pub fn axis(self) -> usize {
+        match self {
+            Role::Roll => 0,
+            Role::Pitch => 1,
+            Role::Yaw => 2,
+        }
+    }
+
     pub fn name(self) -> &'static str {
         match self {
             Role::Pitch => "pitch",

@@ -162,6 +162,30 @@ fn elevators_of_one_side_each_are_joined_for_the_trim() {
     assert!(found.aircraft.reduce().is_ok());
 }
 
+#[test]
+fn ailerons_of_one_side_each_are_joined_against_each_other() {
+    let text = wing_text()
+        .replace("AESURF,1,AIL,21,11,22,12\n", "AESURF,1,AILR,21,11,,,,,,,-.3,.2\nAESURF,3,AILL,21,12\n");
+    let found = imported(&text);
+    let names: Vec<&str> = found.aircraft.controls.iter().map(|control| control.name.as_str()).collect();
+    assert_eq!(names, ["ailr", "aill", "elev", "both_ailerons"]);
+    let note = "AILR and AILL are images of each other: both_ailerons moves one against the other, so that a trim has a control for roll";
+    assert!(found.remarks.notes.iter().any(|said| said == note), "{:?}", found.remarks.notes);
+    let written =
+        found.text().split("name = \"both_ailerons\"").nth(1).unwrap().split("\n\n").next().unwrap();
+    assert!(
+        written.contains("positive = \"trailing edge down on the right, up on the left\"\nmirror = \"opposite\"\ntrim = \"roll\"\n"),
+        "{written}"
+    );
+    let flaps = found.aircraft.strips.iter().filter_map(|strip| strip.flap.as_ref());
+    let ailerons: Vec<&Vec<f64>> = flaps.map(|flap| &flap.gains).filter(|gains| gains[2] == 0.0).collect();
+    assert!(ailerons.len() >= 2, "{ailerons:?}");
+    for gains in ailerons {
+        assert!(gains[3] != 0.0 && gains[3] == gains[0] - gains[1], "{gains:?}");
+    }
+    assert!(found.aircraft.reduce().is_ok());
+}
+
 /// As BAH's tail and the foreplane of a forward-swept wing in Nastran's own examples.
 #[test]
 fn a_panel_on_a_rigid_body_gets_a_rigid_beam_of_its_own() {
