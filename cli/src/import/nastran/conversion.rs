@@ -236,7 +236,8 @@ impl Flown {
     ) -> Flown {
         let panels = aero::panels((cards, world), structure, request.surfaces, (mistakes, remarks));
         aero::carry(structure, &panels, remarks);
-        let controls = aero::controls((cards, world), structure, &panels, (mistakes, remarks));
+        let mut controls = aero::controls((cards, world), structure, &panels, (mistakes, remarks));
+        aero::link(&cards.aero, &mut controls, remarks);
         let surfaces = aero::surfaces(structure, &panels, &controls, (mistakes, remarks));
         let engines = choices::engines(request.engines, (world, structure), mistakes);
         let (mut surfaces, mut controls) = choices::used(surfaces, controls, remarks);

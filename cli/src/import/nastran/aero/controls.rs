@@ -43,7 +43,7 @@ pub struct ControlPart {
     pub to: f64,
     /// As a fraction of the chord.
     pub hinge: f64,
-    /// 1 where a positive angle is about the hinge to the right or upwards, else −1.
+    /// 1 where a positive angle is about the hinge to the right or upwards, else −1; of what an AELINK turns by its coefficient.
     pub gain: f64,
     /// Lift by that of an unswept flap that is wholly effective: the deck's effectiveness times cos² of the hinge's sweep.
     pub effectiveness: f64,
@@ -78,6 +78,14 @@ pub fn controls(
     controls.retain(|control| !control.parts.is_empty());
     name(&mut controls);
     controls
+}
+
+/// Angles that both may have.
+pub fn both(one: Option<[f64; 2]>, other: Option<[f64; 2]>) -> Option<[f64; 2]> {
+    match (one, other) {
+        (Some(one), Some(other)) => Some([one[0].max(other[0]), one[1].min(other[1])]),
+        (one, other) => one.or(other),
+    }
 }
 
 /// Names that an aircraft file takes, each once.

@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::super::names::Names;
-use super::controls::Control;
+use super::controls::{Control, both};
 use super::roles::{Role, roles};
 use super::strip::Surface;
 
@@ -92,14 +92,6 @@ fn add(joint: &Joint, pair: &Pair, (controls, surfaces): (&mut Vec<Control>, &mu
     let limits = both(one.limits, turned);
     controls.push(Control { origin, name, label, limits, parts });
     said
-}
-
-/// Angles that both may have.
-fn both(one: Option<[f64; 2]>, other: Option<[f64; 2]>) -> Option<[f64; 2]> {
-    match (one, other) {
-        (Some(one), Some(other)) => Some([one[0].max(other[0]), one[1].min(other[1])]),
-        (one, other) => one.or(other),
-    }
 }
 
 /// A name that none has.

@@ -1,4 +1,4 @@
-//! AERO, AEROS, CAERO1, AEFACT, SPLINE1, SPLINE2, SPLINE4, SPLINE5, SET1, AESURF, AELIST.
+//! AERO, AEROS, CAERO1, AEFACT, SPLINE1, SPLINE2, SPLINE4, SPLINE5, SET1, AESURF, AELIST, AELINK.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -78,6 +78,14 @@ pub struct SurfaceCard {
     pub limits: Option<[f64; 2]>,
 }
 
+/// A control surface that others turn: its angle and theirs, each by its coefficient, sum to zero.
+#[derive(Clone, Debug)]
+pub struct LinkCard {
+    pub origin: Origin,
+    pub dependent: String,
+    pub others: Vec<(String, f64)>,
+}
+
 /// All of the air.
 #[derive(Debug, Default)]
 pub struct AeroCards {
@@ -87,6 +95,7 @@ pub struct AeroCards {
     pub splines: Vec<Spline>,
     pub sets: std::collections::BTreeMap<i64, List>,
     pub surfaces: Vec<SurfaceCard>,
+    pub links: Vec<LinkCard>,
     pub boxes: std::collections::BTreeMap<i64, List>,
 }
 
@@ -240,6 +249,22 @@ pub fn surface(card: &Reader, remarks: &mut Remarks) -> Option<SurfaceCard> {
         }
     }
     Some(SurfaceCard { origin: card.origin("AESURF", id), label, parts, effectiveness, limits })
+}
+
+pub fn link(card: &Reader) -> Option<LinkCard> {
+    // That of a trim, or ALWAYS.
+    let id = if card.text(0).eq_ignore_ascii_case("ALWAYS") { 0 } else { card.integer_or(0, "ID", 0)? };
+    let label = |index: usize, name: &str| match card.text(index) {
+        "" => card.wrong(index, name, "found nothing", "the LABEL of an AESURF is needed"),
+        label => Some(label.to_owned()),
+    };
+    let dependent = label(1, "LABLD")?;
+    let mut others = Vec::new();
+    for (number, index) in (2..card.card.len().max(3)).step_by(2).enumerate() {
+        let other = label(index, &format!("LABL{}", number + 1))?;
+        others.push((other, card.real(index + 1, &format!("C{}", number + 1))?));
+    }
+    Some(LinkCard { origin: card.origin("AELINK", id), dependent, others })
 }
 
 /// Least and greatest angle: one that is not given is a right angle, as in Nastran, and more than that no flap turns here.

@@ -13,7 +13,7 @@ mod reader;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
-pub use aero::{AeroCards, Division, List, PanelCard, Spline, SplineBoxes, SurfaceCard};
+pub use aero::{AeroCards, Division, LinkCard, List, PanelCard, Spline, SplineBoxes, SurfaceCard};
 pub use beams::{Element, ElementKind, Offset, Orientation, Pin};
 pub use bounds::boxes;
 pub use geometry::{FrameBy, FrameCard, FrameShape, Grid};
@@ -210,6 +210,7 @@ impl Reading<'_> {
                 self.keep(card, set, |cards| &mut cards.aero.sets);
             }
             "AESURF" => aero.surfaces.extend(aero::surface(card, remarks)),
+            "AELINK" => aero.links.extend(aero::link(card)),
             "AELIST" => {
                 let list = aero::list(card, ("AELIST", "E"));
                 self.keep(card, list, |cards| &mut cards.aero.boxes);

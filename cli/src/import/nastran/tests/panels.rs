@@ -186,6 +186,39 @@ fn ailerons_of_one_side_each_are_joined_against_each_other() {
     assert!(found.aircraft.reduce().is_ok());
 }
 
+#[test]
+fn a_linked_control_is_turned_by_the_others_and_is_no_input() {
+    let apart = wing_text()
+        .replace("AESURF,1,AIL,21,11,22,12\n", "AESURF,1,AILR,21,11\nAESURF,3,AILL,21,12,,,,,,,-.2,.1\n");
+    // Against each other, as Nastran writes it: AILL + 1 AILR = 0, and half of it.
+    let found = imported(&(apart.clone() + "AELINK,ALWAYS,AILL,AILR,1.\n"));
+    let whole = imported(&wing_text());
+    assert_eq!(reports(&found), [""; 0]);
+    let note = "AILL is no input: it turns by -1 × AILR (AELINK 0)";
+    assert!(found.remarks.notes.iter().any(|said| said == note), "{:?}", found.remarks.notes);
+    assert_eq!(found.aircraft.strips, whole.aircraft.strips);
+    let names: Vec<&str> = found.aircraft.controls.iter().map(|control| control.name.as_str()).collect();
+    assert_eq!(names, ["ailr", "elev"]);
+    assert!(found.text().contains("minimum_deg = -5.7295779513"), "{}", found.text());
+    let half = imported(&(apart.clone() + "AELINK,1,AILL,AILR,.5\nAELINK,2,AILL,AILR,.5\n"));
+    let gains = |found: &Imported| -> Vec<f64> {
+        found.aircraft.strips.iter().filter_map(|strip| Some(strip.flap.as_ref()?.gains[0])).collect()
+    };
+    assert_eq!(reports(&half), [""; 0]);
+    assert!(gains(&half).contains(&1.0) && gains(&half).contains(&-0.5), "{:?}", gains(&half));
+    for (link, said) in [
+        ("AELINK,1,AILL,AILR,1.\nAELINK,2,AILL,AILR,-1.\n", "AELINK 2: AILL is linked otherwise"),
+        ("AELINK,1,AILL,ANGLEA,1.\n", "AELINK 1: AILL: not every LABL"),
+        ("AELINK,1,FLAP,AILR,1.\n", "AELINK 1: FLAP is no AESURF"),
+        ("AELINK,1,AILL,AILR,1.,ELEV,1.\n", "AELINK 1: the limits of AILL are not held"),
+    ] {
+        let told = reports(&imported(&(apart.clone() + link))).join("\n");
+        assert!(told.contains(said), "{link}: {told}");
+    }
+    let told = of_text(&wrapped(&(apart + "AELINK,1,AILL,AILR\n"))).unwrap_err().to_string();
+    assert!(told.contains("AELINK 1, field 5 (C1): found nothing"), "{told}");
+}
+
 /// As BAH's tail and the foreplane of a forward-swept wing in Nastran's own examples.
 #[test]
 fn a_panel_on_a_rigid_body_gets_a_rigid_beam_of_its_own() {
