@@ -163,8 +163,7 @@ fn has_whole_wing(aircraft: &Aircraft) -> bool {
     let largest = lifting.map(area).fold(0.0, f64::max);
     let places: Vec<f64> = strips(aircraft, wing).iter().map(|strip| middle(aircraft, strip).y).collect();
     let is_on_one_side = places.iter().all(|y| *y > 0.0) || places.iter().all(|y| *y < 0.0);
-    let is_half =
-        aircraft.support == Support::Free && aircraft.components[wing].image.is_none() && is_on_one_side;
+    let is_half = aircraft.components[wing].image.is_none() && is_on_one_side;
     area(wing) > 0.99 * largest && !is_half
 }
 

@@ -1,5 +1,5 @@
 //! Two controls of one side each, joined by a third that moves both alike, or one against the other: trims need one that pitches and does
-//! nothing else, and one that rolls.
+//! nothing else, one that rolls and one that yaws.
 
 use nalgebra::Vector3;
 
@@ -27,13 +27,14 @@ struct Joint {
     how: &'static str,
 }
 
-const JOINTS: [Joint; 2] = [
+const JOINTS: [Joint; 3] = [
     Joint { role: Role::Pitch, sense: 1.0, name: "both_elevators", how: "moves both alike" },
     Joint { role: Role::Roll, sense: -1.0, name: "both_ailerons", how: "moves one against the other" },
+    Joint { role: Role::Yaw, sense: -1.0, name: "both_rudders", how: "moves both to one side" },
 ];
 
-/// Adds controls that move the two which pitch most, or roll most, if two are images of each other and do more of it than the one that does
-/// by itself; says which. What each does is found anew in between.
+/// Adds controls that move the two which pitch, roll or yaw most, if two are images of each other and do more of it than the one that does by
+/// itself; says which. What each does is found anew in between.
 pub fn join(
     (controls, surfaces): (&mut Vec<Control>, &mut [Surface]),
     moments: impl Fn(&[Surface], usize) -> Vec<Vector3<f64>>,
@@ -59,8 +60,9 @@ fn most(joint: &Joint, moments: &[Vector3<f64>]) -> Option<Pair> {
         let [one, other] = [moments[controls[0]], moments[controls[1]] * sense];
         let image = Vector3::new(-one.x, one.y, -one.z);
         let sense = sense * joint.sense;
-        let moment = (one + moments[controls[1]] * sense)[axis].abs();
-        let is_pair = one[axis] != 0.0 && (image - other).norm() <= ALIKE * one.norm();
+        let both = one + moments[controls[1]] * sense;
+        let moment = both[axis].abs();
+        let is_pair = both.iamax() == axis && (image - other).norm() <= ALIKE * one.norm();
         (is_pair && moment > least).then_some(Pair { controls, sense, moment })
     };
     pairs.filter_map(pair).max_by(|one, other| one.moment.total_cmp(&other.moment))

@@ -50,20 +50,24 @@ fn give(
     remarks: &mut Remarks,
 ) {
     let Control { parts, limits, label, .. } = controls[dependent].clone();
-    for &(other, gain) in others.iter().filter(|(_, gain)| *gain != 0.0) {
-        let turned = parts.iter().cloned();
-        controls[other].parts.extend(turned.map(|part| ControlPart { gain: part.gain * gain, ..part }));
+    let turning: Vec<(usize, f64)> = others.iter().copied().filter(|(_, gain)| *gain != 0.0).collect();
+    if turning.is_empty() {
+        remarks.note(format!("{label} is no input, and nothing turns it ({})", link.origin));
+    }
+    for &(other, gain) in &turning {
+        let turned = parts.iter().cloned().map(|part| ControlPart { gain: part.gain * gain, ..part });
+        controls[other].parts.extend(turned);
         let name = &controls[other].label;
         remarks.note(format!("{label} is no input: it turns by {gain} × {name} ({})", link.origin));
     }
-    match (limits, others) {
-        (None, _) => {}
-        (Some(limits), &[(other, gain)]) if gain != 0.0 => {
+    match (limits, turning.as_slice()) {
+        (None, _) | (_, []) => {}
+        (Some(limits), &[(other, gain)]) => {
             let [one, end] = limits.map(|angle| angle / gain);
             controls[other].limits = both(controls[other].limits, Some([one.min(end), one.max(end)]));
         }
         (Some(_), _) => {
-            remarks.card(&link.origin, format!("the limits of {label} are not held, for several turn it"))
+            remarks.card(&link.origin, format!("the limits of {label} are not held, for several turn it"));
         }
     }
     controls.remove(dependent);
