@@ -102,3 +102,24 @@ fn free(controls: &[Control], name: &str) -> String {
     controls.iter().for_each(|control| drop(names.free(&control.name, "control")));
     names.free(name, "control")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn elevons_pitch_and_roll_and_rudders_yaw_each_in_their_sense() {
+        let elevons = [Vector3::new(-6.0, -4.0, 0.1), Vector3::new(6.0, -4.0, -0.1)];
+        // Both turn inwards by a positive angle, so that one counts against the other.
+        let rudders = [Vector3::new(0.4, 0.2, 7.0), Vector3::new(-0.4, 0.2, -7.0)];
+        let moments = [elevons[0], rudders[0], elevons[1], rudders[1]];
+        let found = JOINTS.each_ref().map(|joint| {
+            let pair = most(joint, &moments).unwrap();
+            (pair.controls, pair.sense, pair.moment)
+        });
+        assert_eq!(found, [([0, 2], 1.0, 8.0), ([0, 2], -1.0, 12.0), ([1, 3], -1.0, 14.0)]);
+        // What does as much by itself stays alone.
+        let both = elevons[0] - elevons[1];
+        assert!(most(&JOINTS[1], &[elevons[0], elevons[1], both * 1.01]).is_none());
+    }
+}

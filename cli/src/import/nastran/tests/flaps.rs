@@ -216,6 +216,8 @@ fn a_swept_fin_on_a_link_and_wings_beyond_a_kink_are_components_with_their_names
     // On a body that is rigid as a whole.
     let on_link = fin.replace("CBAR,1,1,1,2,0.,0.,1.\nCBAR,2,1,2,3,0.,0.,1.\nRBE2,3,3,", "RBE2,3,1,");
     assert_eq!(names(&on_link), ["fin"]);
+    let with_tail = on_link + "GRID,6,,13.,2.,1.\nCBAR,6,2,4,6,0.,0.,1.\n";
+    assert!(names(&with_tail).contains(&"fuselage_aft".to_owned()), "{:?}", names(&with_tail));
     // A gull wing.
     let wing = "MAT1,1,7.+10,,.33,2700.\nPBAR,1,1,.01,1.-4,4.-4,1.-4\nGRID,1,,0.,0.,0.\nGRID,2,,0.,3.,2.9\nGRID,3,,0.,7.,0.\n\
                 CBAR,1,1,1,2,0.,0.,1.\nCBAR,2,1,2,3,0.,0.,1.\nSPC1,1,123456,1\n";
