@@ -131,40 +131,44 @@ fn centre_of_mass(aircraft: &Aircraft, facts: &Facts) -> Option<String> {
     })
 }
 
-/// Reference lengths that the file gives and that are not those of its wing.
+/// Reference lengths that the file gives and that are not those of its wing. Of half a wing area and span may be those of the whole.
 fn reference_lengths(aircraft: &Aircraft) -> Vec<String> {
     let given = aircraft.reference;
     let plain = Aircraft { reference: Default::default(), ..aircraft.clone() };
-    let Some(wing) = plain.reference_lengths() else { return Vec::new() };
-    if !has_whole_wing(aircraft) {
+    let (Some(wing), Some(lengths)) = (aircraft.wing(), plain.reference_lengths()) else { return Vec::new() };
+    if !is_largest(aircraft, wing) {
         return Vec::new();
     }
+    let halves = if is_half(aircraft, wing) { 2.0 } else { 1.0 };
     let all = [
-        ("chord_m", given.chord, wing.chord),
-        ("area_m2", given.area, wing.area),
-        ("span_m", given.span, wing.span),
+        ("chord_m", given.chord, lengths.chord, 1.0),
+        ("area_m2", given.area, lengths.area, halves),
+        ("span_m", given.span, lengths.span, halves),
     ];
-    let odd = all.into_iter().filter_map(|(field, given, wing)| {
-        let given = given.filter(|given| !REFERENCE_RATIOS.contains(&(given / wing)))?;
+    let odd = all.into_iter().filter_map(|(field, given, wing, halves)| {
+        let usual = *REFERENCE_RATIOS.start()..=halves * REFERENCE_RATIOS.end();
+        let given = given.filter(|given| !usual.contains(&(given / wing)))?;
         let wing = short(wing);
         Some(format!("[reference] {field} is {}, the wing has {wing}: usual is about that", Plain(given)))
     });
     odd.collect()
 }
 
-/// Whether the component that the library takes for the wing is one: of half a model, and where a file has a component for each side, it
-/// is one half, or a tail that has both.
-fn has_whole_wing(aircraft: &Aircraft) -> bool {
-    let Some(wing) = aircraft.wing() else { return false };
+/// Whether nothing lifts with more area than what the library takes for the wing: where a file has a wing as a component for each side, that
+/// may be the tail.
+fn is_largest(aircraft: &Aircraft, wing: usize) -> bool {
     let area = |component: usize| -> f64 {
         strips(aircraft, component).iter().map(|strip| 2.0 * strip.semichord * strip.width).sum()
     };
     let lifting = (0..aircraft.components.len()).filter(|&component| is_lifting(aircraft, component));
-    let largest = lifting.map(area).fold(0.0, f64::max);
+    area(wing) > 0.99 * lifting.map(area).fold(0.0, f64::max)
+}
+
+/// Whether a wing is on one side alone and has no image: of half a model, or of an aircraft with a component for each side.
+fn is_half(aircraft: &Aircraft, wing: usize) -> bool {
     let places: Vec<f64> = strips(aircraft, wing).iter().map(|strip| middle(aircraft, strip).y).collect();
     let is_on_one_side = places.iter().all(|y| *y > 0.0) || places.iter().all(|y| *y < 0.0);
-    let is_half = aircraft.components[wing].image.is_none() && is_on_one_side;
-    area(wing) > 0.99 * largest && !is_half
+    aircraft.components[wing].image.is_none() && is_on_one_side
 }
 
 /// A component with strips and no mass.

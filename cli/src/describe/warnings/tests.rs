@@ -1,5 +1,5 @@
 use flexible_aircraft::ReducedModel;
-use flexible_aircraft::aircraft::Component;
+use flexible_aircraft::aircraft::{Component, GivenReference};
 
 use super::*;
 
@@ -245,6 +245,17 @@ fn given_reference_lengths_are_about_those_of_the_wing() {
         ..by_sides
     };
     assert!(reference_lengths(&halves).is_empty());
+    let odd = Aircraft {
+        reference: GivenReference { chord: Some(37.0), area: Some(400.0), ..halves.reference },
+        ..halves
+    };
+    let odd = reference_lengths(&odd);
+    assert!(
+        odd.len() == 2
+            && odd[0].starts_with("[reference] chord_m is 37")
+            && odd[1].starts_with("[reference] area_m2 is 400"),
+        "{odd:?}"
+    );
 }
 
 #[test]

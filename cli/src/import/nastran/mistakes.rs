@@ -186,6 +186,7 @@ impl Remarks {
         self.reports.push(Remark { place: source.place, what: source.to_string(), said, of_many });
     }
 
+    /// Of anything, by where it is and what it is called.
     pub fn report(&mut self, (place, what): (Place, String), said: impl Into<String>) {
         self.reports.push(Remark { place, what, said: said.into(), of_many: None });
     }

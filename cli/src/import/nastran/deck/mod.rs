@@ -1,4 +1,5 @@
-//! A Nastran deck as cards: its files, their lines, the fields in them. Nothing here knows what a card means.
+//! A Nastran deck as cards: its files, their lines, the fields in them. Nothing here knows what a card means, but that equations
+//! are text.
 
 mod fields;
 mod files;
